@@ -1,0 +1,68 @@
+"""Every exception of freebody.
+
+FreebodyError
++-- InputError            the user's text, file or model is at fault (exit code 2)
+|   +-- ExpressionError   one expression cannot be read: message and column
+|   +-- UnitError         a unit is unknown or does not fit
+|   +-- ModelError        a model file or System: all its problems, each with its place
++-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
++-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+class FreebodyError(Exception):
+    """Base of all freebody errors."""
+
+
+class InputError(FreebodyError):
+    """What the user wrote is at fault; the message says what, where and what to do."""
+
+
+class ExpressionError(InputError):
+    """An expression that cannot be read. `column` counts from 1 within the expression's text."""
+
+    def __init__(self, message: str, column: int = 1) -> None:
+        super().__init__(f"{message} (column {column})")
+        self.message = message
+        self.column = column
+
+
+class UnitError(InputError):
+    """A unit that is unknown, or dimensions that do not fit together."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One mistake in a model: where it stands, what is wrong, what to do about it."""
+
+    path: tuple[str | int, ...]
+    message: str
+    line: int | None = None
+    column: int | None = None
+
+    def text(self, file: str | None) -> str:
+        place = ".".join(str(part) for part in self.path)
+        spot = ":".join(str(part) for part in (file, self.line, self.column) if part is not None)
+        return ": ".join(part for part in (spot, place, self.message) if part)
+
+
+class ModelError(InputError):
+    """All problems of one model, in one message."""
+
+    def __init__(self, problems: Sequence[Problem], file: str | None = None) -> None:
+        self.problems = tuple(problems)
+        self.file = file
+        super().__init__("\n".join(problem.text(file) for problem in self.problems))
+
+
+class CannotAnswer(FreebodyError):
+    """The question has no answer here; the message says why and what to do instead."""
+
+
+class RoutesDisagree(FreebodyError):
+    """The symbolic and the numeric route give different values; no result is shown."""

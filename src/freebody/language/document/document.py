@@ -1,0 +1,179 @@
+"""The document: what it says, where each value stands, and the text with one value changed.
+
+Each value keeps the span of text it came from, so a change replaces that span only, and every other
+character, comments included, stays as it was. The changed text is read again and must say what was meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from freebody.errors import InputError, ModelError, Problem
+from freebody.language.document.composer import compose
+from freebody.language.document.file import text_of
+from freebody.language.document.plain import checked, with_value
+from freebody.language.document.tree import Node, Place, Step, kind_of
+from freebody.language.document.writer import block_lines, flow_text, scalar_text
+
+
+class Document:
+    """One model file: its plain data, the place of every value, and its text. Immutable.
+
+    Made by `read`, `load` or `from_plain`; each raises ModelError with every problem found.
+    """
+
+    __slots__ = ("_has_places", "_root", "_text", "file")
+
+    def __init__(self, text: str, file: str | None, root: Node, has_places: bool) -> None:
+        self._text = text
+        self._root = root
+        self._has_places = has_places
+        self.file = file
+
+    # -- making -------------------------------------------------------------------------------
+    @classmethod
+    def read(cls, text: str, file: str | None = None) -> Document:
+        """Reads YAML text; `file` is the name used in messages."""
+        return cls(text, file, compose(text, file), True)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Document:
+        """Reads a YAML file in UTF-8 of at most 1 MB."""
+        return cls.read(text_of(Path(path)), str(path))
+
+    @classmethod
+    def from_plain(cls, data: Mapping[Any, Any]) -> Document:
+        """Writes plain data (mappings, lists, texts, finite numbers, true, false, None) as a new document."""
+        text = "\n".join(block_lines(checked(data, ()), 0)) + "\n" if data else "{}\n"
+        try:
+            return cls(text, None, compose(text, None), False)
+        except ModelError as error:
+            raise ModelError([Problem(p.path, p.message) for p in error.problems]) from None
+
+    # -- asking -------------------------------------------------------------------------------
+    @property
+    def data(self) -> dict[str, Any]:
+        """Plain Python data, made anew on each call; an empty value is None."""
+        return self._root.plain()
+
+    def place(self, path: Place) -> tuple[int, int] | None:
+        """Line and column, from 1, of the value at `path`, or of its deepest parent that exists.
+
+        The key stands for a value that is empty or starts on a later line. None for a document made from
+        plain data, whose text nobody has seen.
+        """
+        if not self._has_places:
+            return None
+        steps = self._walk(path)
+        last = steps[-1]
+        if last.key is not None and (last.node.is_empty or last.node.line != last.key.line):
+            return last.key.line, last.key.column
+        return last.node.line, last.node.column
+
+    def locate(self, problem: Problem) -> Problem:
+        """The problem with its line and column, where they are known."""
+        place = self.place(problem.path)
+        if place is None or problem.line is not None:
+            return problem
+        return replace(problem, line=place[0], column=place[1])
+
+    def dumps(self) -> str:
+        """The text, exactly as read but for the values replaced since."""
+        return self._text
+
+    # -- changing -----------------------------------------------------------------------------
+    def with_value(self, path: Place, value: Any) -> Document:
+        """A new document with the value at `path` replaced, or added as a new key; missing parents are made.
+
+        Comments inside a replaced list or mapping go with it; all others stay. Raises InputError where `path`
+        leads through something that is not a mapping, or the text cannot be changed in place.
+        """
+        if not path:
+            raise InputError("name the value to change, e.g. ('parameters', 'm')")
+        value = new = checked(value, path)
+        steps = self._walk(path)
+        missing = path[len(steps) - 1 :]
+        last = steps[-1]
+        for part in reversed(missing[1:]):
+            new = {str(part): new}
+        if not missing:
+            text = self._replaced(last, new)
+        elif isinstance(last.node.content, dict) and last.node.content:
+            text = self._added(last.node, last.node.content, str(missing[0]), new)
+        elif last.node.content is None or last.node.content == {}:
+            text = self._replaced(last, {str(missing[0]): new})
+        else:
+            raise InputError(
+                f"{_dotted(path)} cannot be set: {_dotted(path[: len(steps) - 1])} is "
+                f"{kind_of(last.node.plain())} without {missing[0]}"
+            )
+        return self._verified(text, path, value)
+
+    def _verified(self, text: str, path: Place, value: Any) -> Document:
+        """The changed text read again; it must say the old data with the one value changed."""
+        expected = with_value(self.data, path, value)
+        try:
+            changed = Document(text, self.file, compose(text, self.file), self._has_places)
+        except ModelError:
+            changed = None
+        if changed is None or repr(changed.data) != repr(expected):
+            raise InputError(
+                f"{_dotted(path)} cannot be changed in place; write it as 'name: value' on its own line first"
+            )
+        return changed
+
+    def _walk(self, path: Place) -> list[Step]:
+        """The steps from the top along `path`, as far as it exists."""
+        steps = [Step(None, self._root)]
+        for part in path:
+            content = steps[-1].node.content
+            if isinstance(content, dict) and str(part) in content:
+                steps.append(content[str(part)])
+            elif isinstance(content, list) and isinstance(part, int) and 0 <= part < len(content):
+                steps.append(Step(None, content[part]))
+            else:
+                break
+        return steps
+
+    def _replaced(self, step: Step, value: Any) -> str:
+        key, node = step.key, step.node
+        new = flow_text(value)
+        if node.is_empty:
+            has_colon = key is None or node.start > key.end
+            return self._spliced(node.start, node.start, f" {new}" if has_colon else f": {new}")
+        start = node.start
+        if node.is_block and key is not None:
+            # A block collection moves up to its key's line, unless a comment stands between the two.
+            if re.fullmatch(r":[ ]*\r?\n\s*", self._text[key.end : start]):
+                start, new = key.end, f": {new}"
+            elif node.column <= key.column:
+                new = f"  {new}"
+        elif self._text[start - 1 : start] == ":":
+            new = f" {new}"
+        return self._spliced(start, node.end, new)
+
+    def _added(self, node: Node, entries: dict[str, Step], name: str, value: Any) -> str:
+        entry = f"{scalar_text(name, flow=True)}: {flow_text(value)}"
+        last = next(reversed(entries.values()))
+        end = last.node.end
+        if not node.is_block and self._text[node.start] != "{":
+            # `[a: b]` is a list of one mapping without braces, which can take no second key.
+            return self._spliced(node.start, node.end, flow_text({**node.plain(), name: value}))
+        if not node.is_block:
+            return self._spliced(end, end, f", {entry}")
+        # The new line follows the last entry's line, so that a comment at its end stays with it.
+        line_end = re.compile(r"\r?\n|\Z").search(self._text, end)
+        at = len(self._text) if line_end is None else line_end.start()
+        newline = "\r\n" if "\r\n" in self._text else "\n"
+        return self._spliced(at, at, newline + " " * (node.column - 1) + entry)
+
+    def _spliced(self, start: int, end: int, new: str) -> str:
+        return self._text[:start] + new + self._text[end:]
+
+
+def _dotted(path: Place) -> str:
+    return ".".join(str(part) for part in path) or "the top level"

@@ -1,0 +1,45 @@
+"""A model file's text, or why it cannot be had: no such file, a folder, too large, not UTF-8."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+from typing import NoReturn
+
+from freebody.errors import ModelError, Problem
+from freebody.language.document.tree import MAX_BYTES
+
+
+def text_of(path: Path) -> str:
+    def refuse(message: str, line: int | None = None) -> NoReturn:
+        raise ModelError([Problem((), message, line)], str(path))
+
+    if path.is_dir():
+        refuse(f"is a folder, not a model file.{_did_you_mean(path, path)}")
+    if not path.exists():
+        refuse(f"there is no such file.{_did_you_mean(path, path.parent)}")
+    if not path.is_file():
+        refuse("is not a regular file")
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        refuse(f"cannot be read: {error.strerror}")
+    if len(content) > MAX_BYTES:
+        refuse(f"is larger than {MAX_BYTES // 1_000_000} MB; a model file is a few kB. Is it the right file?")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        refuse("is not UTF-8 text; save it as UTF-8", content.count(b"\n", 0, error.start) + 1)
+
+
+def _did_you_mean(path: Path, folder: Path) -> str:
+    try:
+        names = sorted(p.name for p in folder.iterdir() if p.suffix == ".yaml")
+    except OSError:
+        return "" if folder.is_dir() else f" There is no folder {folder} either."
+    close = difflib.get_close_matches(path.name, names, n=1)
+    if close:
+        return f" Did you mean {folder / close[0]}?"
+    shown = ", ".join(names[:8]) + (" ..." if len(names) > 8 else "")
+    return f" That folder has: {shown}." if names else ""

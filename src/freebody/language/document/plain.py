@@ -1,0 +1,81 @@
+"""Plain data: mappings with text keys, lists, texts, finite numbers, true, false, None, and nothing else."""
+
+from __future__ import annotations
+
+import math
+import operator
+import re
+from collections.abc import Mapping
+from typing import Any, cast
+
+from freebody.errors import ModelError, Problem
+from freebody.language.document.tree import MAX_DEPTH, MAX_KEY, Place
+
+
+def checked(data: Any, path: Place) -> Any:
+    """The data in plain types. Raises ModelError with everything that is not plain."""
+    problems: list[Problem] = []
+    result = _as_plain(data, path, problems)
+    if problems:
+        raise ModelError(problems)
+    return result
+
+
+def _as_plain(value: Any, path: Place, problems: list[Problem]) -> Any:
+    if len(path) > MAX_DEPTH:
+        problems.append(Problem((), f"lists and mappings stand more than {MAX_DEPTH} deep in each other"))
+        return None
+    if isinstance(value, Mapping):
+        result: dict[str, Any] = {}
+        for key, item in cast("Mapping[Any, Any]", value).items():
+            name = _key_text(key, path, problems)
+            if name in result:
+                problems.append(Problem(path, f"two keys are written {name}"))
+            result[name] = _as_plain(item, (*path, name), problems)
+        return result
+    if isinstance(value, (list, tuple)):
+        items = cast("list[Any] | tuple[Any, ...]", value)
+        return [_as_plain(item, (*path, k), problems) for k, item in enumerate(items)]
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, str):
+        if re.search("[\ud800-\udfff]", value):
+            problems.append(Problem(path, "half a character (a surrogate) cannot be written"))
+        return str.__str__(value)
+    if hasattr(value, "__index__"):
+        value = operator.index(value)
+    elif not isinstance(value, float):
+        message = f"{type(value).__name__} is not plain data; give a number, a text, a list or a mapping"
+        problems.append(Problem(path, message))
+        return None
+    try:
+        finite = math.isfinite(value)
+    except OverflowError:
+        finite = False
+    if not finite:
+        problems.append(Problem(path, "is not a finite number"))
+        return None
+    return value if isinstance(value, int) else float(value)
+
+
+def _key_text(key: Any, path: Place, problems: list[Problem]) -> str:
+    if isinstance(key, bool) or not isinstance(key, (str, int)):
+        problems.append(Problem(path, f"the key {key!r} is not text"))
+    name = str.__str__(key) if isinstance(key, str) else str(key)
+    if len(name) > MAX_KEY:
+        problems.append(Problem(path, f"a key of {len(name)} characters; write at most {MAX_KEY}"))
+    if re.search("[\ud800-\udfff]", name):
+        problems.append(Problem(path, "a key with half a character (a surrogate) cannot be written"))
+    return name
+
+
+def with_value(data: Any, path: Place, value: Any) -> Any:
+    """Plain data with one value exchanged; what is missing or None on the way becomes a mapping."""
+    if not path:
+        return value
+    part, rest = path[0], path[1:]
+    if isinstance(data, list):
+        items = cast("list[Any]", data)
+        return [with_value(v, rest, value) if k == part else v for k, v in enumerate(items)]
+    entries = cast("dict[str, Any]", data or {})
+    return {**entries, str(part): with_value(entries.get(str(part)), rest, value)}

@@ -1,0 +1,76 @@
+"""Immutable expression trees: the one form in which freebody keeps the user's mathematics.
+
+tree         the nodes, and how they are put together
+inspection   the names in a tree, its depth and length
+calculus     substitution and derivatives
+evaluation   values in any arithmetic
+"""
+
+from __future__ import annotations
+
+from freebody.language.expression.calculus import differentiate, substitute
+from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key
+from freebody.language.expression.inspection import depth, free_symbols, n_operations
+from freebody.language.expression.rates import replace_rates
+from freebody.language.expression.tree import (
+    FUNCTIONS,
+    MAX_EXPONENT,
+    MINUS_ONE,
+    ONE,
+    PI,
+    ZERO,
+    Call,
+    Expr,
+    Number,
+    Operand,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    children,
+    divide,
+    multiply,
+    name_problem,
+    negate,
+    number,
+    power,
+    symbol,
+    whole_exponent,
+)
+
+__all__ = [
+    "FLOAT_FUNCTIONS",
+    "FUNCTIONS",
+    "MAX_EXPONENT",
+    "MINUS_ONE",
+    "ONE",
+    "PI",
+    "ZERO",
+    "Call",
+    "Expr",
+    "Number",
+    "Operand",
+    "Power",
+    "Product",
+    "Sum",
+    "Symbol",
+    "add",
+    "children",
+    "depth",
+    "differentiate",
+    "divide",
+    "evaluate",
+    "free_symbols",
+    "multiply",
+    "n_operations",
+    "name_problem",
+    "negate",
+    "number",
+    "power",
+    "rate_key",
+    "replace_rates",
+    "substitute",
+    "symbol",
+    "whole_exponent",
+]

@@ -1,0 +1,111 @@
+"""Trees from trees: other expressions put in for names, and partial derivatives.
+
+    (f + g)' = f' + g'        (f g)' = f' g + f g'        (f(u))' = f'(u) u'
+    (b^e)'   = e b^(e-1) b' + b^e log(b) e'
+
+Nothing is tidied beyond what `add`, `multiply` and `power` do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from freebody.errors import ExpressionError
+from freebody.language.expression.inspection import free_symbols
+from freebody.language.expression.tree import (
+    MINUS_ONE,
+    ONE,
+    ZERO,
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    multiply,
+    power,
+)
+
+
+def substitute(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
+    """The expression with all replacements made at once; the rate of a number is 0.
+
+    Raises ExpressionError when anything but a symbol or a number would have to stand inside rate(...).
+    """
+    match expr:
+        case Number():
+            return expr
+        case Symbol(name):
+            return replacements.get(name, expr)
+        case Sum(terms):
+            return add(*[substitute(term, replacements) for term in terms])
+        case Product(factors):
+            return multiply(*[substitute(factor, replacements) for factor in factors])
+        case Power(base, exponent):
+            return power(substitute(base, replacements), substitute(exponent, replacements))
+        case Call("rate", argument):
+            inner = substitute(argument, replacements)
+            if isinstance(inner, Number):
+                return ZERO
+            if isinstance(inner, Symbol) or (isinstance(inner, Call) and inner.function == "rate"):
+                return Call("rate", inner)
+            names = ", ".join(sorted(free_symbols(argument)))
+            raise ExpressionError(f"{names} is in rate(...), where only a name or a number can replace it")
+        case Call(function, argument):
+            return Call(function, substitute(argument, replacements))
+
+
+def differentiate(expr: Expr, name: str) -> Expr:
+    """The partial derivative; rate(x) does not depend on x."""
+    match expr:
+        case Number():
+            return ZERO
+        case Symbol(other):
+            return ONE if other == name else ZERO
+        case Sum(terms):
+            return add(*[differentiate(term, name) for term in terms])
+        case Product(factors):
+            changes = [differentiate(factor, name) for factor in factors]
+            return add(
+                *[
+                    multiply(*factors[:i], change, *factors[i + 1 :])
+                    for i, change in enumerate(changes)
+                    if change != ZERO
+                ]
+            )
+        case Power(base, exponent):
+            return _differentiate_power(base, exponent, name)
+        case Call(function, argument):
+            change = ZERO if function == "rate" else differentiate(argument, name)
+            return ZERO if change == ZERO else multiply(_DERIVATIVES[function](argument), change)
+
+
+def _differentiate_power(base: Expr, exponent: Expr, name: str) -> Expr:
+    # (b^e)' = e b^(e-1) b' + b^e log(b) e'
+    of_base, of_exponent = differentiate(base, name), differentiate(exponent, name)
+    terms: list[Expr] = []
+    if of_base != ZERO:
+        terms.append(multiply(exponent, power(base, add(exponent, MINUS_ONE)), of_base))
+    if of_exponent != ZERO:
+        terms.append(multiply(Power(base, exponent), Call("log", base), of_exponent))
+    return add(*terms)
+
+
+_DERIVATIVES: Mapping[str, Callable[[Expr], Expr]] = {
+    "sqrt": lambda u: 1 / (2 * Call("sqrt", u)),
+    "sin": lambda u: Call("cos", u),
+    "cos": lambda u: -Call("sin", u),
+    "tan": lambda u: 1 + Call("tan", u) ** 2,
+    "asin": lambda u: 1 / Call("sqrt", 1 - u**2),
+    "acos": lambda u: -1 / Call("sqrt", 1 - u**2),
+    "atan": lambda u: 1 / (1 + u**2),
+    "exp": lambda u: Call("exp", u),
+    "log": lambda u: 1 / u,
+    "sinh": lambda u: Call("cosh", u),
+    "cosh": lambda u: Call("sinh", u),
+    "tanh": lambda u: 1 - Call("tanh", u) ** 2,
+    "abs": lambda u: Call("sign", u),
+    "sign": lambda u: ZERO,
+}

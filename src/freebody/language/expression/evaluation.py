@@ -1,0 +1,126 @@
+"""The value of an expression, in whatever arithmetic its names have values of: floats, jets, balls, field
+elements. One walk over the tree serves them all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, TypeVar
+
+from freebody.errors import ExpressionError
+from freebody.language.expression.tree import (
+    ELEMENTARY,
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    whole_exponent,
+)
+
+T = TypeVar("T")
+
+
+def _sign(x: float) -> float:
+    return float((x > 0) - (x < 0))
+
+
+FLOAT_FUNCTIONS: Mapping[str, Any] = {
+    **{name: getattr(math, name) for name in ELEMENTARY},
+    "abs": abs,
+    "sign": _sign,
+    "pi": math.pi,
+    "number": float,
+}
+
+
+def evaluate(expr: Expr, values: Mapping[str, T], functions: Mapping[str, Any] | None = None) -> T:
+    """The value in the arithmetic of `values`: floats, or whatever `functions` are made for.
+
+    `functions` maps function names to callables, "pi" to its value and "number" to the conversion of a
+    Fraction; without the last two pi and numbers are floats. A rate is looked up in `values` as "rate(x)",
+    then asked of functions["rate"]. Integer powers are taken by `**int`, negative ones by division.
+
+    Raises ExpressionError naming a symbol or function without a value; ValueError or ArithmeticError
+    where the mathematics is undefined, as sqrt(-1) or 1/0 in floats.
+    """
+    return _evaluate(expr, values, FLOAT_FUNCTIONS if functions is None else functions)
+
+
+def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any]) -> Any:
+    match expr:
+        case Number(value):
+            return functions.get("number", float)(value)
+        case Symbol("pi"):
+            return functions.get("pi", math.pi)
+        case Symbol(name):
+            if name not in values:
+                raise ExpressionError(f"'{name}' has no value; known are {_listed(values)}")
+            return values[name]
+        case Sum(terms):
+            total = _evaluate(terms[0], values, functions)
+            for term in terms[1:]:
+                total = total + _evaluate(term, values, functions)
+            return total
+        case Product(factors):
+            result = None
+            for factor in factors:
+                if isinstance(factor, Power) and (n := whole_exponent(factor)) is not None and n < 0:
+                    below = _whole_power(_evaluate(factor.base, values, functions), -n)
+                    above = functions.get("number", float)(Fraction(1)) if result is None else result
+                    result = above / below
+                else:
+                    value = _evaluate(factor, values, functions)
+                    result = value if result is None else result * value
+            return result
+        case Power(base, exponent):
+            return _evaluate_power(expr, base, exponent, values, functions)
+        case Call("rate", argument):
+            key = rate_key(expr)
+            if key in values:
+                return values[key]
+            if "rate" not in functions:
+                raise ExpressionError(f"{key} has no value here; known are {_listed(values)}")
+            return functions["rate"](_evaluate(argument, values, functions))
+        case Call(function, argument):
+            if function not in functions:
+                raise ExpressionError(f"the function {function} is not known to this arithmetic")
+            return functions[function](_evaluate(argument, values, functions))
+
+
+def _evaluate_power(
+    expr: Power, base: Expr, exponent: Expr, values: Mapping[str, Any], functions: Mapping[str, Any]
+) -> Any:
+    below = _evaluate(base, values, functions)
+    n = whole_exponent(expr)
+    if n is not None and n > 0:
+        return _whole_power(below, n)
+    if n is not None:
+        return functions.get("number", float)(Fraction(1)) / _whole_power(below, -n)
+    result = below ** _evaluate(exponent, values, functions)
+    if isinstance(result, complex) and isinstance(below, float):
+        raise ValueError(f"{below} has no real power with a broken exponent")
+    return result
+
+
+def _whole_power(base: Any, n: int) -> Any:
+    return base if n == 1 else base**n
+
+
+def rate_key(expr: Expr) -> str:
+    """The name under which `evaluate` looks up a rate: "rate(x)", "rate(rate(x))"."""
+    match expr:
+        case Symbol(name):
+            return name
+        case Call("rate", argument):
+            return f"rate({rate_key(argument)})"
+        case _:
+            raise ExpressionError("rate(...) takes the name of a measure")
+
+
+def _listed(values: Mapping[str, Any]) -> str:
+    names = sorted(values)
+    return ", ".join(names[:12]) + (", ..." if len(names) > 12 else "") if names else "no names at all"

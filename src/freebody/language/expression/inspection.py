@@ -1,0 +1,86 @@
+"""What an expression tree is made of: its names, its depth, and how long it is to write."""
+
+from __future__ import annotations
+
+from freebody.language.expression.tree import (
+    MINUS_ONE,
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    children,
+    power,
+)
+
+
+def free_symbols(expr: Expr) -> frozenset[str]:
+    """Names of all symbols except pi; those inside rate(...) count."""
+    names: set[str] = set()
+    waiting: list[Expr] = [expr]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Symbol):
+            names.add(part.name)
+        waiting.extend(children(part))
+    return frozenset(names - {"pi"})
+
+
+def depth(expr: Expr) -> int:
+    """Levels of the tree; a number or a symbol has one."""
+    deepest, level = 0, [expr]
+    while level:
+        deepest += 1
+        level = [child for part in level for child in children(part)]
+    return deepest
+
+
+def n_operations(expr: Expr) -> int:
+    """How many + - * / ** and function calls it takes to write the expression."""
+    match expr:
+        case Symbol():
+            return 0
+        case Number(value):
+            return (value < 0) + (value.denominator != 1)
+        case Sum(terms):
+            # A minus between terms is the subtraction itself; only one in front is an operation more.
+            minuses = sum(map(_is_negative, terms[1:]))
+            return len(terms) - 1 + sum(map(n_operations, terms)) - minuses
+        case Product(factors):
+            return _n_operations_of_product(factors)
+        case Power(base, exponent):
+            inverse = 1 if isinstance(exponent, Number) and exponent.value < 0 else 0
+            if inverse and exponent == MINUS_ONE:
+                return 1 + n_operations(base)
+            return 1 + n_operations(base) + n_operations(exponent)
+        case Call(_, argument):
+            return 1 + n_operations(argument)
+
+
+def _n_operations_of_product(factors: tuple[Expr, ...]) -> int:
+    count, n_numerators = len(factors) - 1, 0
+    for factor in factors:
+        match factor:
+            case Number(value):
+                # -1 costs its sign, 1/2 its division, which stands for the multiplication.
+                count += (value < 0) - (abs(value.numerator) == 1)
+                count += value.denominator != 1
+                n_numerators += abs(value.numerator) != 1
+            case Power(base, Number(value)) if value < 0:
+                count += n_operations(power(base, Number(-value)))
+            case _:
+                count += n_operations(factor)
+                n_numerators += 1
+    return count + (n_numerators == 0)
+
+
+def _is_negative(expr: Expr) -> bool:
+    match expr:
+        case Number(value):
+            return value < 0
+        case Product((Number(value), *_)):
+            return value < 0
+        case _:
+            return False

@@ -1,0 +1,40 @@
+"""Expressions as text: for Python, for reading on one line, for LaTeX, and stacked for the terminal.
+
+All four writers see an expression the same way: a sum is signed terms, a product is a sign and a fraction
+(`Quotient`), and a number is written as a decimal only where that is exact and reads better than p/q.
+
+parts      what the writers share
+one_line   for Python, and for reading
+latex      for LaTeX
+stacked    for the terminal
+"""
+
+from __future__ import annotations
+
+from freebody.language.expression import Expr
+from freebody.language.notation.one_line import PYTHON, TEXT
+
+
+def to_python(expr: Expr) -> str:
+    """One line that both Python and `parse` read: 2*m1*g/(m1 + m2)."""
+    return PYTHON.write(expr)[0]
+
+
+def to_text(expr: Expr) -> str:
+    """One line for reading, which `parse` reads too: 2·m₁·g/(m₁ + m₂)."""
+    return TEXT.write(expr)[0]
+
+
+def to_latex(expr: Expr) -> str:
+    r"""LaTeX mathematics: \\frac{2 m_{1} g}{m_{1} + m_{2}}."""
+    from freebody.language.notation.latex import latex
+
+    return latex(expr)[0]
+
+
+def to_pretty(expr: Expr, width: int = 100) -> str:
+    """Several lines with fractions over a bar; the one line of `to_text` when more than `width` columns."""
+    from freebody.language.notation.stacked import stacked
+
+    box = stacked(expr)[0]
+    return "\n".join(line.rstrip() for line in box.lines) if box.width <= width else to_text(expr)

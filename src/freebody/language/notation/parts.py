@@ -1,0 +1,122 @@
+"""What the four writers see of an expression: signed terms, a fraction, an exact decimal, a letter and its index.
+
+    a - 2 b           is  (+, a), (-, 2 b)
+    (-2/3) a b^(-1)   is  the sign -, above the bar 2 and a, below it 3 and b
+    1/16              is  0.0625; 1/3 and 1/8 stay fractions
+
+Numbers are exact throughout.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from freebody.language.expression import (
+    ONE,
+    Expr,
+    Number,
+    Power,
+    Product,
+    power,
+)
+from freebody.language.parser import GREEK, MAX_DIGITS
+
+# Binding strength of what stands at the top of a written expression.
+SUM, MINUS, PRODUCT, POWER, ATOM = range(5)
+
+# Greek letters by name, without those that look like Latin ones.
+LETTER_OF = {name: letter for letter, name in GREEK.items() if letter not in "ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοϒ"}
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient:
+    """A product as it is written: sign, factors above and below the bar."""
+
+    is_negative: bool
+    above: tuple[Expr, ...]
+    below: tuple[Expr, ...]
+
+
+def quotient(factors: tuple[Expr, ...]) -> Quotient:
+    above: list[Expr] = []
+    below: list[Expr] = []
+    coefficient = _gather(factors, above, below)
+    size = abs(coefficient)
+    if as_decimal(size) is not None:
+        above.insert(0, Number(size))
+    else:
+        if size.numerator != 1:
+            above.insert(0, Number(Fraction(size.numerator)))
+        if size.denominator != 1:
+            below.insert(0, Number(Fraction(size.denominator)))
+    return Quotient(coefficient < 0, tuple(above) or (ONE,), tuple(below))
+
+
+def _gather(factors: tuple[Expr, ...], above: list[Expr], below: list[Expr]) -> Fraction:
+    """Sorts factors to above and below the bar, through nested quotients, and returns the coefficient."""
+    coefficient = Fraction(1)
+    for factor in factors:
+        match factor:
+            case Number(value):
+                coefficient *= value
+            case Power(Product(inner), Number(value)) if value == -1:
+                coefficient /= _gather(inner, below, above)
+            case Power(base, Number(value)) if value < 0:
+                below.append(power(base, Number(-value)))
+            case _:
+                above.append(factor)
+    return coefficient
+
+
+def signed_terms(terms: tuple[Expr, ...]) -> list[tuple[bool, Expr]]:
+    """Each term as (is it subtracted, what is added or subtracted)."""
+    return [_without_sign(term) for term in terms]
+
+
+def _without_sign(term: Expr) -> tuple[bool, Expr]:
+    match term:
+        case Number(value) if value < 0:
+            return True, Number(-value)
+        case Product((Number(value), *rest)) if value < 0 and rest:
+            kept = (*(() if value == -1 else (Number(-value),)), *rest)
+            return True, kept[0] if len(kept) == 1 else Product(kept)
+        case _:
+            return False, term
+
+
+def as_decimal(value: Fraction) -> str | None:
+    """The decimal of a positive number whose denominator is over 10 and divides a power of ten."""
+    if value.denominator <= 10 and len(str(value.numerator)) <= MAX_DIGITS:
+        return None
+    places = _decimal_places(value.denominator)
+    if places is None:
+        return None
+    digits = str(value.numerator * 10**places // value.denominator)
+    stripped = digits.rstrip("0")
+    if len(stripped) > MAX_DIGITS:
+        return None
+    if places == 0 or places > 15 or len(digits) > 20:
+        return f"{stripped}e{len(digits) - len(stripped) - places}"
+    digits = digits.rjust(places + 1, "0")
+    return f"{digits[:-places]}.{digits[-places:]}"
+
+
+def _decimal_places(denominator: int) -> int | None:
+    twos = (denominator & -denominator).bit_length() - 1
+    fives, rest = 0, denominator >> twos
+    while rest % 5 == 0:
+        rest //= 5
+        fives += 1
+    return max(twos, fives) if rest == 1 else None
+
+
+def is_whole(expr: Expr) -> bool:
+    return isinstance(expr, Number) and expr.value.denominator == 1
+
+
+def split_name(name: str) -> tuple[str, str]:
+    letters = re.match("[A-Za-z]*", name)
+    n_letters = letters.end() if letters else 0
+    return name[:n_letters], name[n_letters:]

@@ -1,0 +1,349 @@
+"""Reading the user's mathematics: the only way from text to an expression tree.
+
+    sum      = product {("+" | "-") product}
+    product  = signed {("*" | "/") signed | power}        a power side by side is a product: 2 m g
+    signed   = {"+" | "-"} power                           so -x^2 is -(x^2)
+    power    = primary {superscript} ["^" signed]          so a^b^c is a^(b^c)
+    primary  = number | name {"'"} | function "(" sum ")" | "(" sum ")"
+
+Nothing is ever executed. Every limit is checked before the work it bounds.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from difflib import get_close_matches
+from fractions import Fraction
+
+from freebody.errors import ExpressionError
+from freebody.language.expression import (
+    FUNCTIONS,
+    MAX_EXPONENT,
+    PI,
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    depth,
+    multiply,
+    name_problem,
+    negate,
+    power,
+    whole_exponent,
+)
+
+MAX_CHARACTERS = 10_000
+MAX_TOKENS = 2_000
+MAX_NESTING = 100
+MAX_DIGITS = 30
+MAX_DECIMAL_EXPONENT = 300
+_MAX_BITS = 10_000  # of all numbers that fold into one
+
+_GREEK_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lam mu nu xi omicron pi rho sigma tau "
+    "upsilon phi chi psi omega"
+)
+_LOWERCASE = dict(zip("αβγδεζηθικλμνξοπρστυφχψω", _GREEK_NAMES.split(" "), strict=True))
+_UPPERCASE = {letter.upper(): name.capitalize() for letter, name in _LOWERCASE.items()}
+GREEK = {**_LOWERCASE, **_UPPERCASE, "Λ": "Lambda"}
+
+# What else people type for the same: final sigma, script forms, the micro and the ohm sign, index digits.
+_VARIANTS = {"ς": "sigma", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "\u00b5": "mu", "\u2126": "Omega"}
+_INDICES = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+_LETTERS = {**GREEK, **_VARIANTS}
+_REST = "A-Za-z0-9_" + "".join(_LETTERS) + "".join(_INDICES)
+_TO_ASCII = str.maketrans({**_LETTERS, **_INDICES})
+
+_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+_TOKEN = re.compile(
+    r"(?P<space>\s+)"
+    r"|(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|(?P<name>[A-Za-z{''.join(_LETTERS)}][{_REST}]*|√)"
+    r"|(?P<operator>\*\*|[-+*/^()·⋅×−])"
+    r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<prime>['′]+)"
+)
+_SAME = {"**": "^", "·": "*", "⋅": "*", "×": "*", "−": "-"}
+
+_HINTS = {
+    "'\"`": "text in quotes is not mathematics",
+    "[]{}": "only round brackets ( ) group",
+    ",": "functions take one argument, and decimals are written with a point",
+    ".": "a point stands only in a decimal number, as in 0.5",
+    "=<>≤≥≠": "an expression has no comparison or assignment",
+    "_": "names begin with a letter",
+    "!": "write the factorial out as a number",
+    "∞": "numbers must be finite",
+    "–—": "write - for minus",
+    "%": "write 0.01* for percent",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Token:
+    kind: str  # number, name, superscript, prime, end, or the operator itself
+    text: str
+    column: int
+    after_space: bool
+
+
+def parse(text: str) -> Expr:
+    """The expression a text stands for. Raises ExpressionError with the column of the first fault."""
+    return _Reader(_tokens(text)).expression()
+
+
+def _tokens(text: str) -> list[_Token]:
+    if len(text) > MAX_CHARACTERS:
+        raise ExpressionError(
+            f"the expression has {len(text)} characters, at most {MAX_CHARACTERS} are read",
+            MAX_CHARACTERS + 1,
+        )
+    tokens: list[_Token] = []
+    place, nesting, after_space = 0, 0, False
+    while place < len(text):
+        found = _TOKEN.match(text, place)
+        column = place + 1
+        if found is None or found.lastgroup is None:
+            raise ExpressionError(_hint_for(text[place]), column)
+        kind, word, place = found.lastgroup, found.group(), found.end()
+        if kind == "space":
+            after_space = True
+            continue
+        if kind == "operator":
+            kind = word = _SAME.get(word, word)
+            nesting += (word == "(") - (word == ")")
+        elif kind == "name":
+            word = _checked_name(word, column, text[place:].lstrip().startswith("("))
+        elif kind == "prime" and (not tokens or tokens[-1].kind != "name" or after_space):
+            raise ExpressionError(_hint_for("'"), column)
+        if nesting > MAX_NESTING:
+            raise ExpressionError(f"brackets nest more than {MAX_NESTING} deep", column)
+        if len(tokens) >= MAX_TOKENS:
+            raise ExpressionError(f"the expression has more than {MAX_TOKENS} parts; split it up", column)
+        tokens.append(_Token(kind, word, column, after_space))
+        after_space = False
+    tokens.append(_Token("end", "", len(text) + 1, after_space))
+    return tokens
+
+
+def _checked_name(word: str, column: int, before_bracket: bool) -> str:
+    name = "sqrt" if word == "√" else word.translate(_TO_ASCII)
+    if name in FUNCTIONS:
+        if not before_bracket:
+            message = f"'{name}' is a function: write {name}(...), and {name}(...)^2 for its square"
+            raise ExpressionError(message, column)
+    elif problem := name_problem(name):
+        raise ExpressionError(problem, column)
+    return name
+
+
+def _hint_for(character: str) -> str:
+    for characters, hint in _HINTS.items():
+        if character in characters:
+            return f"{character!r} cannot be used here: {hint}"
+    if character.isalpha():
+        return f"{character!r} cannot be used: names have letters a-z or Greek ones, digits and underscores"
+    return f"{character!r} cannot be used in an expression"
+
+
+class _Reader:
+    """Recursive descent over the tokens of one text."""
+
+    def __init__(self, tokens: list[_Token]) -> None:
+        self._tokens = tokens
+        self._at = 0
+        self._nesting = 0
+
+    @property
+    def _now(self) -> _Token:
+        return self._tokens[self._at]
+
+    def _take(self) -> _Token:
+        token = self._now
+        self._at += 1
+        return token
+
+    def expression(self) -> Expr:
+        if self._now.kind == "end":
+            raise ExpressionError("the expression is empty")
+        result = self._sum()
+        if self._now.kind == ")":
+            raise ExpressionError("')' closes no bracket", self._now.column)
+        if depth(result) > MAX_NESTING:
+            raise ExpressionError(f"the expression nests more than {MAX_NESTING} deep")
+        return result
+
+    def _sum(self) -> Expr:
+        start = self._now.column
+        terms = [self._product()]
+        while self._now.kind in ("+", "-"):
+            minus = self._take().kind == "-"
+            term = self._product()
+            terms.append(negate(term) if minus else term)
+        self._refuse_huge(terms, start)
+        return add(*terms)
+
+    def _product(self) -> Expr:
+        start = self._now.column
+        factors = [self._signed()]
+        divided = False
+        while True:
+            token = self._now
+            if token.kind in ("*", "/"):
+                self._take()
+                divided = token.kind == "/"
+                column = self._now.column
+                factor = self._signed()
+                factors.append(_power(factor, Number(Fraction(-1)), column) if divided else factor)
+            elif token.kind in ("number", "name", "("):
+                self._check_side_by_side(token, divided)
+                factors.append(self._power())
+            elif token.kind in ("superscript", "prime"):
+                raise ExpressionError(f"'{token.text}' has nothing to stand on", token.column)
+            else:
+                break
+        self._refuse_huge(factors, start)
+        return multiply(*factors)
+
+    def _check_side_by_side(self, token: _Token, divided: bool) -> None:
+        before = self._tokens[self._at - 1]
+        if token.kind == "number":
+            raise ExpressionError(
+                f"'{before.text} {token.text}': write * or an operator before the number", token.column
+            )
+        if not token.after_space and before.kind == "prime":
+            raise ExpressionError("write * after the prime for a product", token.column)
+        if not token.after_space and re.match("0[xXoObB]", before.text + token.text):
+            raise ExpressionError("numbers are decimal", before.column)
+        if divided:
+            raise ExpressionError("a/2 b can be read in two ways: write a/(2*b) or (a/2)*b", token.column)
+
+    def _signed(self) -> Expr:
+        self._nesting += 1
+        if self._nesting > MAX_NESTING + 1:
+            raise ExpressionError(f"the expression nests more than {MAX_NESTING} deep", self._now.column)
+        if self._now.kind in ("+", "-"):
+            minus = self._take().kind == "-"
+            operand = self._signed()
+            result = negate(operand) if minus else operand
+        else:
+            result = self._power()
+        self._nesting -= 1
+        return result
+
+    def _power(self) -> Expr:
+        base = self._primary()
+        while self._now.kind == "superscript":
+            token = self._take()
+            digits = token.text.translate(_SUPERSCRIPTS)
+            if len(digits) > 4:
+                raise _exponent_too_large(token.column)
+            base = _power(base, Number(Fraction(int(digits))), token.column)
+        if self._now.kind != "^":
+            return base
+        self._take()
+        column = self._now.column
+        return _power(base, self._signed(), column)
+
+    def _primary(self) -> Expr:
+        token = self._take()
+        column = token.column
+        match token.kind:
+            case "number":
+                return Number(_exact(token))
+            case "name" if token.text in FUNCTIONS:
+                return self._call(token)
+            case "name":
+                return self._symbol(token)
+            case "(":
+                return self._inside(token)
+            case "end":
+                raise ExpressionError("the expression ends where a number, name or bracket is needed", column)
+            case _:
+                raise ExpressionError(f"a number, name or bracket is needed before '{token.text}'", column)
+
+    def _inside(self, opening: _Token) -> Expr:
+        inner = self._sum()
+        if self._now.kind != ")":
+            raise ExpressionError("this bracket is never closed", opening.column)
+        self._take()
+        return inner
+
+    def _call(self, token: _Token) -> Expr:
+        argument = self._inside(self._take())
+        if token.text == "rate":
+            return _rate(argument, token.column)
+        return Call(token.text, argument)
+
+    def _symbol(self, token: _Token) -> Expr:
+        following = self._now
+        if following.kind == "(" and not following.after_space:
+            raise ExpressionError(_not_a_function(token.text), token.column)
+        result: Expr = Symbol(token.text)
+        if following.kind == "prime":
+            for _ in self._take().text[:MAX_NESTING]:
+                result = _rate(result, token.column)
+        return result
+
+    def _refuse_huge(self, parts: list[Expr], column: int) -> None:
+        # The bits of a product, and of a sum over its common denominator, are at most those of its parts.
+        if sum(map(_bits, parts)) > _MAX_BITS:
+            raise ExpressionError("the numbers here make one with too many digits", column)
+
+
+def _power(base: Expr, exponent: Expr, column: int) -> Expr:
+    if isinstance(exponent, Number):
+        size = abs(exponent.value)
+        if isinstance(base, Power) and (inner := whole_exponent(base)) is not None:
+            size *= abs(inner)
+        if size > MAX_EXPONENT:
+            raise _exponent_too_large(column)
+        if isinstance(base, Number) and size * _bits(base) > _MAX_BITS:
+            raise ExpressionError("this power has too many digits", column)
+    try:
+        return power(base, exponent)
+    except ZeroDivisionError:
+        raise ExpressionError("division by zero", column) from None
+
+
+def _exponent_too_large(column: int) -> ExpressionError:
+    return ExpressionError(f"an exponent may be at most {MAX_EXPONENT} in magnitude", column)
+
+
+def _bits(expr: Expr) -> int:
+    match expr:
+        case Number(value):
+            return value.numerator.bit_length() + value.denominator.bit_length()
+        case Sum(parts) | Product(parts):
+            return sum(_bits(part) for part in parts if isinstance(part, Number))
+        case _:
+            return 0
+
+
+def _exact(token: _Token) -> Fraction:
+    mantissa, _, exponent = token.text.lower().partition("e")
+    if len(mantissa.replace(".", "")) > MAX_DIGITS:
+        raise ExpressionError(f"a number may have at most {MAX_DIGITS} digits", token.column)
+    if len(exponent) > 6 or abs(int(exponent or 0)) > MAX_DECIMAL_EXPONENT:
+        limit = f"the exponent of ten is at most {MAX_DECIMAL_EXPONENT}"
+        raise ExpressionError(f"{token.text[:40]} is too large or too small: {limit}", token.column)
+    return Fraction(token.text)
+
+
+def _rate(argument: Expr, column: int) -> Expr:
+    is_rate = isinstance(argument, Call) and argument.function == "rate"
+    if not (is_rate or isinstance(argument, Symbol)) or argument == PI:
+        raise ExpressionError("rate(...) takes the name of one measure, as in rate(x)", column)
+    return Call("rate", argument)
+
+
+def _not_a_function(name: str) -> str:
+    close = get_close_matches(name.lower(), FUNCTIONS, n=1)
+    guess = f"did you mean {close[0]}? Otherwise" if close else f"there are {', '.join(sorted(FUNCTIONS))};"
+    return f"'{name[:40]}' is not a function: {guess} write {name[:40]}*( ... ) for a product"

@@ -1,0 +1,101 @@
+"""The dimension of an expression, inferred from those of its names.
+
+    [a + b] = [a] = [b]      [a b] = [a] [b]      [a^n] = [a]^n      [rate(x)] = [x]/time      [sin u] = [u] = 1
+
+A literal 0 fits any dimension.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from fractions import Fraction
+
+from freebody.errors import UnitError
+from freebody.language.expression import Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.notation import to_python
+from freebody.language.units.dimension import DIMENSIONLESS, TIME, Dimension
+
+
+def dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension:
+    """The dimension of an expression; that of a literal 0, which fits any, counts as dimensionless.
+
+    Raises UnitError when unlike dimensions are added, an argument or exponent has a dimension, or a
+    symbol is not in `dimensions`.
+    """
+    return _dimension_of(expr, dimensions) or DIMENSIONLESS
+
+
+def _dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    match expr:
+        case Number(value):
+            return DIMENSIONLESS if value else None
+        case Symbol("pi"):
+            return DIMENSIONLESS
+        case Symbol(name):
+            if name not in dimensions:
+                close = get_close_matches(name, dimensions, n=1)
+                raise UnitError(f"'{name}' is not defined" + (f": did you mean {close[0]}?" if close else ""))
+            return dimensions[name]
+        case Sum(terms):
+            return _dimension_of_sum(terms, dimensions)
+        case Product(factors):
+            result = DIMENSIONLESS
+            parts = [_dimension_of(factor, dimensions) for factor in factors]
+            for part in parts:
+                result = result * (part or DIMENSIONLESS)
+            return None if None in parts else result
+        case Power(base, exponent):
+            return _dimension_of_power(base, exponent, dimensions)
+        case Call(function, argument):
+            return _dimension_of_call(function, argument, dimensions)
+
+
+def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    first: tuple[Expr, Dimension] | None = None
+    for term in terms:
+        dimension = _dimension_of(term, dimensions)
+        if dimension is None:
+            continue
+        if first is None:
+            first = (term, dimension)
+        elif dimension != first[1]:
+            raise UnitError(f"{_labelled(*first)} {_added(term, dimension)}: unlike units cannot be added")
+    return first[1] if first else None
+
+
+def _dimension_of_power(base: Expr, exponent: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    below, above = _dimension_of(base, dimensions), _dimension_of(exponent, dimensions)
+    if above is not None and above != DIMENSIONLESS:
+        raise UnitError(f"the exponent {_labelled(exponent, above)} must be without a unit")
+    if below is None or below == DIMENSIONLESS:
+        return below
+    if not isinstance(exponent, Number):
+        raise UnitError(f"{_labelled(base, below)} has a unit, so its exponent {to_python(exponent)} must be a number")
+    return below**exponent.value
+
+
+def _dimension_of_call(function: str, argument: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    dimension = _dimension_of(argument, dimensions)
+    match function:
+        case "abs":
+            return dimension
+        case "sqrt":
+            return None if dimension is None else dimension ** Fraction(1, 2)
+        case "rate":
+            return None if dimension is None else dimension / TIME
+        case "sign":
+            return DIMENSIONLESS
+        case _:
+            if dimension is not None and dimension != DIMENSIONLESS:
+                raise UnitError(f"{function} of {_labelled(argument, dimension)}: its argument must be without a unit")
+            return DIMENSIONLESS
+
+
+def _labelled(expr: Expr, dimension: Dimension) -> str:
+    return f"{to_python(expr)} [{dimension}]"
+
+
+def _added(term: Expr, dimension: Dimension) -> str:
+    text = _labelled(term, dimension)
+    return f"- {text[1:]}" if text.startswith("-") else f"+ {text}"

@@ -1,0 +1,82 @@
+"""From "9.81 m/s^2" or 3 to a number with its unit: in SI as a float, and as a fraction where that is exact."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from freebody.errors import UnitError
+from freebody.language.units.dimension import DIMENSIONLESS, Dimension
+from freebody.language.units.reader import MAX_CHARACTERS, parse_unit
+from freebody.language.units.table import Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number with its unit, in SI; angles in radians.
+
+    `exact` is the value as a fraction, None where pi or an inexact unit is in it; `degrees` is an angle
+    given in degrees or turns, exactly, so that 30 deg can stay pi/6.
+    """
+
+    value: float
+    exact: Fraction | None
+    dimension: Dimension
+    is_angle: bool
+    text: str
+    degrees: Fraction | None = None
+
+
+_NUMBER = re.compile(
+    r"\s*(?P<sign>[-+−]?)\s*(?P<digits>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+−]?[0-9]+)?)(?P<unit>.*)", re.S
+)
+
+
+def parse_quantity(given: str | int | float | Fraction) -> Quantity:
+    """A number, or a text of a number and a unit: "9.81 m/s^2", "30 deg", "5 kN", "3".
+
+    Raises UnitError when the text cannot be read, the unit is unknown or the value is not finite.
+    """
+    if isinstance(given, str):
+        return _quantity_of_text(given)
+    if isinstance(given, bool):
+        raise UnitError(f"'{str(given).lower()}' is not a number")
+    if isinstance(given, float) and not math.isfinite(given):
+        raise UnitError(f"{given} is not a number that can be calculated with")
+    exact = Fraction(repr(float(given))) if isinstance(given, float) else Fraction(given)
+    return _quantity(exact, Unit(DIMENSIONLESS), str(given))
+
+
+def _quantity_of_text(text: str) -> Quantity:
+    if len(text) > MAX_CHARACTERS:
+        raise UnitError(f"a quantity has at most {MAX_CHARACTERS} characters, this one has {len(text)}")
+    found = _NUMBER.fullmatch(text)
+    if found is None:
+        raise UnitError(f"'{text.strip()}' is not a quantity: write a number and a unit, as 9.81 m/s^2")
+    digits = found["digits"].replace("−", "-").lower()
+    if abs(int(digits.partition("e")[2][:6] or 0)) > 300:
+        raise UnitError(f"{digits} is too large or too small: the exponent of ten is at most 300")
+    exact = Fraction(digits) * (-1 if found["sign"] in ("-", "−") and found["sign"] else 1)
+    return _quantity(exact, parse_unit(found["unit"]), text.strip())
+
+
+def _quantity(number: Fraction, unit: Unit, text: str) -> Quantity:
+    exact = number * unit.factor
+    try:
+        value = float(exact) * math.pi**unit.pi_power
+    except OverflowError:
+        value = math.inf
+    if not math.isfinite(value) or (value == 0) != (exact == 0):
+        raise UnitError(f"{text[:60]} is too large or too small to calculate with")
+    is_exact = unit.is_exact and unit.pi_power == 0
+    is_in_degrees = unit.is_exact and unit.is_angle and unit.pi_power == 1
+    return Quantity(
+        value=value,
+        exact=exact if is_exact else None,
+        dimension=unit.dimension,
+        is_angle=unit.is_angle,
+        text=text,
+        degrees=180 * exact if is_in_degrees else None,
+    )

@@ -1,0 +1,131 @@
+"""From the text of a unit to the unit.
+
+    unit   = part {("*" | " ") part | "/" part}       m/s^2, kg m^2, N/m
+    part   = (name | "1" | "(" unit ")") ["^" integer]
+
+A name is looked up in the table, then with an SI prefix, and only then asked of pint.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from fractions import Fraction
+
+from freebody.errors import UnitError
+from freebody.language.units.dimension import DIMENSIONLESS
+from freebody.language.units.table import PREFIXED, PREFIXES, UNITS, Unit
+
+MAX_EXPONENT = 12
+MAX_CHARACTERS = 200
+
+_TOKEN = re.compile(
+    r"\s*(?:(?P<name>[A-Za-zµμΩ°][A-Za-z_µμ]*)|(?P<operator>\*\*|[-*/^()·⋅−+])|(?P<digits>[0-9]+)"
+    r"|(?P<superscript>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]))"
+)
+# To pint a Nm is a "number metre".
+_RUN_TOGETHER = re.compile(r"([kMm]?N|kg|lbf)(mm|cm|m|ft|in|s)(s)?|(ft|in)(lbf?)")
+_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def parse_unit(text: str) -> Unit:
+    """The unit a text stands for; the empty text is the dimensionless 1. Raises UnitError."""
+    if len(text) > MAX_CHARACTERS:
+        raise UnitError(f"the unit has {len(text)} characters, at most {MAX_CHARACTERS} are read")
+    return _UnitReader(text).unit() if text.strip() else Unit(DIMENSIONLESS)
+
+
+class _UnitReader:
+    def __init__(self, text: str) -> None:
+        self._text = text.strip()
+        self._tokens: list[str] = []
+        place = 0
+        while place < len(self._text):
+            found = _TOKEN.match(self._text, place)
+            if found is None:
+                raise self._fault(f"'{self._text[place]}' cannot be used in a unit")
+            self._tokens += self._words(found)
+            place = found.end()
+        self._at = 0
+
+    def _words(self, found: re.Match[str]) -> list[str]:
+        if superscript := found["superscript"]:
+            return ["^", *re.findall("-|[0-9]", superscript.translate(_SUPERSCRIPTS))]
+        word = found.group().strip()
+        return [{"**": "^", "·": "*", "⋅": "*", "−": "-"}.get(word, word)]
+
+    @property
+    def _now(self) -> str:
+        return self._tokens[self._at] if self._at < len(self._tokens) else ""
+
+    def _take(self) -> str:
+        word = self._now
+        self._at += 1
+        return word
+
+    def _fault(self, reason: str) -> UnitError:
+        return UnitError(f"the unit '{self._text}' cannot be read: {reason}")
+
+    def unit(self) -> Unit:
+        result = self._product()
+        if self._now:
+            raise self._fault(f"'{self._now}' is not expected here")
+        return result
+
+    def _product(self, nesting: int = 0) -> Unit:
+        if nesting > 10:
+            raise self._fault("too many brackets")
+        result = self._part(nesting) if self._now != "/" else Unit(DIMENSIONLESS)
+        is_below = False
+        while self._now and self._now != ")":
+            if self._now in ("*", "/"):
+                is_below = self._take() == "/"
+            elif is_below:
+                raise self._fault("a/b c can be read in two ways, write a/(b c) or a c/b")
+            part = self._part(nesting)
+            result = result * (part**-1 if is_below else part)
+        return result
+
+    def _part(self, nesting: int) -> Unit:
+        word = self._take()
+        if word == "(":
+            part = self._product(nesting + 1)
+            if self._take() != ")":
+                raise self._fault("a bracket is never closed")
+        elif word == "1":
+            part = Unit(DIMENSIONLESS)
+        elif word and (word[0].isalpha() or word == "°"):
+            part = self._named(word)
+        else:
+            raise self._fault(f"a unit is needed {f'before {word!r}' if word else 'at its end'}")
+        return part ** self._exponent() if self._now == "^" else part
+
+    def _named(self, name: str) -> Unit:
+        if self._now.isdigit() and len(self._now) == 1:
+            raise self._fault(f"write {name}^{self._now} for a power")
+        return _named_unit(name)
+
+    def _exponent(self) -> int:
+        self._take()
+        is_bracketed = self._now == "(" and bool(self._take())
+        sign = -1 if self._now == "-" and self._take() else 1
+        digits = self._take()
+        if not digits.isdigit() or len(digits) > 2 or int(digits) > MAX_EXPONENT:
+            raise self._fault(f"a power is a whole number up to {MAX_EXPONENT}")
+        if is_bracketed and self._take() != ")":
+            raise self._fault("a bracket is never closed")
+        return sign * int(digits)
+
+
+def _named_unit(name: str) -> Unit:
+    if unit := UNITS.get(name):
+        return unit
+    for n_letters in (1, 2):
+        prefix, rest = PREFIXES.get(name[:n_letters]), PREFIXED.get(name[n_letters:])
+        if prefix is not None and rest is not None:
+            return replace(rest, factor=rest.factor * Fraction(10) ** prefix)
+    if parts := _RUN_TOGETHER.fullmatch(name):
+        raise UnitError(f"the unit '{name}' is not known: write {' '.join(filter(None, parts.groups()))}")
+    from freebody.language.units.rare import unit_of_pint
+
+    return unit_of_pint(name)

@@ -1,0 +1,237 @@
+import math
+import subprocess
+import sys
+from fractions import Fraction
+
+import pint
+import pytest
+
+from freebody.errors import UnitError
+from freebody.language.parser import parse
+from freebody.language.units import (
+    ACCELERATION,
+    ANGULAR_VELOCITY,
+    DIMENSIONLESS,
+    FORCE,
+    INERTIA,
+    LENGTH,
+    MASS,
+    PRESSURE,
+    STIFFNESS,
+    TIME,
+    TORQUE,
+    VELOCITY,
+    Dimension,
+    dimension_of,
+    parse_quantity,
+    parse_unit,
+)
+from freebody.language.units.table import PREFIXED as _PREFIXED
+from freebody.language.units.table import PREFIXES as _PREFIXES
+from freebody.language.units.table import UNITS as _UNITS
+
+REGISTRY = pint.UnitRegistry()
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "dimension"),
+    [
+        ("3 kg", 3.0, MASS),
+        ("0.1 m", 0.1, LENGTH),
+        ("9.81 m/s^2", 9.81, ACCELERATION),
+        ("9.81 m/s²", 9.81, ACCELERATION),
+        ("9.81 m s^-2", 9.81, ACCELERATION),
+        ("9.81 m s⁻²", 9.81, ACCELERATION),
+        ("30 deg", math.radians(30), DIMENSIONLESS),
+        ("30°", math.radians(30), DIMENSIONLESS),
+        ("2 rad", 2.0, DIMENSIONLESS),
+        ("1500 rpm", 50 * math.pi, ANGULAR_VELOCITY),
+        ("5 kN", 5000.0, FORCE),
+        ("3", 3.0, DIMENSIONLESS),
+        (3, 3.0, DIMENSIONLESS),
+        (0.1, 0.1, DIMENSIONLESS),
+        (Fraction(1, 4), 0.25, DIMENSIONLESS),
+        ("2.5e-3 kg m^2", 0.0025, INERTIA),
+        ("2.5e-3 kg*m**2", 0.0025, INERTIA),
+        ("2.5e-3 kg·m²", 0.0025, INERTIA),
+        ("4 N/m", 4.0, STIFFNESS),
+        ("2 N/mm", 2000.0, STIFFNESS),
+        ("7 1/s", 7.0, ANGULAR_VELOCITY),
+        ("7/s", 7.0, ANGULAR_VELOCITY),
+        ("-2 m/s", -2.0, VELOCITY),
+        ("−2 m/s", -2.0, VELOCITY),
+        ("3 N m/(rad)", 3.0, TORQUE),
+        ("1 MPa", 1e6, PRESSURE),
+        ("1 inch", 0.0254, LENGTH),
+        ("2 ms", 0.002, TIME),
+        ("2 min", 120.0, TIME),
+        ("0 kg", 0.0, MASS),
+        ("1 m/s/s", 1.0, ACCELERATION),
+    ],
+)
+def test_quantities_are_read_into_si(text, value, dimension):
+    quantity = parse_quantity(text)
+    assert quantity.value == pytest.approx(value, rel=1e-15)
+    assert quantity.dimension == dimension
+
+
+def test_values_stay_exact_where_they_can():
+    assert parse_quantity("0.1 m").exact == Fraction(1, 10)
+    assert parse_quantity(0.1).exact == Fraction(1, 10)
+    assert parse_quantity("1 inch").exact == Fraction(254, 10000)
+    angle = parse_quantity("30 deg")
+    assert (angle.exact, angle.degrees, angle.is_angle) == (None, 30, True)
+    assert parse_quantity("0.5 rev").degrees == 180
+    assert parse_quantity("2 rad").exact == 2
+    assert not parse_quantity("10 deg/s").is_angle
+
+
+@pytest.mark.parametrize("name", sorted(_UNITS))
+def test_every_unit_of_the_table_agrees_with_pint(name):
+    unit = _UNITS[name]
+    theirs = REGISTRY.Quantity(1.0, {"rev": "revolution"}.get(name, name)).to_base_units()
+    assert float(unit.factor) * math.pi**unit.pi_power == pytest.approx(theirs.magnitude, rel=1e-12)
+    dimension = {f"[{base}]": getattr(unit.dimension, base) for base in ("mass", "length", "time")}
+    assert dict(theirs.dimensionality) == {base: n for base, n in dimension.items() if n}
+    assert unit.is_angle == (dict(theirs.unit_items()) == {"radian": 1})
+
+
+def test_prefixed_units_agree_with_pint():
+    for prefix in _PREFIXES:
+        for symbol in _PREFIXED:
+            if prefix + symbol not in _UNITS:
+                theirs = REGISTRY.Quantity(1.0, prefix + symbol).to_base_units().magnitude
+                assert parse_quantity(f"1 {prefix}{symbol}").value == pytest.approx(theirs, rel=1e-12)
+
+
+def test_rare_units_are_asked_of_pint():
+    assert parse_quantity("1 fathom").value == pytest.approx(1.8288, rel=1e-4)
+    assert parse_quantity("1 fathom").exact is None
+
+
+def test_usual_units_do_not_import_pint():
+    code = (
+        "import sys; from freebody.language.units import parse_quantity; parse_quantity('5 kN/mm');"
+        "sys.exit('pint' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        ("3 A", "current"),
+        ("3 K", "temperature"),
+        ("3 degC", "temperature"),
+        ("3 mol", "substance"),
+        ("3 cd", "luminosity"),
+        ("3 kgg", "did you mean kg"),
+        ("3 newtn", "did you mean newton"),
+        ("3 Nm", "write N m"),
+        ("3 kNm", "write kN m"),
+        ("3 ftlb", "write ft lb"),
+        ("3 m/s2", r"write s\^2"),
+        ("3 N m/rad s", "two ways"),
+        ("3 m^99", "whole number up to 12"),
+        ("3 m^", "whole number"),
+        ("3 m/", "at its end"),
+        ("3 (m", "never closed"),
+        ("3 m)", "not expected"),
+        ("3 m$", r"'\$' cannot be used"),
+        ("3 " + "(" * 50, "too many brackets"),
+        ("3 " + "m " * 500, "at most 200"),
+        ("kg", "write a number and a unit"),
+        ("", "write a number and a unit"),
+        ("nan", "not a quantity"),
+        ("inf kg", "not a quantity"),
+        ("3 nan", "must be finite"),
+        (".inf", "not a quantity"),
+        ("1e400", "too large"),
+        ("1e300 Tm^3", "too large"),
+        ("1e-300 pm^3", "too small"),
+        (float("nan"), "nan"),
+        (float("inf"), "inf"),
+        (10**400, "too large"),
+        (True, "'true' is not a number"),
+        ("__import__('os')", "not a quantity"),
+        ("3 m.__class__", "cannot be used"),
+    ],
+)
+def test_what_is_no_mechanical_quantity_is_refused_with_a_reason(text, part):
+    with pytest.raises(UnitError, match=part):
+        parse_quantity(text)
+
+
+@pytest.mark.parametrize(
+    ("dimension", "text"),
+    [
+        (FORCE, "N"),
+        (VELOCITY, "m/s"),
+        (ACCELERATION, "m/s^2"),
+        (INERTIA, "kg m^2"),
+        (TORQUE, "N m"),
+        (STIFFNESS, "N/m"),
+        (ANGULAR_VELOCITY, "1/s"),
+        (DIMENSIONLESS, "1"),
+        (MASS / LENGTH / TIME, "kg/(m s)"),
+        (LENGTH ** Fraction(1, 2), "m^(1/2)"),
+    ],
+)
+def test_dimensions_print_as_the_usual_unit(dimension, text):
+    assert str(dimension) == text
+
+
+@pytest.mark.parametrize("exponents", [(m, n, t) for m in (-1, 0, 1) for n in (-2, 0, 3) for t in (-3, 0, 2)])
+def test_a_printed_dimension_reads_back_as_itself(exponents):
+    dimension = Dimension(*map(Fraction, exponents))
+    assert parse_unit(str(dimension)).dimension == dimension
+
+
+SYMBOLS = {
+    "m1": MASS,
+    "m2": MASS,
+    "g": ACCELERATION,
+    "R": LENGTH,
+    "x": LENGTH,
+    "mu": DIMENSIONLESS,
+    "radius": LENGTH,
+    "v": VELOCITY,
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension"),
+    [
+        ("2*m1*g/(m1 + m2)", ACCELERATION),
+        ("m1 g R (1 - cos(x/R))", TORQUE),
+        ("sqrt(2 g R)", VELOCITY),
+        ("(g R)^(3/2)", VELOCITY**3),
+        ("x'", VELOCITY),
+        ("x'' + g", ACCELERATION),
+        ("abs(x) + R", LENGTH),
+        ("sign(x) mu^mu", DIMENSIONLESS),
+        ("3 pi", DIMENSIONLESS),
+        ("0", DIMENSIONLESS),
+        ("x + sin(0)*R", LENGTH),
+    ],
+)
+def test_the_dimension_of_an_expression_follows_from_its_symbols(text, dimension):
+    assert dimension_of(parse(text), SYMBOLS) == dimension
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("m1 + R", "m1 [kg] + R [m]: unlike units cannot be added"),
+        ("m1 - R", "m1 [kg] - R [m]: unlike units cannot be added"),
+        ("1 + x", "1 [1] + x [m]: unlike units cannot be added"),
+        ("sin(x)", "sin of x [m]: its argument must be without a unit"),
+        ("2^x", "the exponent x [m] must be without a unit"),
+        ("x^mu", "x [m] has a unit, so its exponent mu must be a number"),
+        ("2 radiu", "'radiu' is not defined: did you mean radius?"),
+    ],
+)
+def test_dimensions_that_do_not_fit_are_named_in_the_users_terms(text, message):
+    with pytest.raises(UnitError) as caught:
+        dimension_of(parse(text), SYMBOLS)
+    assert str(caught.value) == message
