@@ -1,0 +1,58 @@
+"""The base of all connections.
+
+A connection is one file in this folder: a `Spec` with a `kind`, and `rows`, which says which measures it holds.
+It may offer natural coordinates (`offers`), which are used where the user named none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, ClassVar, cast
+
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import RIGHT, UP, Point
+from freebody.model.elements import Held
+from freebody.model.spec import Spec
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Connection(Spec):
+    """Base of the connections; a subclass is found by its `kind`."""
+
+    kinds: ClassVar[dict[str, type[Connection]]] = {}
+    # the smallest model that uses it: the rest of the file, for documentation and the conformance tests
+    example: ClassVar[str] = ""
+
+    def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        if kind:
+            cls.kind = kind
+            Connection.kinds[kind] = cls
+
+    def rows(self, names: Names) -> list[Held]:
+        """The measures it holds."""
+        raise NotImplementedError
+
+    def mentions(self, names: Names) -> set[str]:
+        """Names of the bodies that it joins."""
+        found: set[str] = set()
+        for value in self.model_dump().values():
+            for text in cast("list[Any]", value) if isinstance(value, list) else [value]:
+                if isinstance(text, str) and text.partition(".")[0] in names.bodies:
+                    found.add(text.partition(".")[0])
+        return found
+
+    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
+        """Measures that make natural coordinates, by name within the connection."""
+        return ()
+
+
+def coincidence(first: Point, second: Point) -> list[Held]:
+    """Two points coincide. The multipliers are the force on the second body along x and y."""
+    return [
+        Held("x", "force", Displacement(second, first, RIGHT)),
+        Held("y", "force", Displacement(second, first, UP)),
+    ]

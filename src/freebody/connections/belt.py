@@ -1,0 +1,49 @@
+"""Belt drive between two pulleys, open or crossed, without slip."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.circles import touching
+from freebody.language.units import LENGTH
+from freebody.model.elements import Held
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Belt(Connection, kind="belt"):
+    """`belt: [motor, drum]`, `belt: {first: motor, second: drum, crossed: true}`. An open belt turns both pulleys
+    the same way, a crossed one opposite ways; bearings or a carrier keep the centres apart. The belt force is the
+    difference of the tensions of its two runs (their sum is the pretension, which the motion does not fix),
+    positive when it resists a counter-clockwise turn of the first pulley (1 row)."""
+
+    first: str
+    second: str
+    crossed: bool = False
+    first_radius: Formula | None = None
+    second_radius: Formula | None = None
+
+    example = """
+bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 2 m}, at: [5 m, 0]}}
+ground: {points: {A: [0, 0], B: [5 m, 0]}}
+connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b]}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        first, second = names.body(self.first, "first"), names.body(self.second, "second")
+        if first.name == second.name:
+            names.problem(f"a belt needs two pulleys, not {first.name} twice")
+            return []
+        r1, r2 = (names.optional(self, f"{which}_radius", LENGTH) for which in ("first", "second"))
+        # on a carrier of constant length an open belt couples angles as an internal mesh does
+        _distance, _total, rolled = touching(
+            first.center,
+            names.radius(first.name, "first") if r1 is None else r1,
+            second.center,
+            names.radius(second.name, "second") if r2 is None else r2,
+            internal=not self.crossed,
+        )
+        return [Held("belt", "belt force", rolled, sign=-1)]

@@ -1,0 +1,36 @@
+"""Two circles that touch: the geometry shared by rolling contacts and gear meshes.
+
+With a the bearing from the centre of circle 1 to that of circle 2, equal velocities at the point of contact mean
+
+    outside:            R_1 (theta_1 - a) + R_2 (theta_2 - a) = const,   distance R_1 + R_2
+    2 inside ring 1:    R_1 (theta_1 - a) - R_2 (theta_2 - a) = const,   distance R_1 - R_2
+
+Source: Norton, Design of Machinery, ch. 9 (the fundamental law of gearing, on pitch circles).
+"""
+
+from __future__ import annotations
+
+from freebody.language.expression import Expr, add, negate
+from freebody.language.units import LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.distance import Bearing, Distance
+from freebody.measures.geometry import Point
+
+
+def touching(
+    first: Point, r_first: Expr, second: Point, r_second: Expr, *, internal: bool
+) -> tuple[Measure, Expr, Measure]:
+    """(distance of centres, its value, arc that rolls off) of two touching circles."""
+    r2 = negate(r_second) if internal else r_second
+    total = add(r_first, r2)
+    rolled = Combination(
+        (
+            (r_first, Angle(first.body)),
+            (r2, Angle(second.body)),
+            (negate(total), Bearing(first, second)),
+        ),
+        LENGTH,
+    )
+    return Distance(first, second), total, rolled

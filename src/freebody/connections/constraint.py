@@ -1,0 +1,86 @@
+"""A user's own constraints: an expression in measures that stays zero, and one linear in their rates."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.errors import ExpressionError, UnitError
+from freebody.language.expression import Symbol, differentiate, free_symbols, number, replace_rates, substitute
+from freebody.language.parser import parse
+from freebody.language.units import DIMENSIONLESS, TIME, dimension_of
+from freebody.measures.combination import Composed
+from freebody.model.elements import Held, RateMeasure
+from freebody.model.phrases import composed
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Constraint(Connection, kind="constraint"):
+    """`constraint: x - 2*y`: an expression in named measures, held at zero (1 row, holonomic)."""
+
+    expression: str
+
+    example = """
+bodies: {bead: {particle: {mass: 1 kg}}}
+measures: {x: x of bead, y: y of bead}
+connections: {it: {constraint: x - 2*y}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        measure = composed(names, self.expression, "expression")
+        return [] if measure is None else [Held("constraint", "constraint force", measure)]
+
+
+class VelocityConstraint(Connection, kind="velocity_constraint"):
+    """`velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)`: an expression linear in the rates of
+    named measures, held at zero (1 row; nonholonomic unless it can be integrated)."""
+
+    expression: str
+
+    example = """
+bodies: {skate: {rod: {mass: 1 kg, length: 1 m}}}
+measures: {x: x of skate, y: y of skate, theta: angle of skate}
+connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        try:
+            expr = parse(self.expression)
+            known = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
+            dimension = dimension_of(expr, known)
+        except (ExpressionError, UnitError) as error:
+            names.problem(str(error), None, "expression")
+            return []
+        swapped = replace_rates(expr, {n: Symbol(f"@{n}") for n in names.measures})
+        rated = sorted(n for n in names.measures if f"@{n}" in free_symbols(swapped))
+        terms: list[tuple[Composed, Composed]] = []
+        rest = swapped
+        for name in rated:
+            coefficient = differentiate(swapped, f"@{name}")
+            rest = substitute(rest, {f"@{name}": number(0)})
+            if any(symbol.startswith("@") for symbol in free_symbols(coefficient)):
+                names.problem(f"the expression is not linear in rate({name})", None, "expression")
+                return []
+            used = sorted(free_symbols(coefficient) & set(names.measures))
+            parts = tuple((n, names.measures[n]) for n in used)
+            own = names.measures[name]
+            terms.append(
+                (
+                    Composed(coefficient, parts, DIMENSIONLESS),
+                    Composed(Symbol(name), ((name, own),), own.dimension),
+                )
+            )
+        if not terms:
+            names.problem("there is no rate in it; write rate(x) for the rate of x", None, "expression")
+            return []
+        if rest != number(0):
+            names.problem(
+                "every term needs a rate: freebody holds sums of coefficient*rate(measure) at zero",
+                None,
+                "expression",
+            )
+            return []
+        measure = RateMeasure(tuple(terms), (dimension or DIMENSIONLESS / TIME) * TIME)
+        return [Held("constraint", "constraint force", measure)]

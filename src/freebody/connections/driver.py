@@ -1,0 +1,35 @@
+"""Driver: a measure follows a prescribed function of time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.base import Connection
+from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
+from freebody.model.elements import Held
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Driver(Connection, kind="driver"):
+    """`driver: {measure: theta, follows: omega*t}`. The driving force or torque does positive work when it pushes
+    the measure up (1 row)."""
+
+    measure: str | dict[str, Any]
+    follows: Formula
+
+    example = """
+bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {p: {pin: [ground.A, rod.start]}, it: {driver: {measure: angle of rod, follows: w*t}}}
+parameters: {w: 2 rad/s}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        measure = names.measure(self.measure, "measure")
+        if measure is None:
+            return []
+        target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
+        what = {LENGTH: "driving force", DIMENSIONLESS: "driving torque"}
+        return [Held("drive", what.get(measure.dimension, "driving force"), measure, target)]

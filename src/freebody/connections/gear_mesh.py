@@ -1,0 +1,52 @@
+"""Gear mesh: pitch circles roll on each other, outside or inside a ring gear, on fixed or moving centres."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.circles import touching
+from freebody.language.units import LENGTH
+from freebody.model.elements import Held
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class GearMesh(Connection, kind="gear_mesh"):
+    """`gear_mesh: [sun, planet]`, `gear_mesh: {first: ring, second: planet, internal: true}` with the ring gear
+    first. The tooth force acts along the common tangent of the pitch circles (pressure angle 0) and is positive
+    when it resists a counter-clockwise turn of the first gear. The distance of the centres is held too where no
+    carrier or bearing holds it already (1 or 2 rows). `first_radius`, `second_radius` for a wheel with several
+    gears on it."""
+
+    first: str
+    second: str
+    internal: bool = False
+    first_radius: Formula | None = None
+    second_radius: Formula | None = None
+
+    example = """
+bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [2 m, 0]}}
+ground: {points: {A: [0, 0], B: [2 m, 0]}}
+connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: [a, b]}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        first, second = names.body(self.first, "first"), names.body(self.second, "second")
+        if first.name == second.name:
+            names.problem(f"{first.name} cannot mesh with itself")
+            return []
+        r1, r2 = (names.optional(self, f"{which}_radius", LENGTH) for which in ("first", "second"))
+        distance, total, rolled = touching(
+            first.center,
+            names.radius(first.name, "first") if r1 is None else r1,
+            second.center,
+            names.radius(second.name, "second") if r2 is None else r2,
+            internal=self.internal,
+        )
+        return [
+            Held("teeth", "tooth force", rolled, sign=-1),
+            Held("centers", "radial force", distance, total, if_needed=True),
+        ]

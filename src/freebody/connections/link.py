@@ -1,0 +1,40 @@
+"""Link: a massless rod hinged at both ends keeps two points at a constant distance."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.language.units import LENGTH
+from freebody.measures.combination import Combination
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import ONE
+from freebody.model.elements import Held
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Link(Connection, kind="link"):
+    """`link: [ground.A, bob, L]`; without a length, the distance at the start. The force in
+    it is positive when it pulls (1 row)."""
+
+    first: str
+    second: str
+    length: Formula | None = None
+
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}, at: [0, -1 m]}}
+connections: {it: {link: [ground.A, bob]}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        first, second = names.point(self.first, "first"), names.point(self.second, "second")
+        if first.body == second.body:
+            names.problem(f"links {first.body} to itself; name points of two bodies")
+            return []
+        distance = Distance(first, second)
+        length = names.length_or(self, "length")
+        held = distance if length is not None else Combination(((ONE, distance),), LENGTH)
+        return [Held("length", "tension", held, length, sign=-1, ends=(first.body, second.body))]

@@ -1,0 +1,90 @@
+"""Rolling without slip of a circle on a line, on a circle, or inside a ring."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.circles import touching
+from freebody.language.expression import Expr, negate
+from freebody.language.units import LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import ONE
+from freebody.model.elements import Held, Line, RigidBody
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Rolling(Connection, kind="rolling"):
+    """`rolling: {body: disk, on: ground.incline}`; `on` a line or a round body, or `inside` a ring. Holds the
+    gap and the slip (2 rows). The circle lies on the left of the line as its direction points, which is above it
+    for a line that points to the right; `below: true` puts it on the other side. `radius` where it rolls on another
+    circle than its rim (the hub of a spool on a rail).
+
+    On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt."""
+
+    body: str
+    on: str | None = None
+    inside: str | None = None
+    below: bool = False
+    radius: Formula | None = None
+
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
+connections: {it: {rolling: {body: wheel, on: floor}}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        body = names.body(self.body, "body")
+        own = names.optional(self, "radius", LENGTH)
+        radius = names.radius(body.name, "body") if own is None else own
+        if (self.on is None) == (self.inside is None):
+            names.problem("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring")
+            return []
+        line = None if self.on is None else names.line(self.on, "on")
+        if line is not None:
+            return self._on_line(body, radius, line)
+        other = names.body(str(self.on or self.inside), "on" if self.on else "inside")
+        if other.name == body.name:
+            names.problem(f"{body.name} cannot roll on itself")
+            return []
+        if other.radius is None:
+            from freebody.model.names import did_you_mean
+
+            lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
+            names.problem(
+                f"{self.on} is neither a line nor a round body."
+                f"{did_you_mean(str(self.on), lines)} A line: ground: {{lines: {{floor: {{along: right}}}}}}",
+                None,
+                "on",
+            )
+            return []
+        distance, total, rolled = touching(
+            other.center, other.radius, body.center, radius, internal=self.inside is not None
+        )
+        return [
+            Held("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
+            Held("no slip", "friction force", rolled, sign=-1),
+        ]
+
+    def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[Held]:
+        arm = negate(radius) if self.below else radius
+        gap = Displacement(body.center, line.through, line.direction.normal())
+        along = Displacement(body.center, line.through, line.direction)
+        slip = Combination(((ONE, along), (arm, Angle(body.name, line.direction.body))), LENGTH)
+        return [
+            Held("contact", "normal force", gap, arm, sign=-1 if self.below else 1, unilateral=True),
+            Held("no slip", "friction force", slip),
+        ]
+
+    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
+        line = None if self.on is None else names.line(self.on, "on")
+        if line is not None:
+            yield "travel", Displacement(names.body(self.body).center, line.through, line.direction)

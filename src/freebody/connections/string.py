@@ -1,0 +1,345 @@
+"""Inextensible, massless string over any number of pulleys."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ConfigDict, Field
+
+from freebody.connections.base import Connection
+from freebody.connections.pin import Pin
+from freebody.connections.slider import Slider
+from freebody.language.expression import Expr, add, multiply, negate, number
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.lead import Lead
+from freebody.model.elements import Held
+from freebody.model.spec import Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_NODE = re.compile(
+    r"(?:(?P<way>over|under|around) )?(?P<wound>wound on )?(?P<what>[A-Za-z_]\w*(?:\.\w+)?)"
+    r"(?: radius (?P<radius>.+?))?"
+    r"(?: at (?P<side>left|right|top|bottom))?(?: (?P<turn>clockwise|counterclockwise))?"
+)
+_SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}
+
+
+@dataclass(frozen=True)
+class Node:
+    """A place on the string's way: an end, a pulley it runs over or under, or a drum it is wound on."""
+
+    point: Point
+    radius: Expr
+    way: str  # "end", "over", "under", "around", "drum"
+    side: str | None
+    turn: str | None
+    hangs: bool
+    guide: Direction | None
+    place: tuple[float, float] | None
+
+    @property
+    def body(self) -> str:
+        return self.point.body
+
+
+class String(Connection, kind="string"):
+    """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
+    `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
+
+    The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
+    slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
+    pulls. A body that nothing else holds and that has no position hangs on the string and moves up and down; a
+    lead to a body on a straight guide without a position runs along the guide; `leads` states the directions
+    instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
+    also for hanging bodies)."""
+
+    start: str | None = Field(default=None, alias="from")
+    to: str | None = None
+    over: list[str] = Field(default_factory=list[str])
+    under: list[str] = Field(default_factory=list[str])
+    path: list[str] = Field(default_factory=list[str])
+    grips: list[str] | None = None
+    leads: list[Heading] | None = None
+    swings: bool = False
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    example = """
+bodies: {pulley: {disk: {mass: 1 kg, radius: 1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 2 kg}}}
+connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley], to: b}}}
+"""
+
+    def _texts(self) -> list[str]:
+        if self.path:
+            return self.path
+        ends = [t for t in (self.start, self.to) if t is not None]
+        middle = [f"over {p}" for p in self.over] + [f"under {p}" for p in self.under]
+        return [*ends[:1], *middle, *ends[1:]]
+
+    def rows(self, names: Names) -> list[Held]:
+        if self.path and (self.start or self.to or self.over or self.under):
+            names.problem("give the way either as path, or as from, over, under, to")
+            return []
+        texts = self._texts()
+        if len(texts) < 2 or not (self.path or (self.start and self.to)):
+            names.problem("a string needs two ends: from and to")
+            return []
+        nodes = [self._node(names, text, k, len(texts)) for k, text in enumerate(texts)]
+        if any(node is None for node in nodes):
+            return []
+        way = [node for node in nodes if node is not None]
+        grips = self._grips(names, way)
+        leads = self._directions(names, way)
+        turns = self._turns(names, way, leads)
+        return self._sections(way, leads, turns, grips) + self._hanging(way) + self._idle(names, way, grips)
+
+    # -- reading the way ----------------------------------------------------------------------
+    def _node(self, names: Names, text: str, k: int, n: int) -> Node | None:
+        field = ("path", k) if self.path else ("from" if k == 0 else "to" if k == n - 1 else "over",)
+        found = _NODE.fullmatch(" ".join(text.split()))
+        if found is None:
+            names.problem(
+                f"'{text}' is no place on a string; write a point, 'over pulley', 'under pulley' or "
+                "'wound on drum at right'",
+                None,
+                *field,
+            )
+            return None
+        what, is_end = found["what"], k in (0, n - 1)
+        n_before = len(names.problems)
+        if found["wound"] or (found["way"] and "." not in what):
+            body = names.body(what, *field)
+            if len(names.problems) > n_before:
+                return None
+            point = body.center
+            if found["radius"]:
+                radius = names.formula(found["radius"], LENGTH, *field)
+            else:
+                radius = names.radius(body.name, *field)
+            if len(names.problems) > n_before:
+                return None
+        else:
+            point, radius = names.point(what, *field), ZERO
+            body = names.known(point.body)
+        way = "drum" if found["wound"] else "end" if is_end else (found["way"] or "over")
+        if not is_end and found["wound"]:
+            names.problem(f"only an end can be wound on a drum, '{text}' is in the middle", None, *field)
+        mentioned = any(
+            body.name in other.mentions(names) for other in names.connections.values() if not isinstance(other, String)
+        )
+        given = body.start.at is not None
+        hangs = not (given or mentioned or body.fixed or self.swings or body.name == GROUND)
+        return Node(
+            point,
+            radius,
+            way,
+            found["side"],
+            found["turn"],
+            hangs,
+            None if given else _guide_of(names, body.name),
+            _place(names, point),
+        )
+
+    def _grips(self, names: Names, way: list[Node]) -> set[str]:
+        pulleys = {node.body for node in way[1:-1] if node.radius != ZERO}
+        pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
+        if self.grips is None:
+            return pulleys
+        for k, name in enumerate(self.grips):
+            if name not in pulleys:
+                body = names.body(name, "grips", k)
+                if body.fixed:
+                    names.problem(f"{name} is fixed and cannot turn, so the string cannot grip it", None, "grips", k)
+                elif body.name == name:
+                    names.problem(f"the string does not run over {name}, so it cannot grip it", None, "grips", k)
+        return set(self.grips) & pulleys
+
+    # -- directions of the leads --------------------------------------------------------------
+    def _directions(self, names: Names, way: list[Node]) -> list[Direction | None]:
+        """The constant direction of each lead, or None where it is the common tangent."""
+        n = len(way) - 1
+        if self.leads is not None:
+            if len(self.leads) != n:
+                names.problem(f"there are {n} leads, {len(self.leads)} directions are given", None, "leads")
+                return [None] * n
+            return [names.direction(d, "leads", k) for k, d in enumerate(self.leads)]
+        found: list[Direction | None] = []
+        for a, b in itertools.pairwise(way):
+            if a.hangs or b.hangs:
+                if b.way == "over" or a.way == "under":
+                    found.append(UP)
+                elif a.way == "over" or b.way == "under":
+                    found.append(DOWN)
+                else:
+                    found.append(DOWN if b.hangs else UP)
+                continue
+            along = a.guide or b.guide
+            if along is None:
+                found.append(None)
+                continue
+            into_pulley = b.way != "end" if a.way == "end" else False
+            ex, ey = _numbers(names, along)
+            wanted = ey if abs(ey) > 1e-12 else ex
+            upward = (into_pulley and wanted > 0) or (not into_pulley and (-ey if abs(ey) > 1e-12 else ex) > 0)
+            found.append(along if upward else along.reversed())
+        return found
+
+    def _turns(self, names: Names, way: list[Node], leads: list[Direction | None]) -> list[int]:
+        """+1 where the string, followed from its start, runs counter-clockwise round the node, else -1."""
+        turns: list[int] = []
+        for k, node in enumerate(way):
+            if node.radius == ZERO:
+                turns.append(0)
+                continue
+            if node.turn is not None:
+                turns.append(-1 if node.turn == "clockwise" else 1)
+                continue
+            before = _heading(names, way, leads, k - 1) if k > 0 else None
+            after = _heading(names, way, leads, k) if k < len(way) - 1 else None
+            if node.way == "drum":
+                heading = before or after or (0.0, -1.0)
+                sx, sy = _SIDES[node.side or "right"]
+                # the contact point lies at -s R n from the centre, n the heading turned by a quarter turn
+                turns.append(-1 if sx * -heading[1] + sy * heading[0] > 0 else 1)
+                continue
+            turn = 0.0
+            if before and after:
+                turn = before[0] * after[1] - before[1] * after[0]
+            if node.way == "around" and abs(turn) > 1e-9:
+                turns.append(1 if turn > 0 else -1)
+                continue
+            rightward = 1.0
+            start, end = way[k - 1].place, way[k + 1].place
+            if abs(turn) > 1e-9 and leads[k - 1] is not None and leads[k] is not None:
+                turns.append(1 if turn > 0 else -1)
+                continue
+            if start is not None and end is not None and abs(end[0] - start[0]) > 1e-12:
+                rightward = end[0] - start[0]
+            over = -1 if rightward > 0 else 1
+            turns.append(-over if node.way == "under" else over)
+        return turns
+
+    # -- rows ---------------------------------------------------------------------------------
+    def _sections(
+        self, way: list[Node], leads: list[Direction | None], turns: list[int], grips: set[str]
+    ) -> list[Held]:
+        """Section between material marks: sum of l - rho a over its leads, plus s R theta at the mark where it
+        ends and minus the same where it begins (see `measures.lead`)."""
+        arms = [multiply(number(s), node.radius) if s else ZERO for s, node in zip(turns, way, strict=True)]
+        rows: list[Held] = []
+        terms: list[tuple[Expr, Measure]] = []
+        begin = 0
+        if way[0].way == "drum":
+            terms.append((negate(arms[0]), Angle(way[0].body)))
+        for k, direction in enumerate(leads):
+            a, b = way[k], way[k + 1]
+            if direction is not None:
+                terms.append((ONE, Displacement(b.point, a.point, direction)))
+            else:
+                terms.append((ONE, Lead(a.point, b.point, add(arms[k + 1], negate(arms[k])))))
+            last = k + 1 == len(way) - 1
+            marked = (not last and b.body in grips and b.radius != ZERO) or (last and b.way == "drum")
+            if marked:
+                terms.append((arms[k + 1], Angle(b.body)))
+            if marked or last:
+                ends = tuple(dict.fromkeys(node.body for node in way[begin : k + 2]))
+                rows.append(
+                    Held(
+                        "",
+                        "tension",
+                        Combination(tuple(terms), LENGTH),
+                        sign=-1,
+                        ends=ends,
+                        unilateral=True,
+                    )
+                )
+                terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
+                begin = k + 1
+        if len(rows) == 1:
+            return [_named(rows[0], "length")]
+        return [_named(row, f"{row.ends[0]} to {row.ends[-1]}") for row in rows]
+
+    def _hanging(self, way: list[Node]) -> list[Held]:
+        rows: dict[str, Held] = {}
+        for node in way:
+            if node.hangs:
+                sideways = Displacement(node.point, Point(GROUND, (ZERO, ZERO), "ground.origin"), RIGHT)
+                held = Combination(((ONE, sideways),), LENGTH)
+                rows[node.body] = Held(f"{node.body} hangs", "sideways force", held, ends=(node.body,), if_needed=True)
+        return list(rows.values())
+
+    def _idle(self, names: Names, way: list[Node], grips: set[str]) -> list[Held]:
+        """A pulley without inertia, over which the string slides and which nothing else turns, is taken not to
+        turn: its rotation is no motion that anything decides."""
+        rows: list[Held] = []
+        for node in way[1:-1]:
+            body = names.known(node.body)
+            if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:
+                continue
+            others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
+            if all(isinstance(c, Pin) for c in others):
+                held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
+                rows.append(Held(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True))
+        return rows
+
+    def mentions(self, names: Names) -> set[str]:
+        found = (_NODE.fullmatch(" ".join(text.split())) for text in self._texts())
+        return {match["what"].partition(".")[0] for match in found if match}
+
+
+def _named(row: Held, component: str) -> Held:
+    from dataclasses import replace
+
+    return replace(row, component=component)
+
+
+def _guide_of(names: Names, body: str) -> Direction | None:
+    """The ground direction along which a slider lets the body move, if there is one."""
+    for other in names.connections.values():
+        if isinstance(other, Slider) and other.body.partition(".")[0] == body and other.on == GROUND:
+            direction = names.direction(other.along, "along")
+            return direction if direction.body == GROUND else None
+    return None
+
+
+def _place(names: Names, point: Point) -> tuple[float, float] | None:
+    """Where a point is at the start, if the model says so."""
+    body = names.known(point.body)
+    offset = [names.numeric(c) for c in point.offset]
+    base: list[float | None] = [0.0, 0.0]
+    if body.name != GROUND:
+        if body.start.at is None:
+            return None
+        base = [names.numeric(c) for c in body.start.at[1]]
+    x, y = (None if a is None or b is None else a + b for a, b in zip(base, offset, strict=True))
+    return None if x is None or y is None else (x, y)
+
+
+def _numbers(names: Names, direction: Direction) -> tuple[float, float]:
+    """Components of a ground direction; parameters without a value are taken small and positive."""
+    from freebody.language.expression import evaluate
+
+    values: dict[str, Any] = {p.name: 0.3 if p.value is None else p.value for p in names.parameters.values()}
+    x, y = (float(evaluate(c, values)) for c in direction.components)
+    return x, y
+
+
+def _heading(names: Names, way: list[Node], leads: list[Direction | None], k: int) -> tuple[float, float] | None:
+    """Direction of lead k in numbers, from its stated direction or the places of its ends."""
+    lead = leads[k]
+    if lead is not None:
+        return _numbers(names, lead)
+    a, b = way[k].place, way[k + 1].place
+    if a is None or b is None:
+        return None
+    return b[0] - a[0], b[1] - a[1]

@@ -1,0 +1,36 @@
+"""The base of all loads.
+
+A load is one file in this folder: a `Spec` with a `kind`, and `pushes`, which says which measures it pushes and
+by what law. Extension and pulling are positive.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from freebody.model.elements import Push
+from freebody.model.spec import Spec
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Load(Spec):
+    """Base of the loads; a subclass is found by its `kind`."""
+
+    kinds: ClassVar[dict[str, type[Load]]] = {}
+    example: ClassVar[str] = ""
+    # -1 for loads between two points, whose force is positive when it pulls them together
+    pulling_sign: ClassVar[int] = 1
+    # True if its work is kept as potential energy
+    stores_energy: ClassVar[bool] = False
+
+    def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        if kind:
+            cls.kind = kind
+            Load.kinds[kind] = cls
+
+    def pushes(self, names: Names) -> list[Push]:
+        """The measures it pushes."""
+        raise NotImplementedError

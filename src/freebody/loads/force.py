@@ -1,0 +1,42 @@
+"""A force at a point, in a direction fixed in the ground or in a body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.language.units import FORCE, LENGTH
+from freebody.loads.base import Load
+from freebody.loads.law import law
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
+from freebody.model.elements import Component, Push, RateMeasure
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Force(Load, kind="force"):
+    """`force: {at: rod.end, along: right, magnitude: F}`. The magnitude may depend on time `t` and on named
+    measures and their rates; `along: rod.y` turns with the rod."""
+
+    at: str
+    along: Heading
+    magnitude: Formula
+
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        point = names.point(self.at, "at")
+        along = names.direction(self.along, "along")
+        magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
+        origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
+        if along.body == GROUND:
+            return [Push("", Displacement(point, origin, along), magnitude, used)]
+        # a direction that turns with a body: virtual power only, there is no displacement that it pushes
+        x, y = Displacement(point, origin, RIGHT), Displacement(point, origin, UP)
+        follower = RateMeasure(((Component(along, "x"), x), (Component(along, "y"), y)), LENGTH)
+        return [Push("", follower, magnitude, used)]

@@ -1,0 +1,39 @@
+"""Uniform gravity on every body with mass."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import multiply
+from freebody.language.units import ACCELERATION
+from freebody.loads.base import Load
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ZERO, Point
+from freebody.model.elements import Push
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Gravity(Load, kind="gravity"):
+    """`gravity: g`, `gravity: {strength: g, along: down}`. Pushes each mass centre with m g."""
+
+    strength: Formula
+    along: Heading = "down"
+
+    stores_energy = True
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}}}
+loads: {it: {gravity: 9.81 m/s^2}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        g = names.positive(self, "strength", ACCELERATION)
+        along = names.direction(self.along, "along")
+        origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
+        return [
+            Push(body.name, Displacement(body.mass_center, origin, along), multiply(body.mass, g))
+            for body in names.bodies.values()
+            if body.mass != ZERO and not body.fixed
+        ]

@@ -1,0 +1,111 @@
+"""Linear springs and dampers between two points, torsional ones between two bodies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import ZERO, Symbol, multiply, negate
+from freebody.language.units import (
+    DAMPING,
+    DIMENSIONLESS,
+    LENGTH,
+    ROTARY_DAMPING,
+    ROTARY_STIFFNESS,
+    STIFFNESS,
+)
+from freebody.loads.base import Load
+from freebody.measures.angle import Angle
+from freebody.measures.combination import Combination, Composed
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import ONE
+from freebody.model.elements import RATE, VALUE, Push
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Spring(Load, kind="spring"):
+    """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
+    natural length it is relaxed at the start."""
+
+    first: str
+    second: str
+    stiffness: Formula
+    length: Formula | None = None
+
+    pulling_sign = -1
+    stores_energy = True
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
+        k = names.positive(self, "stiffness", STIFFNESS)
+        natural = names.length_or(self, "length")
+        if natural is None:
+            stretch = Combination(((ONE, distance),), LENGTH)
+            return [Push("", stretch, negate(multiply(k, VALUE)))]
+        stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
+        return [Push("", stretch, negate(multiply(k, VALUE)))]
+
+
+class Damper(Load, kind="damper"):
+    """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
+
+    first: str
+    second: str
+    damping: Formula
+
+    pulling_sign = -1
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
+        return [Push("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
+
+
+class TorsionalSpring(Load, kind="torsional_spring"):
+    """`torsional_spring: {body: rod, stiffness: k, on: ground, angle: 0}`: turns the body back with
+    k (theta - angle)."""
+
+    body: str
+    stiffness: Formula
+    on: str = "ground"
+    angle: Formula = 0
+
+    stores_energy = True
+    example = """
+bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
+loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        theta = Angle(names.body(self.body, "body").name, names.body(self.on, "on").name)
+        k = names.positive(self, "stiffness", ROTARY_STIFFNESS)
+        relaxed = names.formula(self.angle, DIMENSIONLESS, "angle")
+        turned = theta if relaxed == ZERO else Composed(Symbol("angle") - relaxed, (("angle", theta),), DIMENSIONLESS)
+        return [Push("", turned, negate(multiply(k, VALUE)))]
+
+
+class TorsionalDamper(Load, kind="torsional_damper"):
+    """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt."""
+
+    body: str
+    damping: Formula
+    on: str = "ground"
+
+    example = """
+bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
+loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        theta = Angle(names.body(self.body, "body").name, names.body(self.on, "on").name)
+        c = names.positive(self, "damping", ROTARY_DAMPING)
+        return [Push("", theta, negate(multiply(c, RATE)))]

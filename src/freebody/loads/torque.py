@@ -1,0 +1,37 @@
+"""A torque on a body, optionally reacting on another one (a motor)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.language.units import TORQUE
+from freebody.loads.base import Load
+from freebody.loads.law import law
+from freebody.measures.angle import Angle
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import Push
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Torque(Load, kind="torque"):
+    """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
+    body, which feels the opposite torque."""
+
+    on: str
+    magnitude: Formula
+    reacts_on: str = GROUND
+
+    example = """
+bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
+loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
+"""
+
+    def pushes(self, names: Names) -> list[Push]:
+        body, other = names.body(self.on, "on"), names.body(self.reacts_on, "reacts_on")
+        if not body.turns:
+            names.problem(f"{body.name} is a particle and cannot take a torque", None, "on")
+        magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
+        return [Push("", Angle(body.name, other.name), magnitude, used)]

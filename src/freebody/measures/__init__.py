@@ -1,0 +1,1 @@
+"""Measures: the only geometry in the project. One file per kind."""

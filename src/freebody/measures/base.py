@@ -1,0 +1,29 @@
+"""What every kind of measure is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar, Protocol, TypeVar
+
+from freebody.language.units import Dimension
+from freebody.measures.geometry import Geometry, Scalar
+
+S = TypeVar("S", bound=Scalar)
+
+
+class Measure(Protocol):
+    """One scalar that the configuration determines, stated once for every route."""
+
+    # True if only changes of it mean something (an arc rolled, a length of string): held at its start value
+    incremental: ClassVar[bool]
+
+    @property
+    def dimension(self) -> Dimension: ...
+
+    def value(self, g: Geometry[S]) -> S:
+        """The statement."""
+        ...
+
+    def bodies(self) -> Iterator[str]:
+        """The bodies whose poses it reads."""
+        ...

@@ -1,0 +1,61 @@
+"""Measures made of measures: a linear combination, and a user's expression."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar, TypeVar
+
+from freebody.language.expression import Expr
+from freebody.language.units import Dimension
+from freebody.measures.base import Measure
+from freebody.measures.geometry import Geometry, Scalar
+
+S = TypeVar("S", bound=Scalar)
+
+
+@dataclass(frozen=True)
+class Combination:
+    """sum of coefficient * measure: an arc rolled, a length of string, a gear's mesh. Only its changes
+    have a meaning, so it is held at its start value."""
+
+    terms: tuple[tuple[Expr, Measure], ...]
+    dimension_: Dimension
+
+    incremental: ClassVar[bool] = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.dimension_
+
+    def value(self, g: Geometry[S]) -> S:
+        first, *rest = (g.scalar(coefficient) * measure.value(g) for coefficient, measure in self.terms)
+        for term in rest:
+            first = first + term
+        return first
+
+    def bodies(self) -> Iterator[str]:
+        for _coefficient, measure in self.terms:
+            yield from measure.bodies()
+
+
+@dataclass(frozen=True)
+class Composed:
+    """An expression in other measures, the parameters and time."""
+
+    expression: Expr
+    measures: tuple[tuple[str, Measure], ...]
+    dimension_: Dimension
+
+    incremental: ClassVar[bool] = False
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.dimension_
+
+    def value(self, g: Geometry[S]) -> S:
+        return g.apply(self.expression, {name: measure.value(g) for name, measure in self.measures})
+
+    def bodies(self) -> Iterator[str]:
+        for _name, measure in self.measures:
+            yield from measure.bodies()

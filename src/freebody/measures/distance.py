@@ -1,0 +1,56 @@
+"""Distance between two points, and the bearing of the line from one to the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar, TypeVar
+
+from freebody.language.expression import Expr
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.geometry import GROUND, ZERO, Geometry, Point, Scalar, position
+
+S = TypeVar("S", bound=Scalar)
+
+
+@dataclass(frozen=True)
+class Distance:
+    """|r_B - r_A|; its gradient is the unit vector between the points."""
+
+    start: Point
+    end: Point
+
+    incremental: ClassVar[bool] = False
+
+    @property
+    def dimension(self) -> Dimension:
+        return LENGTH
+
+    def value(self, g: Geometry[S]) -> S:
+        return g.tangent(position(g, self.end) - position(g, self.start), g.scalar(ZERO))[0]
+
+    def bodies(self) -> Iterator[str]:
+        yield from (self.start.body, self.end.body)
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """Angle of the line from A to B, counter-clockwise from `reference` on `origin`."""
+
+    start: Point
+    end: Point
+    origin: str = GROUND
+    reference: Expr = ZERO
+
+    incremental: ClassVar[bool] = False
+
+    @property
+    def dimension(self) -> Dimension:
+        return DIMENSIONLESS
+
+    def value(self, g: Geometry[S]) -> S:
+        bearing = g.tangent(position(g, self.end) - position(g, self.start), g.scalar(ZERO))[1]
+        return bearing - g.pose(self.origin).angle - g.scalar(self.reference)
+
+    def bodies(self) -> Iterator[str]:
+        yield from (self.start.body, self.end.body, self.origin)

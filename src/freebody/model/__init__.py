@@ -1,0 +1,1 @@
+"""What a description means: names, bodies, held and pushed measures, questions."""

@@ -1,0 +1,161 @@
+"""What descriptions come to: parameters, bodies, held measures and pushed measures.
+
+Sign of a multiplier: it pushes in the direction in which its measure grows. With J the gradient of a held
+measure, the bodies feel the generalized force J^T lambda. What people name positive (a string's tension, a
+normal force) is `sign * lambda`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeVar
+
+from freebody.language.expression import Expr, Symbol
+from freebody.language.units import Dimension
+from freebody.measures.base import Measure
+from freebody.measures.geometry import Direction, Geometry, Point, Scalar, Vector, unit
+
+S = TypeVar("S", bound=Scalar)
+
+# In the law of a load: the measure and its rate. No user can type these names.
+VALUE = Symbol("@value")
+RATE = Symbol("@rate")
+
+Sign = Literal["positive", "nonnegative", "any"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A symbol with an optional value in SI units."""
+
+    name: str
+    dimension: Dimension
+    value: float | None
+    sign: Sign = "positive"
+    acute: bool = False
+    unit: str = ""
+    is_angle: bool = False
+
+
+@dataclass(frozen=True)
+class Line:
+    """A straight line fixed in a body: a point on it and its direction."""
+
+    through: Point
+    direction: Direction
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Start:
+    """The pose and motion of one body at the start, as far as the user said them."""
+
+    at: tuple[str, tuple[Expr, Expr]] | None = None  # point of the body, its ground position
+    angle: Expr | None = None
+    velocity: tuple[Expr, Expr] | None = None  # of the mass centre
+    angular_velocity: Expr | None = None
+    near: Start | None = None  # a guess for what the connections decide
+
+    def with_guess(self) -> Start:
+        """The start with the guess put in where nothing is stated."""
+        if self.near is None:
+            return self
+        return replace(self, at=self.at or self.near.at, angle=self.near.angle if self.angle is None else self.angle)
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """A body: mass, moment of inertia about the mass centre, and points by components from the mass centre."""
+
+    name: str
+    mass: Expr
+    inertia: Expr
+    points: dict[str, tuple[Expr, Expr]]
+    default_point: str
+    lines: dict[str, Line] = field(default_factory=dict[str, Line])
+    radius: Expr | None = None
+    turns: bool = True
+    fixed: bool = False
+    start: Start = Start()
+    is_placeholder: bool = False  # stands in for a body that could not be read
+
+    def point(self, name: str | None = None) -> Point:
+        chosen = name or self.default_point
+        label = self.name if name is None else f"{self.name}.{name}"
+        return Point(self.name, self.points[chosen], label)
+
+    @property
+    def center(self) -> Point:
+        """The reference point: the centre of a round body's rim."""
+        return self.point()
+
+    @property
+    def mass_center(self) -> Point:
+        from freebody.measures.geometry import ZERO
+
+        return Point(self.name, (ZERO, ZERO), self.name)
+
+
+@dataclass(frozen=True)
+class Component:
+    """A ground component of a direction, as the coefficient of a velocity."""
+
+    direction: Direction
+    axis: Literal["x", "y"]
+
+    def value(self, g: Geometry[S]) -> S:
+        vector: Vector[S] = unit(g, self.direction)
+        return vector.x if self.axis == "x" else vector.y
+
+    def bodies(self) -> Iterator[str]:
+        yield self.direction.body
+
+
+@dataclass(frozen=True)
+class RateMeasure:
+    """A scalar linear in the velocities that need not be the rate of anything:
+    sum of coefficient(pose) * d(measure)/dt."""
+
+    terms: tuple[tuple[Component | Measure, Measure], ...]
+    dimension: Dimension  # of the quasi-coordinate whose rate it is
+
+    def bodies(self) -> Iterator[str]:
+        for coefficient, measure in self.terms:
+            yield from coefficient.bodies()
+            yield from measure.bodies()
+
+
+@dataclass(frozen=True)
+class Held:
+    """A measure held at a target: one row of the constraint Jacobian, and its reaction."""
+
+    component: str  # "x", "tension", "no slip" ...: the name of the row within its connection
+    reaction: str  # what its multiplier is called: "tension", "normal force" ...
+    measure: Measure | RateMeasure
+    target: Expr | None = None  # f(t); None: zero, or the start value of an incremental measure
+    sign: int = 1
+    ends: tuple[str, ...] = ()  # bodies between which a named section runs, for "tension of rope at left"
+    if_needed: bool = False  # held only where the other connections leave it free
+    unilateral: bool = False  # an ideal string or contact: the reaction must not be negative
+    connection: str = ""
+
+    @property
+    def name(self) -> str:
+        return f"{self.connection}.{self.component}"
+
+
+@dataclass(frozen=True)
+class Push:
+    """A load: a measure pushed by a law of it (`VALUE`), its rate (`RATE`), time and other measures. The law is
+    the generalized force in the direction in which the measure grows."""
+
+    component: str
+    measure: Measure | RateMeasure
+    law: Expr
+    measures: tuple[tuple[str, Measure], ...] = ()  # named measures in the law
+    load: str = ""
+
+    @property
+    def name(self) -> str:
+        return f"{self.load}.{self.component}" if self.component else self.load

@@ -1,0 +1,306 @@
+"""Resolves what a user wrote to what it means, and gathers every problem on the way.
+
+A resolver never stops at the first mistake: it notes the problem with its place and goes on with something
+harmless, so that one message can list them all.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from collections.abc import Generator, Iterable, Mapping
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, cast
+
+from freebody.errors import ExpressionError, InputError, Problem, UnitError
+from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, negate, number
+from freebody.language.parser import parse
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_of, parse_quantity
+from freebody.measures.base import Measure
+from freebody.measures.geometry import COMPASS, GROUND, RIGHT, Direction, Point
+from freebody.model.elements import Held, Line, Parameter, RigidBody
+from freebody.model.spec import Spec
+
+if TYPE_CHECKING:
+    from freebody.connections.base import Connection
+
+ZERO = number(0)
+PI = Symbol("pi")
+_QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-zµμ°%]")
+
+
+def placeholder(name: str) -> RigidBody:
+    """Stands in for a body that could not be read; anything may be asked of it."""
+    return RigidBody(name, ZERO, ZERO, {"center": (ZERO, ZERO)}, "center", radius=number(1), is_placeholder=True)
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """' Did you mean x?', or the list of what there is."""
+    options = sorted(set(known))
+    close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
+    if close:
+        return f" Did you mean {close[0]}?"
+    if not options:
+        return ""
+    shown = ", ".join(options[:12]) + (" ..." if len(options) > 12 else "")
+    return f" There is: {shown}."
+
+
+class Names:
+    """The names of one model in the making."""
+
+    def __init__(self) -> None:
+        self.parameters: dict[str, Parameter] = {}
+        self.bodies: dict[str, RigidBody] = {}
+        self.measures: dict[str, Measure] = {}
+        self.problems: list[Problem] = []
+        self.assumptions: list[str] = []
+        self._path: tuple[str | int, ...] = ()
+        self.connections: dict[str, Connection] = {}
+        self.broken: set[str] = set()  # parameters and measures that could not be read
+        self.held: list[Held] = []
+        self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
+        self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
+
+    # -- problems -----------------------------------------------------------------------------
+    @contextmanager
+    def at(self, *path: str | int) -> Generator[None]:
+        """Problems noted inside stand at this place of the model."""
+        before = self._path
+        self._path = before + path
+        try:
+            yield
+        finally:
+            self._path = before
+
+    def problem(self, message: str, spec: Spec | None = None, *path: str | int) -> None:
+        noted = Problem(self._path + path, message)
+        if noted not in self.problems:
+            self.problems.append(noted)
+
+    # -- expressions --------------------------------------------------------------------------
+    def dimensions(self) -> dict[str, Dimension]:
+        return {p.name: p.dimension for p in self.parameters.values()}
+
+    def formula(
+        self,
+        value: Any,
+        dimension: Dimension,
+        *path: str | int,
+        extra: Mapping[str, Dimension] | None = None,
+    ) -> Expr:
+        """An expression in the parameters (and `extra` names), or a quantity with its unit."""
+        known = self.dimensions() | dict(extra or {})
+        if isinstance(value, bool) or not isinstance(value, (str, int, float)):
+            self.problem(f"expected a number or an expression, found {value!r}", None, *path)
+            return ZERO
+        if isinstance(value, (int, float)):
+            if not math.isfinite(value):
+                self.problem(f"{value} is not a finite number", None, *path)
+                return ZERO
+            return number(value)
+        try:
+            expr = parse(value)
+        except ExpressionError as error:
+            return self._quantity(value, dimension, path, str(error))
+        if free_symbols(expr) & self.broken:
+            return ZERO
+        unknown = sorted(free_symbols(expr) - set(known))
+        if unknown:
+            message = (
+                f"{unknown[0]} in '{value}' is not a parameter.{did_you_mean(unknown[0], known)}"
+                f" Add it under parameters, e.g. {unknown[0]}: 1"
+            )
+            return self._quantity(value, dimension, path, message)
+        try:
+            found = dimension_of(expr, known)
+        except UnitError as error:
+            return self._quantity(value, dimension, path, f"in '{value}': {error}")
+        if found != dimension and expr != ZERO:
+            return self._quantity(
+                value, dimension, path, f"'{value}' has the unit {found}, expected {_unit(dimension)}"
+            )
+        return expr
+
+    def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
+        if not _QUANTITY.match(text):
+            self.problem(why_not, None, *path)
+            return ZERO
+        try:
+            quantity = parse_quantity(text)
+        except InputError as error:
+            self.problem(str(error) if "unit" in str(error) else why_not, None, *path)
+            return ZERO
+        if quantity.dimension != dimension:
+            self.problem(f"'{text}' has the unit {quantity.dimension}, expected {_unit(dimension)}", None, *path)
+            return ZERO
+        return quantity_expression(quantity)
+
+    def positive(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
+        """A formula that must not be negative."""
+        expr = self.formula(getattr(spec, field), dimension, field)
+        value = self.numeric(expr)
+        if value is not None and value < 0:
+            self.problem(f"{field} is negative ({value:g} {dimension}); give a positive one", spec, field)
+        return expr
+
+    def optional(self, spec: Spec, field: str, dimension: Dimension) -> Expr | None:
+        return None if getattr(spec, field) is None else self.positive(spec, field, dimension)
+
+    def numeric(self, expr: Expr) -> float | None:
+        """Its value, where all parameters in it have values."""
+        values = {p.name: p.value for p in self.parameters.values() if p.value is not None}
+        try:
+            result = evaluate(expr, values)
+        except (InputError, ZeroDivisionError, OverflowError, ValueError):
+            return None
+        return float(result)
+
+    def vector(self, spec: Spec, field: str, dimension: Dimension) -> tuple[Expr, Expr] | None:
+        value = getattr(spec, field)
+        return None if value is None else self.pair(value, dimension, field)
+
+    def pair(self, value: Any, dimension: Dimension, *path: str | int) -> tuple[Expr, Expr]:
+        if not isinstance(value, (list, tuple)) or len(cast("list[Any]", value)) != 2:
+            self.problem(f"expected two components [x, y], found {value!r}", None, *path)
+            return ZERO, ZERO
+        x, y = cast("list[Any]", value)
+        return self.formula(x, dimension, *path, 0), self.formula(y, dimension, *path, 1)
+
+    def vectors(self, spec: Spec, field: str, dimension: Dimension) -> list[tuple[Expr, Expr]]:
+        return [self.pair(v, dimension, field, k) for k, v in enumerate(getattr(spec, field))]
+
+    # -- bodies, points, directions -----------------------------------------------------------
+    def body(self, name: str, *path: str | int) -> RigidBody:
+        found = self.bodies.get(name)
+        if found is None:
+            hint = did_you_mean(name, self.bodies)
+            self.problem(f"there is no body {name}.{hint}", None, *path)
+            return placeholder(name)
+        return found
+
+    def known(self, name: str) -> RigidBody:
+        """A body that was looked up before; a stand-in if that failed."""
+        return self.bodies.get(name) or placeholder(name)
+
+    def point(self, text: Any, *path: str | int) -> Point:
+        """`body.point`, or `body` for its reference point. A ground point that is not declared is the origin."""
+        if not isinstance(text, str):
+            self.problem(f"expected a point such as rod.end, found {text!r}", None, *path)
+            return self.bodies[GROUND].point("origin")
+        body_name, _, point_name = text.strip().partition(".")
+        body = self.body(body_name, *path)
+        if body_name not in self.bodies or body.is_placeholder:
+            return body.point()
+        if not point_name:
+            if body_name == GROUND:
+                self.problem("a place on the ground needs a name, e.g. ground.A, or ground.origin", None, *path)
+            return body.point()
+        if point_name in body.points:
+            return body.point(point_name)
+        if body_name == GROUND:
+            self.free_ground_points.setdefault(point_name, (*self._path, *path))
+            return Point(GROUND, (ZERO, ZERO), text.strip())
+        self.problem(
+            f"{body_name} has no point {point_name}.{did_you_mean(point_name, body.points)}"
+            f" Points of your own: {body_name}: {{points: {{{point_name}: [x, y]}}}}",
+            None,
+            *path,
+        )
+        return body.point()
+
+    def line(self, text: Any, *path: str | int) -> Line | None:
+        """`body.line`; of the ground also plain `line`."""
+        if not isinstance(text, str):
+            return None
+        body_name, _, line_name = text.strip().partition(".")
+        if not line_name:
+            return self.bodies[GROUND].lines.get(body_name)
+        body = self.bodies.get(body_name)
+        return None if body is None else body.lines.get(line_name)
+
+    def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
+        """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis."""
+        if isinstance(value, (list, tuple)):
+            pair = self.pair(cast("list[Any]", value), DIMENSIONLESS, *path)
+            return self.unit_direction(body, pair, *path)
+        if isinstance(value, str):
+            text = value.strip()
+            for prefix in ("against ", "opposite to ", "opposite of "):
+                if text.startswith(prefix):
+                    return self.direction(text.removeprefix(prefix), *path, body=body).reversed()
+            for prefix in ("normal to ", "normal of ", "perpendicular to "):
+                if text.startswith(prefix):
+                    return self.direction(text.removeprefix(prefix), *path, body=body).normal()
+            text = text.removeprefix("along ")
+            if text in COMPASS:
+                found = COMPASS[text]
+                return found if body == GROUND else Direction(body, found.components, text)
+            line = self.line(text)
+            if line is not None:
+                return line.direction
+            owner, _, axis = text.partition(".")
+            if axis in COMPASS and owner in self.bodies:
+                return Direction(owner, COMPASS[axis].components, text)
+            if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
+                known = [*COMPASS, *self.bodies[GROUND].lines]
+                known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]
+                self.problem(
+                    f"{text} is no direction.{did_you_mean(text, known)} Write right, left, up, down, "
+                    "an angle such as 30 deg, components [1, 2], a line, or body.x",
+                    None,
+                    *path,
+                )
+                return RIGHT
+        angle = self.formula(value, DIMENSIONLESS, *path)
+        shown = str(value)
+        return Direction(body, (Call("cos", angle), Call("sin", angle)), shown)
+
+    def unit_direction(self, body: str, pair: tuple[Expr, Expr], *path: str | int) -> Direction:
+        x, y = pair
+        if all(isinstance(c, type(ZERO)) and c == ZERO for c in pair):
+            self.problem("a direction must not be [0, 0]", None, *path)
+            return RIGHT
+        size = Call("sqrt", x * x + y * y)
+        return Direction(body, (x / size, y / size), "")
+
+    def radius(self, name: str, *path: str | int) -> Expr:
+        body = self.body(name, *path)
+        if body.radius is None:
+            self.problem(
+                f"{name} has no radius; make it a disk, ring or sphere, or give its body a radius",
+                None,
+                *path,
+            )
+            return number(1)
+        return body.radius
+
+    def length_or(self, spec: Spec, field: str, fallback: Expr | None = None) -> Expr | None:
+        value = getattr(spec, field)
+        return fallback if value is None else self.positive(spec, field, LENGTH)
+
+    def measure(self, name: Any, *path: str | int) -> Measure | None:
+        """A named measure, or a phrase that states one."""
+        from freebody.model.phrases import read_measure
+
+        if isinstance(name, str) and name.strip() in self.measures:
+            return self.measures[name.strip()]
+        return read_measure(self, name, *path)
+
+
+def quantity_expression(quantity: Any) -> Expr:
+    """A quantity in SI as an exact expression; degrees as fractions of pi."""
+    if quantity.degrees is not None:
+        return PI * Fraction(quantity.degrees, 180)
+    if quantity.exact is not None:
+        return number(quantity.exact)
+    return number(quantity.value)
+
+
+def _unit(dimension: Dimension) -> str:
+    return "a pure number or an angle" if dimension == DIMENSIONLESS else str(dimension)
+
+
+__all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]

@@ -1,0 +1,194 @@
+"""The phrases in which measures are stated, e.g. `drop of left below ground.axle`.
+
+Each phrase is one pattern and one reader; the table is also what error messages and documentation list.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+from freebody.errors import ExpressionError, UnitError
+from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
+from freebody.language.parser import parse
+from freebody.language.units import DIMENSIONLESS, dimension_of
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination, Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing, Distance
+from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Path = tuple[str | int, ...]
+Found = dict[str, str | None]
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """One way to state a measure."""
+
+    form: str
+    pattern: re.Pattern[str]
+    read: Callable[[Names, Found, Path], Measure]
+
+
+_POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
+PHRASES: list[Phrase] = []
+
+
+def _phrase(
+    form: str, pattern: str
+) -> Callable[[Callable[[Names, Found, Path], Measure]], Callable[[Names, Found, Path], Measure]]:
+    def register(
+        read: Callable[[Names, Found, Path], Measure],
+    ) -> Callable[[Names, Found, Path], Measure]:
+        PHRASES.append(Phrase(form, re.compile(rf"^(?:{pattern})$"), read))
+        return read
+
+    return register
+
+
+def _origin(names: Names, text: str | None, path: Path) -> Point:
+    return Point(GROUND, (ZERO, ZERO), "ground.origin") if text is None else names.point(text, *path)
+
+
+@_phrase("drop of POINT [below POINT]", rf"drop of (?P<of>{_POINT})(?: (?:below|from) (?P<origin>{_POINT}))?")
+def _drop(names: Names, found: Found, path: Path) -> Measure:
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), DOWN)
+
+
+@_phrase("height of POINT [above POINT]", rf"height of (?P<of>{_POINT})(?: (?:above|over) (?P<origin>{_POINT}))?")
+def _height(names: Names, found: Found, path: Path) -> Measure:
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), UP)
+
+
+@_phrase("x of POINT [from POINT]", rf"(?P<axis>[xy]) of (?P<of>{_POINT})(?: from (?P<origin>{_POINT}))?")
+def _coordinate(names: Names, found: Found, path: Path) -> Measure:
+    axis = RIGHT if found["axis"] == "x" else UP
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), axis)
+
+
+@_phrase(
+    "travel of POINT along DIRECTION [from POINT]",
+    rf"(?:travel|displacement|position) of (?P<of>{_POINT}) along (?P<along>.+?)(?: from (?P<origin>{_POINT}))?",
+)
+def _travel(names: Names, found: Found, path: Path) -> Measure:
+    along = names.direction(found["along"], *path)
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), along)
+
+
+@_phrase("distance from POINT to POINT", rf"distance (?:from|of) (?P<start>{_POINT}) (?:to|from) (?P<end>{_POINT})")
+def _distance(names: Names, found: Found, path: Path) -> Measure:
+    return Distance(names.point(found["start"], *path), names.point(found["end"], *path))
+
+
+def _clockwise(measure: Measure, clockwise: str | None) -> Measure:
+    """An angle counted clockwise is the negative of the measure."""
+    if clockwise is None:
+        return measure
+    return Composed(number(-1) * Symbol("angle"), (("angle", measure),), DIMENSIONLESS)
+
+
+def direction_angle(direction: Direction) -> Expr:
+    """The angle of a direction from the x axis of its body."""
+    x, y = direction.components
+    if isinstance(x, Call) and x.function == "cos" and isinstance(y, Call) and y.argument == x.argument:
+        return x.argument
+    quarter = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}
+    if isinstance(x, Number) and isinstance(y, Number) and (int(x.value), int(y.value)) in quarter:
+        return Symbol("pi") * number(quarter[int(x.value), int(y.value)]) / 2
+    # atan2 by the half angle; fails only against the x axis, where [-1, 0] is written `left`
+    return 2 * Call("atan", y / (Call("sqrt", x * x + y * y) + x))
+
+
+@_phrase(
+    "angle of line from POINT to POINT [from DIRECTION] [clockwise]",
+    rf"angle of (?:the )?line from (?P<start>{_POINT}) to (?P<end>{_POINT})"
+    r"(?: from (?P<ref>.+?))?(?P<cw> clockwise)?",
+)
+def _bearing(names: Names, found: Found, path: Path) -> Measure:
+    ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
+    start, end = names.point(found["start"], *path), names.point(found["end"], *path)
+    return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"])
+
+
+@_phrase(
+    "angle of BODY [from DIRECTION | relative to BODY] [clockwise]",
+    r"(?P<cw1>clockwise )?angle of (?P<of>[A-Za-z_]\w*)"
+    r"(?: from (?P<ref>.+?)| (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?(?P<cw> clockwise)?",
+)
+def _angle(names: Names, found: Found, path: Path) -> Measure:
+    body = names.body(cast("str", found["of"]), *path)
+    if not body.turns:
+        names.problem(f"{body.name} is a particle and has no angle", None, *path)
+    clockwise = found["cw"] or found["cw1"]
+    if found["rel"] is not None:
+        return _clockwise(Angle(body.name, names.body(found["rel"], *path).name), clockwise)
+    ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
+    return _clockwise(Angle(body.name, ref.body, direction_angle(ref)), clockwise)
+
+
+def phrase_text(value: Any) -> str | None:
+    """The phrase in `text`, or in `{text}`, which YAML reads as a mapping with an empty value."""
+    if isinstance(value, str):
+        return " ".join(value.split())
+    if isinstance(value, dict):
+        items = list(cast("dict[Any, Any]", value).items())
+        if len(items) == 1 and items[0][1] is None and isinstance(items[0][0], str):
+            return " ".join(items[0][0].split())
+    return None
+
+
+def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
+    """The measure that a phrase, a name or `{expression: ...}` states; None after noting a problem."""
+    text = phrase_text(value)
+    if text is None:
+        if isinstance(value, dict) and set(cast("dict[str, Any]", value)) == {"expression"}:
+            return composed(names, str(cast("dict[str, Any]", value)["expression"]), *path, "expression")
+        names.problem(f"expected a phrase such as 'height of A', found {value!r}", None, *path)
+        return None
+    if text in names.measures:
+        return names.measures[text]
+    for phrase in PHRASES:
+        found = phrase.pattern.match(text)
+        if found:
+            return phrase.read(names, found.groupdict(), path)
+    first = text.split()[0] if text else ""
+    import difflib
+
+    close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
+    forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
+    names.problem(
+        f"'{text}' states no measure. " + ("Did you mean: " if close else "Write one of: ") + "; ".join(forms),
+        None,
+        *path,
+    )
+    return None
+
+
+def composed(names: Names, text: str, *path: str | int) -> Measure | None:
+    """An expression in other measures. One that is linear in them with constant coefficients is a combination."""
+    try:
+        expr = parse(text)
+    except ExpressionError as error:
+        names.problem(str(error), None, *path)
+        return None
+    used = sorted(free_symbols(expr) & set(names.measures))
+    dimensions = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
+    try:
+        dimension = dimension_of(expr, dimensions)
+    except UnitError as error:
+        names.problem(f"in '{text}': {error}", None, *path)
+        return None
+    if not used:
+        names.problem(f"'{text}' contains no measure", None, *path)
+        return None
+    return Composed(expr, tuple((n, names.measures[n]) for n in used), dimension or DIMENSIONLESS)
+
+
+__all__ = ["PHRASES", "Combination", "composed", "direction_angle", "phrase_text", "read_measure"]

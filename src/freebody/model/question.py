@@ -1,0 +1,633 @@
+"""Questions: what is asked, in the words of the grammar below.
+
+    QUANTITY [at start | when MEASURE = VALUE]        time when MEASURE = VALUE
+
+The grammar is the table `FORMS`; error messages and the documentation list it.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, cast
+
+from freebody.language.expression import Expr
+from freebody.language.units import (
+    ANGULAR_MOMENTUM,
+    ANGULAR_VELOCITY,
+    DIMENSIONLESS,
+    ENERGY,
+    FORCE,
+    LENGTH,
+    MOMENTUM,
+    POWER,
+    TIME,
+    TORQUE,
+    Dimension,
+)
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.model.elements import Held
+from freebody.model.names import Names, did_you_mean
+from freebody.model.phrases import PHRASES, phrase_text, read_measure
+
+Path = tuple[str | int, ...]
+Order = Literal[0, 1, 2]
+
+
+@dataclass(frozen=True)
+class OfMeasure:
+    """A measure, its rate or its acceleration."""
+
+    measure: Measure
+    order: Order
+    name: str
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension / TIME**self.order
+
+
+@dataclass(frozen=True)
+class OfPoint:
+    """Position, velocity or acceleration of a point: a vector, a component, or its size."""
+
+    point: Point
+    order: Order
+    along: Direction | None = None
+    size: bool = False
+
+    @property
+    def dimension(self) -> Dimension:
+        return LENGTH / TIME**self.order
+
+
+@dataclass(frozen=True)
+class Multiplier:
+    """What one row of a connection transmits: tension, normal force, tooth force ..."""
+
+    connection: str
+    reaction: str
+    at: tuple[str, ...] = ()
+
+    dimension: Dimension = FORCE
+
+
+@dataclass(frozen=True)
+class Wrench:
+    """Force or moment of a connection on a body: a vector, a component, the size, or the moment about the mass
+    centre or a point."""
+
+    connection: str
+    on: str | None
+    along: Direction | None = None
+    size: bool = False
+    moment: bool = False
+    about: Point | None = None
+
+    @property
+    def dimension(self) -> Dimension:
+        return TORQUE if self.moment else FORCE
+
+
+@dataclass(frozen=True)
+class LoadForce:
+    """Force or torque of a load; a spring's or damper's is positive when it pulls."""
+
+    load: str
+    dimension: Dimension = FORCE
+
+
+@dataclass(frozen=True)
+class Energy:
+    """Kinetic, potential or total energy, of the system or one body."""
+
+    what: Literal["kinetic", "potential", "total"]
+    body: str | None = None
+    dimension: Dimension = ENERGY
+
+
+@dataclass(frozen=True)
+class Momentum:
+    """Linear momentum of the system or one body: a vector or a component."""
+
+    body: str | None = None
+    along: Direction | None = None
+    dimension: Dimension = MOMENTUM
+
+
+@dataclass(frozen=True)
+class Spin:
+    """Angular momentum of the system or one body about a point (default: the mass centre of the body)."""
+
+    body: str | None = None
+    about: Point | None = None
+    dimension: Dimension = ANGULAR_MOMENTUM
+
+
+@dataclass(frozen=True)
+class Power:
+    """Power of a load or a driver."""
+
+    of: str
+    dimension: Dimension = POWER
+
+
+@dataclass(frozen=True)
+class Work:
+    """Work of a load from the start to the event."""
+
+    of: str
+    dimension: Dimension = ENERGY
+
+
+@dataclass(frozen=True)
+class RatioOf:
+    """One quantity over another."""
+
+    top: Quantity
+    bottom: Quantity
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.top.dimension / self.bottom.dimension
+
+
+@dataclass(frozen=True)
+class When:
+    """The time of the event."""
+
+    dimension: Dimension = TIME
+
+
+@dataclass(frozen=True)
+class Small:
+    """Natural frequencies or period of small oscillations about the equilibrium."""
+
+    what: Literal["frequencies", "frequency", "period"]
+
+    @property
+    def dimension(self) -> Dimension:
+        return TIME if self.what == "period" else ANGULAR_VELOCITY
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """The value of a measure at rest."""
+
+    measure: Measure
+    name: str
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """Degrees of freedom."""
+
+    dimension: Dimension = DIMENSIONLESS
+
+
+Quantity = (
+    OfMeasure
+    | OfPoint
+    | Multiplier
+    | Wrench
+    | LoadForce
+    | Energy
+    | Momentum
+    | Spin
+    | Power
+    | Work
+    | RatioOf
+    | When
+    | Small
+    | Equilibrium
+    | Freedom
+)
+
+
+@dataclass(frozen=True)
+class Event:
+    """A measure (or its rate) reaches a value."""
+
+    measure: Measure
+    order: Literal[0, 1]
+    value: Expr
+    text: str
+
+
+@dataclass(frozen=True)
+class Question:
+    """A quantity that is asked for, when it is meant, and the options to choose from."""
+
+    id: str
+    text: str
+    quantity: Quantity
+    event: Event | None = None
+    at_start: bool = False
+    options: Mapping[str, str] = field(default_factory=dict[str, str])
+    key: str | None = None
+
+
+# -- the grammar ------------------------------------------------------------------------------
+Reader = Callable[[Names, dict[str, str | None], Path], Quantity | None]
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to ask."""
+
+    form: str
+    pattern: re.Pattern[str]
+    read: Reader
+
+
+FORMS: list[Form] = []
+_POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
+_NAME = r"[A-Za-z_]\w*"
+_OPENINGS = (
+    "position",
+    "velocity",
+    "acceleration",
+    "angular velocity",
+    "angular acceleration",
+    "speed",
+    "angle",
+    "reaction",
+    "moment",
+    "tension",
+    "normal force",
+    "friction force",
+    "kinetic energy",
+    "potential energy",
+    "total energy",
+    "linear momentum",
+    "angular momentum",
+    "power",
+    "work",
+    "equilibrium",
+)
+_ORDERS: dict[str, Order] = {"position": 0, "velocity": 1, "acceleration": 2, "value": 0, "rate": 1}
+
+
+def _form(form: str, pattern: str) -> Callable[[Reader], Reader]:
+    def register(read: Reader) -> Reader:
+        FORMS.append(Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read))
+        return read
+
+    return register
+
+
+@_form("degrees of freedom", r"(?:number of )?degrees of freedom|mobility")
+def _freedom(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    return Freedom()
+
+
+@_form("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)")
+def _frequencies(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    return Small("frequency" if found["f"] == "frequency" else "frequencies")
+
+
+@_form("period of small oscillations", r"period(?: of(?: small)? oscillations?)?")
+def _period(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    return Small("period")
+
+
+@_form("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)")
+def _ratio(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
+    return None if top is None or bottom is None else RatioOf(top, bottom)
+
+
+@_form(
+    "angle | angular velocity | angular acceleration of BODY [relative to BODY]",
+    rf"(?P<what>angle|angular velocity|angular acceleration) of (?P<of>{_NAME})"
+    rf"(?: relative to (?P<rel>{_NAME}))?",
+)
+def _angular(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    order: Order = {"angle": 0, "angular velocity": 1, "angular acceleration": 2}[str(found["what"])]  # type: ignore[assignment]
+    if of in names.measures and of not in names.bodies:
+        return OfMeasure(names.measures[of], order, of)
+    body = names.body(of, *path)
+    if not body.turns:
+        names.problem(f"{of} is a particle and has no angle", None, *path)
+    other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
+    return OfMeasure(Angle(body.name, other), order, f"angle of {of}")
+
+
+@_form(
+    "position | velocity | acceleration of MEASURE, or of POINT [along DIRECTION]",
+    r"(?P<what>position|velocity|acceleration|value|rate) of (?P<of>.+?)(?: along (?P<along>.+))?",
+)
+def _motion(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of, order = str(found["of"]), _ORDERS[str(found["what"])]
+    if of in names.measures:
+        return OfMeasure(names.measures[of], order, of)
+    body_name, _, _point_name = of.partition(".")
+    if re.fullmatch(_POINT, of) and (body_name in names.bodies or not _is_phrase(of)):
+        if of in names.broken:
+            return None
+        if body_name not in names.bodies:
+            known = [*names.measures, *names.bodies]
+            names.problem(f"{of} is no measure, body or point.{did_you_mean(body_name, known)}", None, *path)
+            return None
+        point = names.point(of, *path)
+        along = None if found["along"] is None else names.direction(found["along"], *path)
+        return OfPoint(point, order, along)
+    text = of if found["along"] is None else f"{of} along {found['along']}"
+    measure = read_measure(names, text, *path)
+    return None if measure is None else OfMeasure(measure, order, text)
+
+
+def _is_phrase(text: str) -> bool:
+    return " " in text
+
+
+@_form("speed of POINT", rf"speed of (?P<of>{_POINT})")
+def _speed(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    return OfPoint(names.point(found["of"], *path), 1, size=True)
+
+
+@_form(
+    "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
+    rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
+    rf"(?:reaction|force) of (?P<of>{_NAME})"
+    rf"(?: on (?P<on>{_NAME}))?(?: along (?P<along>.+))?",
+)
+def _reaction(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if of in names.loads:
+        return LoadForce(of, names.loads[of])
+    if not _has_connection(names, of, path):
+        return None
+    on = None if found["on"] is None else names.body(str(found["on"]), *path).name
+    part = str(found["part"] or "")
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if part in ("horizontal", "x component of"):
+        along = RIGHT
+    if part in ("vertical", "y component of"):
+        along = UP
+    return Wrench(of, on, along, size=part in ("size of", "magnitude of"))
+
+
+@_form(
+    "moment of CONNECTION [on BODY] [about POINT]",
+    rf"moment of (?P<of>{_NAME})(?: on (?P<on>{_NAME}))?(?: about (?P<about>{_POINT}))?",
+)
+def _moment(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if not _has_connection(names, of, path):
+        return None
+    on = None if found["on"] is None else names.body(str(found["on"]), *path).name
+    about = None if found["about"] is None else names.point(found["about"], *path)
+    return Wrench(of, on, moment=True, about=about)
+
+
+@_form("force in SPRING", rf"(?:force|torque) (?:in|of) (?P<of>{_NAME})")
+def _load_force(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if of not in names.loads:
+        known = [*names.loads, *names.connections]
+        names.problem(f"there is no load {of}.{did_you_mean(of, known)}", None, *path)
+        return None
+    return LoadForce(of, names.loads[of])
+
+
+@_form(
+    "kinetic | potential | total energy [of BODY]",
+    rf"(?P<what>kinetic|potential|total|mechanical) energy(?: of (?:the )?(?P<of>{_NAME}))?",
+)
+def _energy(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = found["of"]
+    body = None if of is None or of == "system" else names.body(of, *path).name
+    what = str(found["what"]).replace("mechanical", "total")
+    return Energy(cast("Any", what), body)
+
+
+@_form(
+    "linear momentum [of BODY] [along DIRECTION]",
+    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{_NAME}))?(?: along (?P<along>.+))?",
+)
+def _momentum(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = found["of"]
+    body = None if of is None or of == "system" else names.body(of, *path).name
+    return Momentum(body, None if found["along"] is None else names.direction(found["along"], *path))
+
+
+@_form(
+    "angular momentum [of BODY] [about POINT]",
+    rf"angular momentum(?: of (?:the )?(?P<of>{_NAME}))?(?: about (?P<about>{_POINT}))?",
+)
+def _spin(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = found["of"]
+    body = None if of is None or of == "system" else names.body(of, *path).name
+    return Spin(body, None if found["about"] is None else names.point(found["about"], *path))
+
+
+@_form("power | work of LOAD", rf"(?P<what>power|work) of (?P<of>{_NAME})")
+def _power(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    known = [*names.loads, *names.connections]
+    if of not in known:
+        names.problem(f"there is no load or driver {of}.{did_you_mean(of, known)}", None, *path)
+        return None
+    return Power(of) if found["what"] == "power" else Work(of)
+
+
+@_form("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)")
+def _equilibrium(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    measure = names.measure(found["of"], *path)
+    return None if measure is None else Equilibrium(measure, str(found["of"]))
+
+
+@_form(
+    "tension | normal force | friction force | tooth force | ... of CONNECTION [at BODY | between BODY and BODY]",
+    rf"(?P<what>[a-z][a-z ]*?) (?:of|in) (?P<of>{_NAME})"
+    rf"(?: (?:at|on) (?P<at>{_NAME})| between (?P<a>{_NAME}) and (?P<b>{_NAME}))?",
+)
+def _multiplier(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of, what = str(found["of"]), str(found["what"])
+    if of not in names.connections:
+        close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
+        if close and close[0] != what:
+            names.problem(f"there is nothing called {what}. Did you mean: {close[0]} of {of}", None, *path)
+            return None
+    if not _has_connection(names, of, path):
+        return None
+    rows = [row for row in names.held if row.connection == of]
+    kinds = sorted({row.reaction for row in rows})
+    if what not in kinds:
+        names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)} Or ask for: reaction of {of}", None, *path)
+        return None
+    at = tuple(names.body(str(found[k]), *path).name for k in ("at", "a", "b") if found[k] is not None)
+    matching = [row for row in rows if row.reaction == what and set(at) <= set(_bodies(row))]
+    if len(matching) != 1:
+        ends = "; ".join(" - ".join(_bodies(row)) for row in rows if row.reaction == what)
+        names.problem(
+            f"{of} has {'several values' if matching else 'no value'} of {what}"
+            f"{' at ' + ' and '.join(at) if at else ''}; say which: at BODY, or between BODY and BODY ({ends})",
+            None,
+            *path,
+        )
+        return None
+    dimension = TORQUE / matching[0].measure.dimension * DIMENSIONLESS
+    if matching[0].measure.dimension == LENGTH:
+        dimension = FORCE
+    return Multiplier(of, what, at, dimension)
+
+
+def _bodies(row: Held) -> tuple[str, ...]:
+    return row.ends or tuple(dict.fromkeys(row.measure.bodies()))
+
+
+def _has_connection(names: Names, name: str, path: Path) -> bool:
+    if name in names.connections:
+        return True
+    known = [*names.connections, *names.loads]
+    names.problem(f"there is no connection {name}.{did_you_mean(name, known)}", None, *path)
+    return False
+
+
+# -- reading ----------------------------------------------------------------------------------
+def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
+    if text in names.measures:
+        return OfMeasure(names.measures[text], 0, text)
+    if text in names.broken:
+        return None
+    if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
+        measure = read_measure(names, text, *path)
+        return None if measure is None else OfMeasure(measure, 0, text)
+    for form in FORMS:
+        found = form.pattern.match(text)
+        if found:
+            return form.read(names, found.groupdict(), path)
+    words = text.split(" of ", maxsplit=1)[0]
+    openings = {w: f.form for f in FORMS for w in re.split(r"[|,;]", f.form.split(" of ")[0])}
+    close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.6)
+    if close:
+        form = next(f for w, f in openings.items() if w.strip() == close[0])
+        names.problem(f"cannot read '{text}'. Did you mean: {form}", None, *path)
+    else:
+        listed = "\n    ".join(f.form for f in FORMS)
+        names.problem(f"cannot read '{text}'. One can ask for\n    {listed}", None, *path)
+    return None
+
+
+def _event(names: Names, text: str, path: Path) -> Event | None:
+    found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
+    if found is None:
+        names.problem(f"'{text}' is no condition; write for example x = h", None, *path)
+        return None
+    what = found["what"].strip()
+    order: Literal[0, 1] = 0
+    for pattern in (r"rate\((.+)\)", r"(?:rate|velocity|speed) of (.+)", r"(.+)'", r"(.+)_dot"):
+        inner = re.fullmatch(pattern, what)
+        if inner and what not in names.measures:
+            order, what = 1, inner[1].strip()
+            break
+    measure = names.measure(what, *path)
+    if measure is None:
+        return None
+    dimension = measure.dimension / TIME**order
+    return Event(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+
+
+def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
+    """The questions of a model; a question is a text, or a mapping with find, id, when, options, key."""
+    if given is None:
+        return ()
+    if isinstance(given, dict):
+        pairs = list(cast("dict[str, Any]", given).items())
+    elif isinstance(given, list):
+        pairs = [(f"q{k}", v) for k, v in enumerate(cast("list[Any]", given), 1)]
+    else:
+        names.problem("questions is a list, e.g. questions: [{find: acceleration of x}]", None, "questions")
+        return ()
+    found: list[Question] = []
+    for k, (name, value) in enumerate(pairs):
+        place = name if isinstance(given, dict) else k
+        with names.at("questions", place):
+            question = _question(names, name, value)
+        if question is not None:
+            if any(other.id == question.id for other in found):
+                names.problem(f"two questions have the id {question.id}", None, "questions", place, "id")
+            found.append(question)
+    return tuple(found)
+
+
+def _question(names: Names, name: str, value: Any) -> Question | None:
+    known = ("find", "id", "when", "options", "key")
+    plain = phrase_text(value)
+    entry: dict[str, Any] = {}
+    if plain is not None:
+        entry = {"find": plain}
+    elif isinstance(value, dict):
+        entry = cast("dict[str, Any]", value)
+    if not isinstance(entry.get("find"), str):
+        names.problem("a question needs find, e.g. {find: acceleration of x}")
+        return None
+    for key in entry:
+        if key not in known:
+            names.problem(f"a question has no {key}.{did_you_mean(key, known)}", None, key)
+    text = " ".join(str(entry["find"]).split())
+    phrase, at_start, event = text, False, None
+    if phrase.endswith((" at start", " at the start")):
+        phrase, at_start = re.sub(r" at (the )?start$", "", phrase), True
+    condition = entry.get("when")
+    if condition is None:
+        for word in (" when ", " until ", " to reach "):
+            if word in phrase:
+                phrase, _, condition = phrase.partition(word)
+                break
+    elif str(condition) in ("start", "at start"):
+        at_start, condition = True, None
+    if condition is not None:
+        event = _event(names, str(condition), ("find",) if "when" not in entry else ("when",))
+        if event is None:
+            return None
+    quantity: Quantity | None
+    if phrase in ("time", "the time"):
+        if event is None:
+            names.problem("say of what: time when x = h", None, "find")
+            return None
+        quantity = When()
+    else:
+        quantity = read_quantity(names, phrase, ("find",))
+    if quantity is None:
+        return None
+    if isinstance(quantity, Work) and event is None:
+        names.problem(f"say until when: work of {quantity.of} until x = h", None, "find")
+    options: Any = entry.get("options") or {}
+    if isinstance(options, list):
+        letters = "abcdefghijklmnopqrstuvwxyz"
+        options = dict(zip(letters, cast("list[Any]", options), strict=False))
+    if not isinstance(options, dict):
+        names.problem("options is a mapping, e.g. options: {a: g/2, b: g}", None, "options")
+        options = {}
+    shown = {str(k): _option_text(v) for k, v in cast("dict[Any, Any]", options).items()}
+    key = entry.get("key")
+    if key is not None and str(key) not in shown:
+        names.problem(f"key {key} is not among the options {', '.join(shown)}", None, "key")
+    return Question(
+        str(entry.get("id", name)),
+        text,
+        quantity,
+        event,
+        at_start,
+        shown,
+        None if key is None else str(key),
+    )
+
+
+def _option_text(value: Any) -> str:
+    """An option as text; a vector may be written as a list."""
+    if isinstance(value, list):
+        return "[" + ", ".join(map(str, cast("list[Any]", value))) + "]"
+    return str(value)

@@ -1,0 +1,48 @@
+"""What a route knows of a system at one instant: the common ground on which quantities are asked.
+
+Both routes supply a `State[S]`: the symbolic one with field elements, the numeric one with floats. They get
+there in different ways and share only the statements of the measures.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol, TypeVar
+
+from freebody.language.expression import Expr
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Push, RateMeasure
+
+S_co = TypeVar("S_co", covariant=True)
+
+
+class State(Protocol[S_co]):
+    """A system at one instant, its motion and its reactions."""
+
+    def scalar(self, expr: Expr) -> S_co:
+        """Value of an expression in the parameters and time."""
+        ...
+
+    def value(self, measure: Measure) -> S_co: ...
+
+    def rate(self, measure: Measure | RateMeasure) -> S_co: ...
+
+    def acceleration(self, measure: Measure | RateMeasure) -> S_co: ...
+
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[S_co, S_co, S_co]:
+        """Derivatives of the measure's rate by the velocity (x, y) and angular velocity of a body: the force
+        and the moment about the mass centre that a unit push of the measure exerts on it."""
+        ...
+
+    def multiplier(self, row: Held) -> S_co:
+        """The multiplier of a held measure. Raises CannotAnswer naming the connections if it is not unique."""
+        ...
+
+    def law(self, push: Push) -> S_co:
+        """The generalized force of a load in the direction in which its measure grows."""
+        ...
+
+    def potential(self, push: Push) -> S_co:
+        """Potential energy of a load. Raises CannotAnswer if it has none."""
+        ...
+
+    def sqrt(self, x: Any) -> S_co: ...

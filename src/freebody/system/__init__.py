@@ -1,0 +1,1 @@
+"""Systems: read from files or built in Python."""

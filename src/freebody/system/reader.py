@@ -1,0 +1,469 @@
+"""Reads a model document into a System. All problems are gathered and reported in one message."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+from pydantic import ValidationError
+
+from freebody.connections.base import Connection
+from freebody.errors import InputError, ModelError, Problem
+from freebody.language.document import Document
+from freebody.language.expression import ZERO, Expr, name_problem, negate
+from freebody.language.units import (
+    ANGULAR_VELOCITY,
+    DIMENSIONLESS,
+    ENERGY,
+    LENGTH,
+    TIME,
+    VELOCITY,
+    parse_quantity,
+    parse_unit,
+)
+from freebody.loads.base import Load
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
+from freebody.model.carriers import is_distance_kept
+from freebody.model.elements import Held, Line, Parameter, Push, RigidBody, Sign, Start
+from freebody.model.names import Names, did_you_mean, placeholder
+from freebody.model.phrases import read_measure
+from freebody.model.question import read_questions
+from freebody.model.shapes import Shape
+from freebody.model.spec import Spec
+from freebody.system.system import System
+
+SECTIONS = (
+    "freebody",
+    "title",
+    "about",
+    "source",
+    "parameters",
+    "ground",
+    "bodies",
+    "connections",
+    "loads",
+    "measures",
+    "start",
+    "questions",
+)
+BODY_OPTIONS = ("at", "angle", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
+_HALF_TURN = 1.5707963267948966
+
+SpecT = TypeVar("SpecT", bound=Spec)
+
+
+def register_kinds() -> None:
+    """Imports every file of connections and loads, each of which registers its kind."""
+    import_module("freebody.connections")
+    import_module("freebody.loads")
+
+
+class Reader:
+    """Reads a document into a System, noting problems in `names`."""
+
+    def __init__(self, document: Document, file: str | None) -> None:
+        register_kinds()
+        self.document = document
+        self.file = file
+        self.data = document.data
+        self.names = Names()
+
+    def system(self) -> System:
+        self._sections()
+        self._parameters()
+        self._bodies()
+        connections = self._specs("connections", Connection.kinds)
+        self.names.connections = connections
+        loads = self._specs("loads", Load.kinds)
+        measures = self._measures()
+        held, offered = self._held(connections)
+        pushes = self._pushes(loads)
+        start, rates = self._start(measures)
+        self.names.held = held
+        self.names.loads = {p.load: ENERGY / p.measure.dimension for p in pushes}
+        questions = read_questions(self.names, self.data.get("questions"))
+        self._ground_points()
+        if self.names.problems:
+            located = [self.document.locate(p) for p in self.names.problems]
+            located.sort(key=lambda p: (p.line or 0, p.column or 0))
+            raise ModelError(located, self.file)
+        return System(
+            title=str(self.data.get("title") or (Path(self.file).stem if self.file else "untitled")),
+            about=str(self.data.get("about") or ""),
+            parameters=self.names.parameters,
+            bodies=self.names.bodies,
+            held=tuple(held),
+            pushes=tuple(pushes),
+            measures=measures,
+            offered=tuple(offered),
+            start=start,
+            start_rates=rates,
+            questions=questions,
+            connections=connections,
+            loads=loads,
+            assumptions=tuple(dict.fromkeys(self.names.assumptions)),
+            document=self.document,
+            file=self.file,
+        )
+
+    # -- sections -----------------------------------------------------------------------------
+    def _sections(self) -> None:
+        for key in self.data:
+            if key not in SECTIONS:
+                self.names.problem(f"there is no section {key}.{did_you_mean(key, SECTIONS)}", None, key)
+        version = self.data.get("freebody", 1)
+        if version != 1:
+            self.names.problem(
+                f"this is freebody's file format {version!r}; this version reads format 1", None, "freebody"
+            )
+        if not self.data.get("bodies"):
+            self.names.problem("a model needs at least one body, under bodies", None, "bodies")
+
+    def _mapping(self, section: str) -> dict[str, Any]:
+        value = self.data.get(section)
+        if value is None:
+            return {}
+        if not isinstance(value, dict):
+            self.names.problem(f"{section} must be a mapping of names, e.g. {section}: {{a: ...}}", None, section)
+            return {}
+        return cast("dict[str, Any]", value)
+
+    def _named(self, section: str) -> dict[str, Any]:
+        """The entries of a section whose names can be used."""
+        good: dict[str, Any] = {}
+        for name, value in self._mapping(section).items():
+            fault = name_problem(name)
+            if fault is not None or (name == "t" and section in ("parameters", "measures")):
+                self.names.problem(fault or "t is the time; choose another name", None, section, name)
+                continue
+            good[name] = value
+        return good
+
+    def _parameters(self) -> None:
+        for name, value in self._named("parameters").items():
+            with self.names.at("parameters", name):
+                self.names.parameters[name] = self._parameter(name, value)
+
+    def _parameter(self, name: str, value: Any) -> Parameter:
+        sign: Sign = "positive"
+        unit: str | None = None
+        if isinstance(value, dict):
+            entry = cast("dict[str, Any]", value)
+            for key in entry:
+                if key not in ("value", "unit", "sign", "about"):
+                    known = ("value", "unit", "sign", "about")
+                    self.names.problem(f"a parameter has no {key}.{did_you_mean(key, known)}", None, key)
+            if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
+                self.names.problem(f"sign is positive, nonnegative or any, not {entry['sign']!r}", None, "sign")
+            else:
+                sign = entry.get("sign", "positive")
+            unit, value = entry.get("unit"), entry.get("value")
+        try:
+            if value is None:
+                dimension = parse_unit(unit).dimension if unit else DIMENSIONLESS
+                return Parameter(name, dimension, None, sign, unit=unit or "")
+            text = f"{value} {unit}" if unit else value
+            quantity = parse_quantity(text)
+        except (InputError, TypeError) as error:
+            return self._parameter_without_number(name, value, sign, error)
+        if sign == "positive" and quantity.value <= 0:
+            self.names.problem(
+                f"{name} = {value} is not positive; parameters are positive unless the model says "
+                f"otherwise: {name}: {{value: {value}, sign: any}}"
+            )
+        if sign == "nonnegative" and quantity.value < 0:
+            self.names.problem(f"{name} = {value} is negative, but its sign is given as nonnegative")
+        acute = quantity.is_angle and sign == "positive" and 0 < quantity.value < _HALF_TURN
+        shown = str(text).split(maxsplit=1)[1] if " " in str(text).strip() else ""
+        return Parameter(name, quantity.dimension, quantity.value, sign, acute, shown, quantity.is_angle)
+
+    def _parameter_without_number(self, name: str, value: Any, sign: Sign, error: Exception) -> Parameter:
+        """`m: kg` declares a symbol with a unit and no value."""
+        if isinstance(value, str):
+            try:
+                unit = parse_unit(value)
+            except InputError:
+                pass
+            else:
+                return Parameter(
+                    name,
+                    unit.dimension,
+                    None,
+                    sign,
+                    unit.is_angle and sign == "positive",
+                    value,
+                    unit.is_angle,
+                )
+        self.names.problem(f"{error}. Write for example {name}: 3 kg, {name}: 0.5, or {name}: kg for a symbol")
+        self.names.broken.add(name)
+        return Parameter(name, DIMENSIONLESS, None, sign)
+
+    # -- bodies -------------------------------------------------------------------------------
+    def _bodies(self) -> None:
+        names = self.names
+        names.bodies[GROUND] = RigidBody(GROUND, ZERO, ZERO, {"origin": (ZERO, ZERO)}, "origin", fixed=True)
+        self._ground()
+        for name, value in self._named("bodies").items():
+            if name == GROUND:
+                names.problem("ground is always there; declare its points under ground", None, "bodies", name)
+                continue
+            with names.at("bodies", name):
+                # a body that cannot be read still counts as known, so that its mistake is told once
+                names.bodies[name] = self._body(name, value) or placeholder(name)
+        for name, body in list(names.bodies.items()):
+            section = ("ground",) if name == GROUND else ("bodies", name)
+            entry = self.data.get("ground") if name == GROUND else self._mapping("bodies").get(name)
+            lines = cast("dict[str, Any]", entry).get("lines") if isinstance(entry, dict) else None
+            if isinstance(lines, dict):
+                with names.at(*section, "lines"):
+                    for line_name, spec in cast("dict[str, Any]", lines).items():
+                        with names.at(line_name):
+                            body.lines[line_name] = self._line(body, line_name, spec)
+
+    def _ground(self) -> None:
+        entry = self._mapping("ground")
+        ground = self.names.bodies[GROUND]
+        for key in entry:
+            if key not in ("points", "lines"):
+                known = ("points", "lines")
+                self.names.problem(f"ground has no {key}.{did_you_mean(key, known)}", None, "ground", key)
+        points = entry.get("points")
+        if isinstance(points, dict):
+            with self.names.at("ground", "points"):
+                for name, value in cast("dict[str, Any]", points).items():
+                    ground.points[name] = self.names.pair(value, LENGTH, name)
+        elif points is not None:
+            self.names.problem("points is a mapping, e.g. points: {A: [0, 0]}", None, "ground", "points")
+
+    def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
+        entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
+        for key in entry:
+            if key not in ("through", "along", "angle"):
+                known = ("through", "along", "angle")
+                self.names.problem(f"a line has no {key}.{did_you_mean(key, known)}", None, key)
+        if "along" not in entry and "angle" not in entry:
+            self.names.problem("a line needs a direction, e.g. {along: right} or {angle: -alpha}")
+        along = self.names.direction(entry.get("along", entry.get("angle", 0)), "along", body=body.name)
+        label = name if body.name == GROUND else f"{body.name}.{name}"
+        direction = replace(along, name=label)
+        through = entry.get("through")
+        if isinstance(through, str):
+            point = self.names.point(through, "through")
+        elif through is None:
+            point = body.point()
+        else:
+            point = replace(body.point(), offset=self.names.pair(through, LENGTH, "through"))
+        return Line(point, direction, label)
+
+    def _body(self, name: str, value: Any) -> RigidBody | None:
+        names = self.names
+        if isinstance(value, str) and value in Shape.kinds:
+            value = {value: None}
+        if not isinstance(value, dict):
+            names.problem(f"say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}")
+            return None
+        entry = cast("dict[str, Any]", value)
+        kinds = [k for k in entry if k in Shape.kinds]
+        for key in entry:
+            if key not in Shape.kinds and key not in BODY_OPTIONS:
+                known = [*Shape.kinds, *BODY_OPTIONS]
+                names.problem(f"a body has no {key}.{did_you_mean(key, known)}", None, key)
+        if len(kinds) != 1:
+            what = "one of " + ", ".join(Shape.kinds)
+            names.problem(f"{name} needs a shape: {what}" if not kinds else f"{name} has two shapes: {kinds}")
+            return None
+        shape = self._spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
+        if shape is None:
+            return None
+        with names.at(kinds[0]):
+            build = shape.build(names)
+        cx, cy = build.center_of_mass
+        own = {build.default_point: (ZERO, ZERO)} | build.points
+        extra = entry.get("points")
+        if isinstance(extra, dict):
+            for point, pair in cast("dict[str, Any]", extra).items():
+                own[point] = names.pair(pair, LENGTH, "points", point)
+        elif extra is not None:
+            names.problem("points is a mapping, e.g. points: {P: [0, R]}", None, "points")
+        offsets = {k: (x + negate(cx), y + negate(cy)) for k, (x, y) in own.items()}
+        offsets["mass_center"] = (ZERO, ZERO)
+        offsets.setdefault("center", (ZERO, ZERO))
+        return RigidBody(
+            name,
+            build.mass,
+            build.inertia,
+            offsets,
+            build.default_point,
+            radius=build.radius,
+            turns=build.turns,
+            fixed=bool(entry.get("fixed", False)),
+            start=self._start_of_body(entry, build.default_point, offsets),
+        )
+
+    def _start_of_body(self, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
+        names = self.names
+        at = entry.get("at")
+        place: tuple[str, tuple[Expr, Expr]] | None = None
+        if isinstance(at, dict) and len(cast("dict[str, Any]", at)) == 1:
+            ((point, pair),) = cast("dict[str, Any]", at).items()
+            if point not in points:
+                names.problem(f"there is no point {point}.{did_you_mean(point, points)}", None, "at", point)
+            else:
+                place = point, names.pair(pair, LENGTH, "at", point)
+        elif isinstance(at, list):
+            place = default, names.pair(cast("list[Any]", at), LENGTH, "at")
+        elif at is not None:
+            names.problem("at is a position [x, y], or {point: [x, y]}", None, "at")
+        angle = names.formula(entry["angle"], DIMENSIONLESS, "angle") if "angle" in entry else None
+        near: Start | None = None
+        if isinstance(entry.get("near"), dict):
+            guess = cast("dict[str, Any]", entry["near"])
+            for key in guess:
+                if key not in ("at", "angle"):
+                    names.problem(f"near has no {key}.{did_you_mean(key, ('at', 'angle'))}", None, "near", key)
+            with names.at("near"):
+                near = self._start_of_body({k: guess[k] for k in ("at", "angle") if k in guess}, default, points)
+        elif "near" in entry:
+            names.problem("near is a guess, e.g. near: {angle: 30 deg}", None, "near")
+        velocity = entry.get("velocity")
+        spin = entry.get("angular_velocity")
+        return Start(
+            place,
+            angle,
+            None if velocity is None else names.pair(velocity, VELOCITY, "velocity"),
+            None if spin is None else names.formula(spin, ANGULAR_VELOCITY, "angular_velocity"),
+            near,
+        )
+
+    # -- specs --------------------------------------------------------------------------------
+    def _spec(self, kind: type[SpecT], value: Any, *path: str | int) -> SpecT | None:
+        """One description, its problems noted with their places."""
+        try:
+            return kind.model_validate(kind.from_plain(value))
+        except ValidationError as error:
+            known = [f.alias or n for n, f in kind.model_fields.items()]
+            for fault in error.errors():
+                where = fault["loc"][:2]
+                what = str(where[0]) if where else ""
+                if fault["type"] == "extra_forbidden":
+                    message = f"{kind.kind} has no {what}.{did_you_mean(what, known)}"
+                elif fault["type"] == "missing":
+                    message = f"{kind.kind} needs {what}; it takes {', '.join(known)}"
+                    where = ()
+                else:
+                    message = f"{what}: {fault['msg'][0].lower()}{fault['msg'][1:]}, found {fault['input']!r}"
+                self.names.problem(message, None, *path, *where)
+            return None
+
+    def _specs(self, section: str, kinds: Mapping[str, type[SpecT]]) -> dict[str, SpecT]:
+        found: dict[str, SpecT] = {}
+        for name, value in self._named(section).items():
+            with self.names.at(section, name):
+                if isinstance(value, str) and value in kinds:
+                    value = {value: None}
+                if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
+                    hint = next(iter(kinds))
+                    self.names.problem(
+                        f"give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {', '.join(sorted(kinds))}"
+                    )
+                    continue
+                ((kind, fields),) = cast("dict[str, Any]", value).items()
+                if kind not in kinds:
+                    what = section.removesuffix("s")
+                    self.names.problem(f"{kind} is no kind of {what}.{did_you_mean(kind, kinds)}", None, kind)
+                    continue
+                spec = self._spec(kinds[kind], fields, kind)
+                if spec is not None:
+                    found[name] = spec
+        return found
+
+    def _measures(self) -> dict[str, Measure]:
+        names = self.names
+        for name, value in self._named("measures").items():
+            if name in names.parameters:
+                names.problem(f"{name} is a parameter already; choose another name", None, "measures", name)
+                continue
+            with names.at("measures", name):
+                measure = read_measure(names, value)
+            if measure is None:
+                names.broken.add(name)
+            else:
+                names.measures[name] = measure
+        return names.measures
+
+    def _held(self, connections: Mapping[str, Connection]) -> tuple[list[Held], list[tuple[str, Measure]]]:
+        rows: list[Held] = []
+        offered: list[tuple[str, Measure]] = []
+        for name, connection in connections.items():
+            with self.names.at("connections", name, connection.kind):
+                n_before = len(self.names.problems)
+                rows += [replace(row, connection=name) for row in connection.rows(self.names)]
+                if len(self.names.problems) == n_before:
+                    offered += [(f"{name}_{key}", m) for key, m in connection.offers(self.names)]
+        if self.names.problems:
+            return rows, offered
+        kept = [row for row in rows if not row.if_needed]
+        always = tuple(kept)
+        for row in rows:
+            repeated = any(row.measure == other.measure for other in kept)
+            if row.if_needed and not repeated and not is_distance_kept(self.names.bodies, always, row.measure):
+                kept.append(row)
+        order = {id(row): k for k, row in enumerate(rows)}
+        return sorted(kept, key=lambda row: order[id(row)]), offered
+
+    def _pushes(self, loads: Mapping[str, Load]) -> list[Push]:
+        found: list[Push] = []
+        for name, load in loads.items():
+            with self.names.at("loads", name, load.kind):
+                found += [replace(push, load=name) for push in load.pushes(self.names)]
+        return found
+
+    def _start(self, measures: Mapping[str, Measure]) -> tuple[dict[str, Expr], dict[str, Expr]]:
+        """`start: {theta: 30 deg, rate(theta): 0}`; theta' and theta_dot also mean the rate."""
+        start: dict[str, Expr] = {}
+        rates: dict[str, Expr] = {}
+        for key, value in self._mapping("start").items():
+            name, target, per_time = key, start, False
+            for before, after in (
+                ("rate(", ")"),
+                ("", "'"),
+                ("", "_dot"),
+                ("rate of ", ""),
+                ("velocity of ", ""),
+            ):
+                if key not in measures and key.startswith(before) and key.endswith(after) and before + after:
+                    inner = key[len(before) : len(key) - len(after)]
+                    if inner in measures:
+                        name, target, per_time = inner, rates, True
+            if name not in measures:
+                known = [*measures, *(f"rate({m})" for m in measures)]
+                self.names.problem(
+                    f"{key} is no named measure or rate of one.{did_you_mean(key, known)}", None, "start", key
+                )
+                continue
+            dimension = measures[name].dimension
+            target[name] = self.names.formula(value, dimension / TIME if per_time else dimension, "start", key)
+        return start, rates
+
+    def _ground_points(self) -> None:
+        """One undeclared ground point is the origin; of several nobody knows where they are."""
+        free = self.names.free_ground_points
+        declared = self.names.bodies[GROUND].points
+        if len(free) == 1 and len(declared) == 1:
+            (name,) = free
+            declared[name] = (ZERO, ZERO)
+        elif free:
+            for name, path in free.items():
+                close = difflib.get_close_matches(name, [p for p in declared if p != "origin"], n=1)
+                hint = f" Did you mean ground.{close[0]}?" if close else ""
+                self.names.problems.append(
+                    Problem(
+                        path,
+                        f"ground.{name} has no position.{hint} Declare it: ground: {{points: {{{name}: [x, y]}}}}",
+                    )
+                )

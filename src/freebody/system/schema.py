@@ -1,0 +1,131 @@
+"""The JSON Schema of model files, put together from the descriptions' own fields."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from freebody.connections.base import Connection
+from freebody.loads.base import Load
+from freebody.model.shapes import Shape
+from freebody.model.spec import Spec
+from freebody.system.reader import register_kinds
+
+_FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
+_PAIR = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 2}
+_HEADING = {"anyOf": [_FORMULA, _PAIR]}
+
+
+def _fields(kind: type[Spec]) -> dict[str, Any]:
+    """Schema of the value under a kind: a mapping, a list by position, or its first field alone."""
+    schema = kind.model_json_schema(by_alias=True)
+    schema.pop("title", None)
+    described = {"description": (kind.__doc__ or "").strip()}
+    return {**described, "anyOf": [schema, {"type": "array"}, {"type": ["string", "number", "null"]}]}
+
+
+def _one_of(kinds: Mapping[str, type[Spec]]) -> dict[str, Any]:
+    return {
+        "type": "object",
+        "minProperties": 1,
+        "maxProperties": 1,
+        "additionalProperties": False,
+        "properties": {name: _fields(kind) for name, kind in sorted(kinds.items())},
+    }
+
+
+def _named(value: Mapping[str, Any]) -> dict[str, Any]:
+    return {"type": "object", "additionalProperties": value}
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of a model file."""
+    register_kinds()
+    line = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {
+            "through": {"anyOf": [_PAIR, {"type": "string"}]},
+            "along": _HEADING,
+            "angle": _FORMULA,
+        },
+    }
+    lines = _named({"anyOf": [line, _HEADING]})
+    body = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {name: _fields(kind) for name, kind in sorted(Shape.kinds.items())}
+        | {
+            "at": {"anyOf": [_PAIR, _named(_PAIR)]},
+            "angle": _FORMULA,
+            "near": {
+                "type": "object",
+                "additionalProperties": False,
+                "properties": {"at": {"anyOf": [_PAIR, _named(_PAIR)]}, "angle": _FORMULA},
+            },
+            "velocity": _PAIR,
+            "angular_velocity": _FORMULA,
+            "points": _named(_PAIR),
+            "lines": lines,
+            "fixed": {"type": "boolean"},
+        },
+    }
+    parameter = {
+        "anyOf": [
+            _FORMULA,
+            {
+                "type": "object",
+                "additionalProperties": False,
+                "properties": {
+                    "value": _FORMULA,
+                    "unit": {"type": "string"},
+                    "sign": {"enum": ["positive", "nonnegative", "any"]},
+                    "about": {"type": "string"},
+                },
+            },
+        ]
+    }
+    phrase = {"anyOf": [{"type": "string"}, {"type": "object", "maxProperties": 1}]}
+    options = {"anyOf": [_named({"type": ["string", "number"]}), {"type": "array"}]}
+    question = {
+        "anyOf": [
+            {"type": "string"},
+            {
+                "type": "object",
+                "required": ["find"],
+                "additionalProperties": False,
+                "properties": {
+                    "find": {"type": "string"},
+                    "id": {"type": "string"},
+                    "when": {"type": "string"},
+                    "options": options,
+                    "key": {"type": ["string", "number"]},
+                },
+            },
+        ]
+    }
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "freebody model",
+        "type": "object",
+        "required": ["bodies"],
+        "additionalProperties": False,
+        "properties": {
+            "freebody": {"const": 1},
+            "title": {"type": "string"},
+            "about": {"type": "string"},
+            "source": {"type": "string"},
+            "parameters": _named(parameter),
+            "ground": {
+                "type": "object",
+                "additionalProperties": False,
+                "properties": {"points": _named(_PAIR), "lines": lines},
+            },
+            "bodies": _named({"anyOf": [body, {"type": "string"}]}),
+            "connections": _named(_one_of(Connection.kinds)),
+            "loads": _named(_one_of(Load.kinds)),
+            "measures": _named(phrase),
+            "start": _named(_FORMULA),
+            "questions": {"anyOf": [{"type": "array", "items": question}, _named(question)]},
+        },
+    }

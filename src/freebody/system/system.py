@@ -1,0 +1,122 @@
+"""A mechanical system: the immutable value that every study starts from.
+
+`System` holds what the user described (plain data, so that it can be written back) and what it means (bodies,
+held measures, pushed measures). It can be built from a file, from text, or from Python objects; all three go
+through the same reader and give the same value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, cast
+
+from freebody.connections.base import Connection
+from freebody.errors import InputError
+from freebody.language.document import Document
+from freebody.language.expression import Expr
+from freebody.language.units import Dimension
+from freebody.loads.base import Load
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Parameter, Push, RigidBody
+from freebody.model.names import did_you_mean
+from freebody.model.question import Question
+from freebody.model.spec import Spec
+
+
+@dataclass(frozen=True)
+class System:
+    """The meaning of a model. All fields are read-only; `with_parameters` makes another one."""
+
+    title: str
+    about: str
+    parameters: Mapping[str, Parameter]
+    bodies: Mapping[str, RigidBody]
+    held: tuple[Held, ...]
+    pushes: tuple[Push, ...]
+    measures: Mapping[str, Measure]
+    offered: tuple[tuple[str, Measure], ...]
+    start: Mapping[str, Expr]  # of named measures
+    start_rates: Mapping[str, Expr]
+    questions: tuple[Question, ...]
+    connections: Mapping[str, Connection]
+    loads: Mapping[str, Load]
+    assumptions: tuple[str, ...]
+    document: Document = field(repr=False)
+    file: str | None = None
+
+    # -- making -------------------------------------------------------------------------------
+    @classmethod
+    def load(cls, path: str | Path) -> System:
+        """Reads a model file. Raises ModelError with all problems of the file."""
+        return _read(Document.load(path), str(path))
+
+    @classmethod
+    def from_text(cls, text: str, file: str | None = None) -> System:
+        """Reads a model from YAML text."""
+        return _read(Document.read(text, file), file)
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> System:
+        """Builds a model from plain data and description objects (`Pin("ground.A", "rod.start")`)."""
+        return _read(Document.from_plain(_plain(data)), None)
+
+    def with_parameters(self, **values: str | float) -> System:
+        """The same system with other parameter values; comments of its file are kept."""
+        document = self.document
+        for name, value in values.items():
+            if name not in self.parameters:
+                raise InputError(f"there is no parameter {name}.{did_you_mean(name, self.parameters)}")
+            given = document.data["parameters"][name]
+            path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
+            document = document.with_value(path, value)
+        return _read(document, self.file)
+
+    # -- asking -------------------------------------------------------------------------------
+    def question(self, text: str) -> Question:
+        """A question given in words. Raises ModelError if it cannot be read."""
+        document = self.document.with_value(("questions",), [{"find": text}])
+        return _read(document, self.file).questions[0]
+
+    def to_yaml(self) -> str:
+        """The model file, with its comments."""
+        return self.document.dumps()
+
+    @property
+    def moving(self) -> tuple[RigidBody, ...]:
+        """The bodies that are not fixed."""
+        return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    def dimensions(self) -> dict[str, Dimension]:
+        """Dimension of every parameter and named measure."""
+        known = {p.name: p.dimension for p in self.parameters.values()}
+        return known | {n: m.dimension for n, m in self.measures.items()}
+
+    def __eq__(self, other: object) -> bool:
+        """Equal systems mean the same, however they were written."""
+        return isinstance(other, System) and self._meaning() == other._meaning()
+
+    def __hash__(self) -> int:
+        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.held, self.pushes))
+
+    def _meaning(self) -> tuple[object, ...]:
+        described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
+        return (*described, self.start, self.start_rates, self.questions)
+
+
+def _read(document: Document, file: str | None) -> System:
+    from freebody.system.reader import Reader
+
+    return Reader(document, file).system()
+
+
+def _plain(value: Any) -> Any:
+    """Description objects become `{kind: fields}`; everything else stays."""
+    if isinstance(value, Spec):
+        return {value.kind: value.model_dump(exclude_defaults=True, by_alias=True)}
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in cast("Mapping[Any, Any]", value).items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(v) for v in cast("Sequence[Any]", value)]
+    return value
