@@ -1,0 +1,1 @@
+"""The symbolic route: exact, over a field of rational functions."""

@@ -1,0 +1,128 @@
+"""Conditions under which an answer holds, in words: what must be positive, what must not vanish.
+
+Factors whose sign is known are dropped; what is then true for all admissible values is not shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr, Number, Product, Sum, add, multiply, negate
+from freebody.language.notation import to_text
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.tidy import tidy
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An inequality left over: `element` relation 0, and what for."""
+
+    element: Ratio
+    relation: str  # ">", ">=" or "!="
+    purpose: str = ""
+
+    def text(self) -> str:
+        shown = _relation_text(tidy(self.element), self.relation)
+        return f"{shown} ({self.purpose})" if self.purpose else shown
+
+
+_FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">="}
+_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "<": "<", "<=": "≤"}
+
+
+def _relation_text(e: Expr, relation: str) -> str:
+    """a - b > 0 as a > b, without a number in front."""
+    if isinstance(e, Product) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
+        if e.factors[0].value < 0:
+            relation = _FLIPPED[relation]
+        e = multiply(*e.factors[1:])
+    if isinstance(e, Sum):
+        left = [t for t in e.terms if not _is_negative(t)]
+        right = [negate(t) for t in e.terms if _is_negative(t)]
+        if not left:
+            return f"{to_text(add(*right))} {_SIGNS[_FLIPPED[relation]]} 0"
+        if len(right) == 1 or (left and right):
+            return f"{to_text(add(*left))} {_SIGNS[relation]} {to_text(add(*right))}"
+    if _is_negative(e):
+        return f"{to_text(negate(e))} {_SIGNS[_FLIPPED[relation]]} 0"
+    return f"{to_text(e)} {_SIGNS[relation]} 0"
+
+
+def _is_negative(e: Expr) -> bool:
+    if isinstance(e, Number):
+        return e.value < 0
+    return isinstance(e, Product) and isinstance(e.factors[0], Number) and e.factors[0].value < 0
+
+
+def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | None, bool]:
+    """The condition that `x relation 0` comes to, or None; and whether it can hold at all."""
+    sign = sign_of(x)
+    if relation == "!=":
+        if sign.is_strict:
+            return None, True
+        parts = [b for b in _open_factors(x) if not sign_of(b).is_strict]
+        if not parts:
+            return None, True
+        total = x.field.one
+        for part in parts:
+            total = total * part
+        return Condition(total, relation, purpose), True
+    if sign is Sign.POSITIVE or (relation == ">=" and sign in (Sign.NONNEGATIVE, Sign.ZERO)):
+        return None, True
+    if sign is Sign.NEGATIVE or (relation == ">" and sign in (Sign.ZERO, Sign.NONPOSITIVE)):
+        return Condition(x, relation, purpose), False
+    return Condition(_without_known_factors(x), relation, purpose), True
+
+
+def _open_factors(x: Ratio) -> list[Ratio]:
+    _unit, factors = x.field.factor(x.num)
+    return [base for base, _e in factors]
+
+
+def _without_known_factors(x: Ratio) -> Ratio:
+    """The product of the factors whose sign is open, with the sign of the others."""
+    field = x.field
+    result = field.one
+    for poly in (x.num, None if x.den is None else x.den):
+        if poly is None:
+            continue
+        unit, factors = field.factor(poly)
+        if unit < 0:
+            result = -result
+        for base, exponent in factors:
+            sign = sign_of(base)
+            if sign is Sign.NEGATIVE and exponent % 2:
+                result = -result
+            if not sign.is_strict:
+                plain = _log_as_difference(base)
+                result = result * (plain if exponent % 2 else plain * plain)
+    return result
+
+
+def _log_as_difference(base: Ratio) -> Ratio:
+    """log(u) has the sign of u - 1."""
+    field = base.field
+    if len(base.generators()) == 1 and base.den is None:
+        (index,) = base.generators()
+        name, argument = field.arguments.get(index, ("", base))
+        if name == "log" and base == field.variable(index):
+            return (argument - 1).numerator()
+    return base
+
+
+def merged(conditions: Sequence[Condition]) -> list[str]:
+    """The conditions as text, equal inequalities once with all their purposes."""
+    purposes: dict[str, list[str]] = {}
+    strict = [c.element for c in conditions if c.relation == ">"]
+    for c in conditions:
+        if c.relation == ">=" and any(c.element == x for x in strict):
+            continue
+        if c.relation == "!=" and any(c.element == x or c.element == -x for x in strict):
+            continue
+        text = Condition(c.element, c.relation).text()
+        known = purposes.setdefault(text, [])
+        if c.purpose and c.purpose not in known:
+            known.append(c.purpose)
+    return [f"{text} ({', '.join(why)})" if why else text for text, why in purposes.items()]

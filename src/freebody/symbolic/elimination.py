@@ -1,0 +1,239 @@
+"""Generalized coordinates: which coordinates the held measures leave free, the others in terms of these.
+
+An equation that is linear in a coordinate, with a coefficient that does not move, gives that coordinate away; so do
+two equations linear in the position (x, y) of one body whose determinant does not move (a bead on a turning
+rod). Coordinates go in the order of their rank: what a person would rather not see goes first. What is left
+over are closed loops: equations among the coordinates that stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from dataclasses import field as initial
+
+from freebody.measures.geometry import Vector
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import known_angle
+
+# the name of equations that state a known value; they go before all others
+GIVEN = "given"
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """A coordinate before elimination; a lower rank is eliminated first."""
+
+    index: int
+    rank: tuple[int, int]
+    name: str
+    partner: int | None = None  # y of the same body, for x
+
+
+@dataclass(frozen=True)
+class Equation:
+    """value = 0, from the row of that name."""
+
+    name: str
+    value: Ratio
+
+
+@dataclass(frozen=True)
+class Line:
+    """A tangent in the held measures, (x, y) = length e(angle) + offset n(angle): two equations that carry its
+    name, and two unknowns."""
+
+    name: str
+    x: Ratio
+    y: Ratio
+    offset: Ratio
+    length: int
+    angle: int
+
+
+@dataclass
+class Elimination:
+    """Runs on creation; afterwards `kept`, `loops`, `redundant` and `express` tell the outcome."""
+
+    field: Field
+    unknowns: dict[int, Unknown]
+    equations: list[Equation]
+    lines: list[Line]
+    is_zero: Callable[[Ratio], bool]
+    straight: Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
+    named_rank: int  # coordinates of this rank and above are wanted; rather solve a line by a root
+    solved: list[tuple[int, Ratio]] = initial(default_factory=list[tuple[int, Ratio]])
+    loops: list[Equation] = initial(default_factory=list[Equation])
+    redundant: list[str] = initial(default_factory=list[str])
+
+    def __post_init__(self) -> None:
+        self._moving = frozenset(self.unknowns) | {self.field.index(self.field.time)}
+        # by identity; the equation is kept so that its identity is not given away again
+        self._options: dict[int, tuple[Equation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
+        open_equations = list(self.equations)
+        while True:
+            open_equations = [e for e in open_equations if not self._is_settled(e)]
+            single = self._best_single(open_equations)
+            step = single
+            rank = 99 if single is None else self.unknowns[min(single[1])].rank[0]
+            if rank > 0:
+                # positions are done: lines may have turned out to be known ones
+                step = self._known_line(open_equations)
+                if step is None and rank >= self.named_rank:
+                    step = self._best_pair(open_equations) or self._explicit_line(open_equations)
+                step = step or single or self._best_pair(open_equations)
+            if step is None:
+                break
+            used, values = step
+            rest = [e for e in open_equations if all(e is not u for u in used)]
+            open_equations = [self._insert(e, values) for e in rest]
+            self.solved += list(values.items())
+        self.loops = open_equations
+        gone = {index for index, _value in self.solved}
+        self.kept = sorted(
+            (u for u in self.unknowns.values() if u.index not in gone), key=lambda u: u.rank, reverse=True
+        )
+        self._values: dict[int, Ratio] = {}
+        # what was solved last contains only what stays; whole angles go in at once, so that their terms combine
+        for index, value in reversed(self.solved):
+            self._values[index] = self.field.follow(value, self._values)
+
+    def express(self, x: Ratio) -> Ratio:
+        """An element in terms of the coordinates that stay."""
+        return self.field.follow(x, self._values)
+
+    def _so_far(self, x: Ratio) -> Ratio:
+        for index, value in self.solved:
+            x = self.field.follow(x, {index: value})
+        return x
+
+    # -- steps --------------------------------------------------------------------------------
+    def _is_settled(self, equation: Equation) -> bool:
+        """True for 0 = 0, which is a redundant row; it is noted."""
+        if self.field.ingredients(equation.value) & self._moving:
+            return False
+        if self.is_zero(equation.value):
+            self.redundant.append(equation.name)
+            return True
+        return False
+
+    def _insert(self, equation: Equation, values: dict[int, Ratio]) -> Equation:
+        if not self.field.ingredients(equation.value) & values.keys():
+            return equation
+        value = self.field.follow(equation.value, values)
+        return Equation(equation.name, value.numerator())
+
+    def _is_still(self, x: Ratio) -> bool:
+        return not self.field.ingredients(x) & self._moving
+
+    def _linear(self, equation: Ratio, index: int) -> tuple[Ratio, Ratio] | None:
+        """(c, r) with equation = c u + r, both free of u; None if it is not of that form."""
+        if index not in equation.generators():
+            return None
+        parts = equation.numerator().coefficients(index)
+        if len(parts) != 2:
+            return None
+        if any(index in self.field.ingredients(part) for part in parts):
+            return None
+        return parts[1], parts[0]
+
+    def _single_options(self, equation: Equation) -> list[tuple[tuple[int, int], int, Ratio]]:
+        if id(equation) not in self._options:
+            found: list[tuple[tuple[int, int], int, Ratio]] = []
+            for index in equation.value.generators() & self.unknowns.keys():
+                linear = self._linear(equation.value, index)
+                if linear is not None and self._is_still(linear[0]) and not linear[0].is_zero():
+                    found.append((self.unknowns[index].rank, index, -linear[1] / linear[0]))
+            self._options[id(equation)] = equation, sorted(found, key=lambda item: item[0])
+        return self._options[id(equation)][1]
+
+    def _best_single(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """The equation and coordinate of lowest rank; equations of lines last, since a line between bodies on
+        guides is better solved for the line."""
+        best: tuple[tuple[int, int], bool] | None = None
+        found: tuple[Equation, dict[int, Ratio]] | None = None
+        names = {line.name for line in self.lines}
+        for equation in equations:
+            for rank, index, value in self._single_options(equation)[:1]:
+                key = (-1, 0) if equation.name == GIVEN else rank, equation.name in names
+                if best is None or key < best:
+                    best, found = key, (equation, {index: value})
+        return None if found is None else ([found[0]], found[1])
+
+    def _open_lines(self, equations: list[Equation]) -> Iterator[tuple[Line, Ratio, Ratio, list[Equation]]]:
+        gone = {index for index, _value in self.solved}
+        for line in self.lines:
+            if line.angle in self.unknowns and not {line.angle, line.length} & gone:
+                used = [e for e in equations if e.name == line.name]
+                yield line, self._so_far(line.x), self._so_far(line.y), used
+
+    def _known_line(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """A line between places that stand still, one that turns with a known angle at a constant length, or one
+        between the same places as an earlier line. The equations of such a line go."""
+        seen: dict[object, tuple[Line, bool]] = {}
+        for line, x, y, used in self._open_lines(equations):
+            own = {line.length, line.angle}
+            if self._is_still(x) and self._is_still(y):
+                length, angle = self.straight(Vector(x, y), line.offset)
+                return used, {line.length: length, line.angle: angle}
+            square = x * x + y * y
+            if self._is_still(square) and not own & self.field.ingredients(x):
+                length = self.field.sqrt(square)
+                angle = known_angle(self.field, y, x, length)
+                if angle is not None and line.offset.is_zero():
+                    return used, {line.length: length, line.angle: angle}
+            key = (x.key(), y.key(), line.offset.key())
+            opposite = ((-x).key(), (-y).key(), line.offset.key())
+            if key not in seen:
+                seen[key] = line, False
+                if line.offset.is_zero():
+                    seen[opposite] = line, True
+                continue
+            first, is_reversed = seen[key]
+            angle = self.field.variable(first.angle)
+            if is_reversed:
+                angle = angle + self.field.pi
+            return used, {line.length: self.field.variable(first.length), line.angle: angle}
+        return None
+
+    def _explicit_line(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""
+        for line, x, y, used in self._open_lines(equations):
+            if {line.length, line.angle} & (self.field.ingredients(x) | self.field.ingredients(y)):
+                continue
+            length, angle = self.straight(Vector(x, y), line.offset)
+            return used, {line.length: length, line.angle: angle}
+        return None
+
+    def _best_pair(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """Two equations linear in x and y of one body, solved together (Cramer)."""
+        for unknown in sorted(self.unknowns.values(), key=lambda u: u.rank):
+            if unknown.partner is None:
+                continue
+            x, y = unknown.index, unknown.partner
+            rows: list[tuple[Equation, Ratio, Ratio, Ratio]] = []
+            for equation in equations:
+                row = self._plane(equation.value, x, y)
+                if row is not None:
+                    rows.append((equation, *row))
+            for k, (e1, a1, b1, r1) in enumerate(rows):
+                for e2, a2, b2, r2 in rows[k + 1 :]:
+                    det = a1 * b2 - a2 * b1
+                    if det.is_zero() or not self._is_still(det):
+                        continue
+                    return [e1, e2], {x: (b1 * r2 - b2 * r1) / det, y: (a2 * r1 - a1 * r2) / det}
+        return None
+
+    def _plane(self, value: Ratio, x: int, y: int) -> tuple[Ratio, Ratio, Ratio] | None:
+        """(a, b, r) with value = a x + b y + r, all free of x and y."""
+        zero = self.field.zero
+        if not value.generators() & {x, y}:
+            return None
+        in_x = self._linear(value, x) if x in value.generators() else (zero, value)
+        if in_x is None or y in self.field.ingredients(in_x[0]):
+            return None
+        rest = in_x[1]
+        in_y = self._linear(rest, y) if y in rest.generators() else (zero, rest)
+        if in_y is None or {x, y} & self.field.ingredients(in_y[1]):
+            return None
+        return in_x[0], in_y[0], in_y[1]

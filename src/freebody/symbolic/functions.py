@@ -1,0 +1,268 @@
+"""Sines, cosines and the other elementary functions over the field.
+
+An angle is a sum of terms k g + constants. Each distinct term (up to an integer multiple) is one atom with its
+own cosine and sine generators; sums and multiples are expanded by the addition theorems, multiples of
+15 degrees are exact. So cos(theta - pi/2) is sin(theta), and two ways to write an angle give one element.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any, Literal
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, evaluate
+from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
+
+Complex = tuple[Ratio, Ratio]
+IsNegative = Callable[[Ratio], bool]
+
+
+def _times(a: Complex, b: Complex) -> Complex:
+    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
+
+
+def _power(a: Complex, n: int) -> Complex:
+    """(c + i s)^n for n >= 1."""
+    result = a
+    for _ in range(n - 1):
+        result = _times(result, a)
+    return result
+
+
+def cos_sin(field: Field, angle: Ratio) -> Complex:
+    """Cosine and sine of an element that is an angle."""
+    result: Complex = (field.one, field.zero)
+    for base, multiple in _angle_terms(field, angle):
+        if base.generators() == frozenset({field.index(field.pi)}):
+            # a part of a turn: one atom, since multiples expand to long sums that cancel badly in numbers
+            base, multiple = base * multiple, 1
+        pair = _atom(field, base)
+        if multiple < 0:
+            pair = pair[0], -pair[1]
+        if abs(multiple) > 64:
+            raise CannotAnswer(f"an angle is multiplied by {multiple}; that expands to too many terms")
+        result = _times(result, _power(pair, abs(multiple)))
+    return result
+
+
+def _angle_terms(field: Field, angle: Ratio) -> list[tuple[Ratio, int]]:
+    """The angle as sum of multiple * base, bases in a standard form."""
+    numerator = field.terms(angle.num)
+    den = angle.denominator()
+    moving = sorted(g for g in angle.generators() if not field.is_constant_generator(g))
+    groups: dict[int | tuple[tuple[int, int], ...], dict[tuple[tuple[int, int], ...], int]] = {}
+    for monomial, coefficient in numerator.items():
+        own = [g for g, _e in monomial if g in moving]
+        linear = len(own) == 1 and dict(monomial)[own[0]] == 1
+        key: int | tuple[tuple[int, int], ...] = own[0] if linear else (monomial if not own else -1)
+        groups.setdefault(key, {})[monomial] = coefficient
+    if -1 in groups or any(g in moving for g in den.generators()):
+        return [(angle, 1)]  # not linear in what moves: one opaque angle
+    return [_standard(field, field.polynomial(terms) / den) for terms in groups.values()]
+
+
+def _standard(field: Field, term: Ratio) -> tuple[Ratio, int]:
+    """term = multiple * base with the numeric content and the sign taken out of the base."""
+    content = 0
+    for coefficient in field.terms(term.num).values():
+        content = math.gcd(content, coefficient)
+    leading = next(iter(field.terms(term.num).values()))
+    multiple = content if leading > 0 else -content
+    return term / multiple, multiple
+
+
+def _atom(field: Field, base: Ratio) -> Complex:
+    turn = _turns(field, base)
+    if turn is not None:
+        return _fifteenths(field, turn)
+    shown = field.expression(base)
+    acute = False
+    if len(base.generators()) == 1 and base.den is None:
+        (index,) = base.generators()
+        acute = field.acute(index)
+        if index in field.arguments and base == field.variable(index):
+            inverse = _of_inverse(field, *field.arguments[index])
+            if inverse is not None:
+                return inverse
+    made_of = field.ingredients(base)
+
+    def generator(kind: Literal["cos", "sin"], part: int) -> Generator:
+        return Generator(
+            Call(kind, shown),
+            kind,
+            acute,
+            lambda v, f: getattr(f, kind)(field.evaluate(base, v, f)),
+            made_of,
+            lambda follow: cos_sin(field, follow(base))[part],
+        )
+
+    return field.unit_pair(base, generator("cos", 0), generator("sin", 1), ("angle", base.key()))
+
+
+def _of_inverse(field: Field, name: str, u: Ratio) -> Complex | None:
+    """Cosine and sine of atan u, asin u and acos u; the roots are not negative by the range of each."""
+    if name == "atan":
+        root = field.sqrt(1 + u * u)
+        return 1 / root, u / root
+    if name == "asin":
+        return field.sqrt(1 - u * u), u
+    if name == "acos":
+        return u, field.sqrt(1 - u * u)
+    return None
+
+
+def _turns(field: Field, base: Ratio) -> Fraction | None:
+    """base / pi, if that is a multiple of 1/12."""
+    pi = field.pi
+    if base.generators() != frozenset({field.index(pi)}):
+        return None
+    share = (base / pi).fraction()
+    return share if share is not None and (12 * share).denominator == 1 else None
+
+
+def _fifteenths(field: Field, share: Fraction) -> Complex:
+    """Cosine and sine of share * pi, share a multiple of 1/12."""
+    n = int(12 * share) % 24
+    quarters, rest = divmod(n, 6)
+    result: Complex = (field.one, field.zero)
+    for _ in range(quarters):
+        result = -result[1], result[0]
+    half = field.one / 2
+    if rest:
+        root2, root3 = field.sqrt(field.element(2)), field.sqrt(field.element(3))
+        table: dict[int, Complex] = {
+            1: (root2 * (root3 + 1) / 4, root2 * (root3 - 1) / 4),
+            2: (root3 / 2, half),
+            3: (root2 / 2, root2 / 2),
+            4: (half, root3 / 2),
+            5: (root2 * (root3 - 1) / 4, root2 * (root3 + 1) / 4),
+        }
+        result = _times(result, table[rest])
+    return result
+
+
+def atan2(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio:
+    """The angle of the vector (x, y) of the given length."""
+    known = known_angle(field, y, x, length)
+    if known is not None:
+        return known
+    # tan(a/2) = y/(l + x) keeps the quadrant
+    return 2 * _arc(field, "atan", y / (length + x), lambda u: 1 / (1 + u * u))
+
+
+def known_angle(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:
+    """The angle of (x, y) where it is an axis, or a known angle b plus a constant: turned back by b, the vector
+    stands still."""
+    if y.is_zero():
+        return field.zero if x == length else field.pi
+    if x.is_zero():
+        return field.pi / 2 if y == length else -field.pi / 2
+    used = x.generators() | y.generators()
+    for cos, sin in field.pairs(used):
+        for sign in (1, -1):
+            c, s = field.variable(cos), sign * field.variable(sin)
+            u, w = x * c + y * s, y * c - x * s
+            base = sign * field.angles[cos]
+            if w.is_zero():
+                return base if u == length else base + field.pi
+            if u.is_zero():
+                return base + (field.pi / 2 if w == length else -field.pi / 2)
+            moved = not (x.is_constant() and y.is_constant())
+            if moved and u.is_constant() and w.is_constant():
+                return base + atan2(field, w, u, length)
+    return None
+
+
+def _arc(field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
+    return field.function(name, argument, lambda _f, u: slope(u))
+
+
+# values in parts of pi
+_HALVES = [Fraction(n, 2) for n in range(-2, 3)]
+_ARCS: dict[str, dict[Fraction, tuple[int, int]]] = {
+    "asin": dict(zip(_HALVES, [(-1, 2), (-1, 6), (0, 1), (1, 6), (1, 2)], strict=True)),
+    "acos": dict(zip(_HALVES, [(1, 1), (2, 3), (1, 2), (1, 3), (0, 1)], strict=True)),
+    "atan": {Fraction(-1): (-1, 4), Fraction(0): (0, 1), Fraction(1): (1, 4)},
+}
+
+
+def _known_arc(field: Field, name: str, x: Ratio) -> Ratio | None:
+    """An inverse function at a number where it is a part of pi."""
+    fraction = x.fraction()
+    if fraction is None or fraction not in _ARCS[name]:
+        return None
+    n, d = _ARCS[name][fraction]
+    return field.pi * n / d
+
+
+def _arc_or_known(field: Field, name: str, x: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
+    known = _known_arc(field, name, x)
+    return _arc(field, name, x, slope) if known is None else known
+
+
+def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[str, Any]:
+    """The elementary functions, for `evaluate`."""
+
+    def root(x: Ratio) -> Ratio:
+        return field.sqrt(x, is_negative)
+
+    def exp(x: Ratio) -> Ratio:
+        if x.is_zero():
+            return field.one
+        base, multiple = _standard(field, x)
+        if abs(multiple) > MAX_POWER:  # no power of an atom, but an atom of its own
+            base, multiple = x, 1
+        atom = field.function("exp", base, lambda f, _u: f)
+        return atom**multiple
+
+    def tan(x: Ratio) -> Ratio:
+        c, s = cos_sin(field, x)
+        return s / c
+
+    def absolute(x: Ratio) -> Ratio:
+        return root(x * x)
+
+    def sign(x: Ratio) -> Ratio:
+        fraction = x.fraction()
+        if fraction is not None:
+            return field.element((fraction > 0) - (fraction < 0))
+        return field.function("sign", x, lambda _f, _u: field.zero)
+
+    def cos(x: Ratio) -> Ratio:
+        return cos_sin(field, x)[0]
+
+    def sin(x: Ratio) -> Ratio:
+        return cos_sin(field, x)[1]
+
+    def log(x: Ratio) -> Ratio:
+        return field.zero if x == 1 else field.function("log", x, lambda _f, u: 1 / u)
+
+    def sinh(x: Ratio) -> Ratio:
+        return (exp(x) - 1 / exp(x)) / 2
+
+    def cosh(x: Ratio) -> Ratio:
+        return (exp(x) + 1 / exp(x)) / 2
+
+    def tanh(x: Ratio) -> Ratio:
+        return sinh(x) / cosh(x)
+
+    def asin(x: Ratio) -> Ratio:
+        return _arc_or_known(field, "asin", x, lambda u: 1 / root(1 - u * u))
+
+    def acos(x: Ratio) -> Ratio:
+        return _arc_or_known(field, "acos", x, lambda u: -1 / root(1 - u * u))
+
+    def atan(x: Ratio) -> Ratio:
+        return _arc_or_known(field, "atan", x, lambda u: 1 / (1 + u * u))
+
+    named = (cos, sin, tan, exp, log, sinh, cosh, tanh, asin, acos, atan, sign)
+    table: dict[str, Any] = {function.__name__: function for function in named}
+    return table | {"number": field.element, "pi": field.pi, "sqrt": root, "abs": absolute}
+
+
+def element(field: Field, expr: Expr, values: Mapping[str, Ratio], is_negative: IsNegative | None = None) -> Ratio:
+    """The field element of an expression whose names have the given values."""
+    return evaluate(expr, values, functions(field, is_negative))

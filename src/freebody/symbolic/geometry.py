@@ -1,0 +1,212 @@
+"""The statements of measures over the field, with and without derivatives by the body poses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from freebody.language.expression import Expr, evaluate
+from freebody.measures.geometry import GROUND, Pose, Vector
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.functions import atan2, functions
+
+Tangent = Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
+Slot = tuple[str, str]  # (body, "x" | "y" | "angle")
+
+
+class FieldGeometry:
+    """Statements over poses given as field elements."""
+
+    def __init__(
+        self, field: Field, names: Mapping[str, Ratio], poses: Mapping[str, Pose[Ratio]], tangent: Tangent
+    ) -> None:
+        self.field = field
+        self.names = names
+        self.poses = poses
+        self._tangent = tangent
+        zero = field.zero
+        self._ground = Pose(zero, zero, zero, field.one, zero)
+        self._scalars: dict[Expr, Ratio] = {}
+
+    def scalar(self, expr: Expr) -> Ratio:
+        if expr not in self._scalars:
+            self._scalars[expr] = evaluate(expr, self.names, functions(self.field))
+        return self._scalars[expr]
+
+    def pose(self, body: str) -> Pose[Ratio]:
+        return self._ground if body == GROUND else self.poses[body]
+
+    def tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
+        return self._tangent(v, offset)
+
+    def apply(self, expr: Expr, values: dict[str, Ratio]) -> Ratio:
+        return evaluate(expr, {**self.names, **values}, functions(self.field))
+
+
+def straight_tangent(field: Field, is_negative: Callable[[Ratio], bool] | None) -> Tangent:
+    """Length and angle of a vector whose components are known elements:
+    e = (l v - offset n(v)) / |v|^2 with l = sqrt(|v|^2 - offset^2)."""
+
+    def tangent(v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
+        square = v.x * v.x + v.y * v.y
+        length = field.sqrt(square - offset * offset, is_negative)
+        if offset.is_zero():
+            return length, atan2(field, v.y, v.x, length)
+        cos = (length * v.x + offset * v.y) / square
+        sin = (length * v.y - offset * v.x) / square
+        return length, atan2(field, sin, cos, field.one)
+
+    return tangent
+
+
+@dataclass(frozen=True)
+class Dual:
+    """A value with its derivatives by the coordinates of the bodies."""
+
+    value: Ratio
+    slope: dict[Slot, Ratio] = field(default_factory=dict[Slot, Ratio])
+
+    def _with(self, value: Ratio, own: Ratio | int, other: Dual | None = None, its: Ratio | int = 0) -> Dual:
+        slope = {k: own * d for k, d in self.slope.items()}
+        if other is not None:
+            for k, d in other.slope.items():
+                slope[k] = slope[k] + its * d if k in slope else its * d
+        return Dual(value, slope)
+
+    def _lift(self, other: Any) -> Dual:
+        return other if isinstance(other, Dual) else Dual(self.value.field.element(other))
+
+    def __add__(self, other: Any) -> Dual:
+        b = self._lift(other)
+        return self._with(self.value + b.value, 1, b, 1)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Dual:
+        return self._with(-self.value, -1)
+
+    def __sub__(self, other: Any) -> Dual:
+        return self + (-self._lift(other))
+
+    def __rsub__(self, other: Any) -> Dual:
+        return (-self) + other
+
+    def __mul__(self, other: Any) -> Dual:
+        b = self._lift(other)
+        return self._with(self.value * b.value, b.value, b, self.value)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Dual:
+        b = self._lift(other)
+        quotient = self.value / b.value
+        return self._with(quotient, 1 / b.value, b, -quotient / b.value)
+
+    def __rtruediv__(self, other: Any) -> Dual:
+        return self._lift(other) / self
+
+    def __pow__(self, exponent: Any) -> Dual:
+        if isinstance(exponent, Dual):
+            exponent = exponent.value.fraction()
+        if not isinstance(exponent, int):
+            power = Fraction(exponent)
+            value = self.value ** self.value.field.element(power)
+            return self._with(value, self.value.field.element(power) * value / self.value)
+        if exponent == 0:
+            return self._lift(1)
+        return self._with(self.value**exponent, exponent * self.value ** (exponent - 1))
+
+    def chain(self, value: Ratio, slope: Ratio) -> Dual:
+        """f(self) with f' = slope."""
+        return self._with(value, slope)
+
+
+class DualGeometry:
+    """Statements over the same poses, differentiated by them: gradients of measures."""
+
+    def __init__(self, plain: FieldGeometry, moving: Mapping[str, bool]) -> None:
+        self.plain = plain
+        self.moving = moving  # body -> turns
+        self._functions = _dual_functions(plain)
+
+    def scalar(self, expr: Expr) -> Dual:
+        return Dual(self.plain.scalar(expr))
+
+    def pose(self, body: str) -> Pose[Dual]:
+        p = self.plain.pose(body)
+        if body not in self.moving:
+            return Pose(*(Dual(v) for v in (p.x, p.y, p.angle, p.cos, p.sin)))
+        one = self.plain.field.one
+        turn: Slot = (body, "angle")
+        if not self.moving[body]:
+            return Pose(
+                Dual(p.x, {(body, "x"): one}),
+                Dual(p.y, {(body, "y"): one}),
+                *(Dual(v) for v in (p.angle, p.cos, p.sin)),
+            )
+        return Pose(
+            Dual(p.x, {(body, "x"): one}),
+            Dual(p.y, {(body, "y"): one}),
+            Dual(p.angle, {turn: one}),
+            Dual(p.cos, {turn: -p.sin}),
+            Dual(p.sin, {turn: p.cos}),
+        )
+
+    def tangent(self, v: Vector[Dual], offset: Dual) -> tuple[Dual, Dual]:
+        """From v = l e + rho n with constant rho:  l da = n . dv,  dl = e . dv + rho da."""
+        x, y, rho = v.x.value, v.y.value, offset.value
+        length, angle = self.plain.tangent(Vector(x, y), rho)
+        square = x * x + y * y if not rho.is_zero() else length * length
+        cos = (length * x + rho * y) / square
+        sin = (length * y - rho * x) / square
+        turned: dict[Slot, Ratio] = {}
+        stretched: dict[Slot, Ratio] = {}
+        for slot in v.x.slope.keys() | v.y.slope.keys():
+            zero = self.plain.field.zero
+            dx, dy = v.x.slope.get(slot, zero), v.y.slope.get(slot, zero)
+            turned[slot] = (cos * dy - sin * dx) / length
+            stretched[slot] = cos * dx + sin * dy + rho * turned[slot]
+        return Dual(length, stretched), Dual(angle, turned)
+
+    def apply(self, expr: Expr, values: dict[str, Dual]) -> Dual:
+        names: dict[str, Any] = {n: Dual(v) for n, v in self.plain.names.items()}
+        return evaluate(expr, {**names, **values}, self._functions)
+
+
+def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
+    """Elementary functions with their derivatives."""
+    f = functions(plain.field)
+
+    def make(name: str, slope: Callable[[Ratio, Ratio], Ratio]) -> Callable[[Dual], Dual]:
+        def call(x: Dual) -> Dual:
+            value = f[name](x.value)
+            return x.chain(value, slope(x.value, value)) if x.slope else Dual(value)
+
+        return call
+
+    slopes: dict[str, Callable[[Ratio, Ratio], Ratio]] = {
+        "sqrt": lambda _x, y: 1 / (2 * y),
+        "sin": lambda x, _y: f["cos"](x),
+        "cos": lambda x, _y: -f["sin"](x),
+        "tan": lambda _x, y: 1 + y * y,
+        "exp": lambda _x, y: y,
+        "log": lambda x, _y: 1 / x,
+        "sinh": lambda x, _y: f["cosh"](x),
+        "cosh": lambda x, _y: f["sinh"](x),
+        "tanh": lambda _x, y: 1 - y * y,
+        "asin": lambda x, _y: 1 / f["sqrt"](1 - x * x),
+        "acos": lambda x, _y: -1 / f["sqrt"](1 - x * x),
+        "atan": lambda x, _y: 1 / (1 + x * x),
+        "abs": lambda x, y: x / y,
+        "sign": lambda x, _y: x - x,
+    }
+    made: dict[str, Any] = {name: make(name, slope) for name, slope in slopes.items()}
+
+    def number(x: Fraction) -> Dual:
+        return Dual(plain.field.element(x))
+
+    made["number"] = number
+    made["pi"] = Dual(plain.field.pi)
+    return made

@@ -1,0 +1,915 @@
+"""The symbolic route: from a System to its motion in generalized coordinates, exactly.
+
+1. Coordinates. The absolute coordinates (x, y, theta) of the bodies, the lengths and angles of the tangents in the
+   held measures, and the named measures are unknowns; the held measures are equations; `Elimination` keeps the
+   generalized coordinates q.
+2. Speeds. Differentiating what is left (closed loops, nonholonomic rows) gives the dependent speeds by the
+   independent ones, u.
+3. Dynamics. With V the velocity of a mass centre and S = dV/du, d'Alembert's principle in Kane's form:
+   sum_i S_i^T (m_i A_i) + S_w,i^T I_i alpha_i = sum over loads of law * d(rate of its measure)/du,
+   which is M(q) du/dt = F(q, u, t). Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
+4. Reactions. Newton-Euler of every body, M_i A_i - loads = J^T lambda, solved for the multipliers.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Symbol, free_symbols
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing, Distance
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, Vector
+from freebody.measures.geometry import ZERO as NOTHING
+from freebody.model.elements import Held, Push, RateMeasure
+from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
+from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.functions import cos_sin
+from freebody.symbolic.geometry import Dual, DualGeometry, FieldGeometry, straight_tangent
+from freebody.symbolic.linear import RHS, Row, Solved, solve
+from freebody.symbolic.sample import Sample
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.system.system import System
+
+Triple = tuple[Ratio, Ratio, Ratio]
+# Ranks of unknowns: the lowest is eliminated first.
+_POSITION, _TANGENT_LENGTH, _TANGENT_ANGLE, _BODY_ANGLE, _OFFERED, _NAMED = range(6)
+_SLOTS = ("x", "y", "angle")
+ZERO_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """A generalized coordinate: its name, its generator and the generator of its speed."""
+
+    name: str
+    index: int
+    speed: int
+    is_angle: bool
+
+
+class SymbolicModel:
+    """Everything the symbolic route derives, each part when it is first asked for."""
+
+    def __init__(self, system: System, samples: Sequence[Sample]) -> None:
+        self.system = system
+        self.samples = tuple(samples)
+        n = len(system.moving)
+        self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
+        self.parameters = self._parameters()
+        self.constants: dict[str, Ratio] = {}  # hidden start values of incremental rows, by row name
+        self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
+        self._coordinate_measures: dict[int, Measure] = {}
+        self.start_symbols: dict[int, Ratio] = {}  # by coordinate
+        self._raw_poses: dict[str, Pose[Ratio]] = {}
+        self._unknowns: dict[int, Unknown] = {}
+        self._speeds: dict[int, int] = {}
+        self._names: dict[int, str] = {}
+        self._tangents: dict[Any, tuple[Ratio, Ratio]] = {}
+        self._lines: list[Line] = []
+        self._defined: dict[int, Ratio] = {}  # named measures as coordinates: what they are
+        self._tangent_label = ""
+        self._tangent_of: Measure | None = None
+        self._definitions: list[Equation] = []
+        self._line_equations: dict[Any, list[Equation]] = {}
+        self._defined_lines: set[Any] = set()
+        self._angles: set[int] = set()
+        self._make_poses()
+        self._raw = FieldGeometry(self.field, self.parameters, self._raw_poses, self._raw_tangent)
+        self._sample_values = [self._values_at(sample) for sample in self.samples]
+        self.extra: list[Equation] = []
+        self.elimination = self._eliminate([])
+        self._finish_coordinates()
+        # what the first pass found out may make the second one simpler; which rows are redundant is told by the first
+        redundant = self.redundant
+        for found_out in (self._named_by_formula, self._constant_coordinates):
+            equations = found_out()
+            if equations:
+                self.extra += equations
+                del self.elimination
+                self.elimination = self._eliminate(self.extra)
+                self._finish_coordinates()
+        self.redundant = redundant
+
+    # -- generators ---------------------------------------------------------------------------
+    def _parameters(self) -> dict[str, Ratio]:
+        names: dict[str, Ratio] = {}
+        for p in self.system.parameters.values():
+            g = self.field.parameter(p.name, positive=p.sign == "positive")
+            if p.acute:
+                self.field.acute_angles.add(self.field.index(g))
+            names[p.name] = g
+        names["t"] = self.field.time
+        return names
+
+    def _unknown(
+        self,
+        name: str,
+        rank: tuple[int, int],
+        *,
+        compute: Callable[[Mapping[int, Any], Any], Any] | None = None,
+        is_angle: bool = False,
+    ) -> Ratio:
+        shown = Symbol(name)
+        g = self.field.generator(Generator(shown, "coordinate", compute=compute))
+        speed = self.field.generator(Generator(Call("rate", shown), "speed"))
+        self.field.set_rate(g, speed)
+        index = self.field.index(g)
+        self._unknowns[index] = Unknown(index, rank, name)
+        self._speeds[index] = self.field.index(speed)
+        self._names[index] = name
+        if is_angle:
+            self._angles.add(index)
+        return g
+
+    def _known_unknown(self, name: str) -> Ratio | None:
+        """The generator made for a named measure before, when the elimination is run again."""
+        for index, known in self._names.items():
+            if known == name and index in self._defined:
+                return self.field.variable(index)
+        return None
+
+    def _make_poses(self) -> None:
+        f = self.field
+        zero = f.zero
+        for k, body in enumerate(self.system.bodies.values()):
+            if body.fixed:
+                continue
+            x = self._unknown(f"x_{body.name}", (_POSITION, -k))
+            y = self._unknown(f"y_{body.name}", (_POSITION, -k))
+            ix, iy = f.index(x), f.index(y)
+            origin = Point(GROUND, (NOTHING, NOTHING))
+            self._coordinate_measures[ix] = Displacement(body.mass_center, origin, RIGHT)
+            self._coordinate_measures[iy] = Displacement(body.mass_center, origin, UP)
+            old = self._unknowns[ix]
+            self._unknowns[ix] = Unknown(ix, old.rank, old.name, partner=iy)
+            if not body.turns:
+                self._raw_poses[body.name] = Pose(x, y, zero, f.one, zero)
+                continue
+            angle = self._unknown(f"theta_{body.name}", (_BODY_ANGLE, -k), is_angle=True)
+            self._coordinate_measures[f.index(angle)] = Angle(body.name)
+            self._raw_poses[body.name] = Pose(x, y, angle, *cos_sin(f, angle))
+        plain = FieldGeometry(f, self.parameters, {}, straight_tangent(f, None))
+        for body in self.system.bodies.values():
+            if body.fixed and body.name != "ground":
+                angle = zero if body.start.angle is None else plain.scalar(body.start.angle)
+                c, s = cos_sin(f, angle)
+                px = py = zero
+                if body.start.at is not None:
+                    point, (ax, ay) = body.start.at
+                    rx, ry = (plain.scalar(e) for e in body.points[point])
+                    px, py = plain.scalar(ax) - (c * rx - s * ry), plain.scalar(ay) - (s * rx + c * ry)
+                self._raw_poses[body.name] = Pose(px, py, angle, c, s)
+
+    def _raw_tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
+        """New unknowns l and a with v = l e(a) + offset n(a), as two more equations."""
+        key = (v.x.key(), v.y.key(), offset.key())
+        if key in self._tangents:
+            self._define_line(key)
+            return self._tangents[key]
+        f = self.field
+        opposite = ((-v.x).key(), (-v.y).key(), offset.key())
+        if opposite in self._tangents and offset.is_zero():
+            self._define_line(opposite)
+            length, angle = self._tangents[opposite]
+            self._tangents[key] = length, angle + f.pi
+            return self._tangents[key]
+
+        def size(values: Mapping[int, Any], fn: Any) -> Any:
+            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
+            return fn.sqrt(x * x + y * y - r * r)
+
+        def turn(values: Mapping[int, Any], fn: Any) -> Any:
+            x, y, r = (f.evaluate(e, values, fn) for e in (v.x, v.y, offset))
+            return fn.atan2(y, x) - fn.atan2(r, fn.sqrt(x * x + y * y - r * r))
+
+        k = len(self._tangents)
+        label = self._tangent_label or f"line{k + 1}"
+        length = self._unknown(f"length_{label}", (_TANGENT_LENGTH, -k), compute=size)
+        angle = self._unknown(f"phi_{label}", (_TANGENT_ANGLE, -k), compute=turn, is_angle=True)
+        c, s = cos_sin(f, angle)
+        name = f"line {k}"
+        self._line_equations[key] = [
+            Equation(name, v.x - length * c + offset * s),
+            Equation(name, v.y - length * s - offset * c),
+        ]
+        self._define_line(key)
+        self._tangents[key] = length, angle
+        if isinstance(self._tangent_of, Distance):
+            of = self._tangent_of
+            self._coordinate_measures[f.index(angle)] = Bearing(of.start, of.end)
+            self._coordinate_measures[f.index(length)] = of
+        self._lines.append(Line(name, v.x, v.y, offset, f.index(length), f.index(angle)))
+        return length, angle
+
+    def _define_line(self, key: Any) -> None:
+        """Adds the two equations of a line, once in every pass."""
+        if key in self._line_equations and key not in self._defined_lines:
+            self._defined_lines.add(key)
+            self._definitions += self._line_equations[key]
+
+    # -- positions ----------------------------------------------------------------------------
+    def _named_by_formula(self) -> list[Equation]:
+        """Named measures that are linear in an unnamed coordinate, and so can take its place."""
+        found: list[Equation] = []
+        taken: set[int] = set()
+        for name, measure in self.system.measures.items():
+            own = self._known_unknown(name)
+            if own is None or name not in self._dropped:
+                continue
+            value = measure.value(self.geometry)
+            for c in self.coordinates:
+                if c.index in taken or c.name in self.system.measures:
+                    continue
+                if self.field.ingredients(value.denominator()) & self._unknowns.keys():
+                    continue
+                slope = self.field.partial(value, c.index)
+                inside = self.field.ingredients(value)
+                if slope.is_constant() and not slope.is_zero() and len(inside & self._unknowns.keys()) == 1:
+                    found.append(Equation(f"define {name}", own - value))
+                    taken.add(c.index)
+                    break
+        return found
+
+    def _constant_coordinates(self) -> list[Equation]:
+        """Dependent coordinates that do not move: their start values, where these are known, are their values."""
+        f = self.field
+        lines = {line.length for line in self._lines} | {line.angle for line in self._lines}
+        still = [c for c in self.dependent if self.vanishes(self._dependent_speeds[c.speed])]
+        values = self._given_poses() if len(still) == len(self.dependent) and not self.coordinates else {}
+        for c in still:
+            if c.index not in values and c.index not in lines:
+                value = self.given_start(c)
+                if value is None:
+                    value = self.recognised_start(c)
+                if value is not None:
+                    values[c.index] = value
+        return [Equation(GIVEN, f.variable(index) - value) for index, value in values.items()]
+
+    def recognised_start(self, c: Coordinate) -> Ratio | None:
+        """A start value that is a multiple of a right angle (zero for a length) at all samples."""
+        numbers = self.start_numbers(c.index)
+        quarter = math.pi / 2 if c.is_angle else math.inf
+        turns = {0 if quarter == math.inf else round(v / quarter) for v in numbers}
+        if len(turns) != 1:
+            return None
+        (n,) = turns
+        exact = n * quarter if n else 0.0
+        if any(abs(v - exact) > ZERO_TOLERANCE for v in numbers):
+            return None
+        return self.field.pi * n / 2 if n else self.field.zero
+
+    def _eliminate(self, given: list[Equation]) -> Elimination:
+        """Tries the named and offered measures as coordinates; one that only adds a loop of its own is dropped."""
+        self._defined_lines = set()
+        equations: list[Equation] = list(given)
+        for row in self.system.held:
+            if not isinstance(row.measure, RateMeasure):
+                self._tangent_label, self._tangent_of = row.connection, row.measure
+                equations.append(Equation(row.name, row.measure.value(self._raw) - self._target(row)))
+        constraints = equations + self._definitions
+        self._definitions = []
+        candidates = [(f"define {n}", n, m, (_NAMED, -k)) for k, (n, m) in enumerate(self.system.measures.items())]
+        named = {m for _d, _n, m, _r in candidates}
+        taken = set(self.system.measures) | set(self.parameters)
+        for k, (name, measure) in enumerate(self.system.offered):
+            if measure not in named and name not in taken:
+                candidates.append((f"define {name}", name, measure, (_OFFERED, -k)))
+        defined: list[tuple[str, list[Equation], list[int]]] = []
+        for label, name, measure, rank in candidates:
+            before = set(self._unknowns)
+            self._tangent_label, self._tangent_of = name, measure
+            try:
+                value = measure.value(self._raw)
+            except (CannotAnswer, ZeroDivisionError):
+                continue
+            own = self._known_unknown(name) or self._unknown(
+                name,
+                rank,
+                compute=lambda v, fn, value=value: self.field.evaluate(value, v, fn),
+                is_angle=measure.dimension == DIMENSIONLESS,
+            )
+            self._defined[self.field.index(own)] = value
+            self._coordinate_measures[self.field.index(own)] = measure
+            made = [Equation(label, own - value)] + [Equation(label, e.value) for e in self._definitions]
+            self._definitions = []
+            defined.append((label, made, [i for i in self._unknowns if i not in before]))
+        self._sample_values = [self._values_at(sample) for sample in self.samples]
+        # measures that bring lines of their own are taken only where they add no loop
+        fewest: int | None = None
+        with_lines = {d[0] for d in defined if len(d[1]) > 1}
+        dropped: set[str] = set(with_lines)
+        replaced = {e.name for e in given}
+        while True:
+            chosen = [d for d in defined if d[0] not in dropped and d[0] not in replaced]
+            out = {i for d in defined if d[0] in dropped and d[0] not in replaced for i in d[2]}
+            unknowns = {i: u for i, u in self._unknowns.items() if i not in out}
+            elimination = Elimination(
+                self.field,
+                unknowns,
+                constraints + [e for d in chosen for e in d[1]],
+                self._lines,
+                self.vanishes,
+                straight_tangent(self.field, self.is_negative),
+                _OFFERED,
+            )
+            bad = {e.name for e in elimination.loops if e.name.startswith("define ")}
+            if bad:
+                dropped |= bad
+                continue
+            if fewest is not None and len(elimination.loops) > fewest:
+                dropped |= with_lines
+                with_lines = set[str]()
+                continue
+            if with_lines and fewest is None:
+                fewest = len(elimination.loops)
+                dropped -= with_lines
+                continue
+            self._dropped = {label.removeprefix("define ") for label in dropped}
+            return elimination
+
+    def _target(self, row: Held) -> Ratio:
+        """What a row is held at; the start value of an incremental one is a constant of its own unless it is
+        zero at every sample."""
+        if row.target is not None:
+            return self._raw.scalar(row.target)
+        if not row.measure.incremental:  # type: ignore[union-attr]
+            return self.field.zero
+        if all(abs(s.constants.get(row.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
+            return self.field.zero
+        given = self._given_value(row.measure, row.name)  # type: ignore[arg-type]
+        if given is not None:
+            return given
+        name = row.name.replace(".", "_").replace(" ", "_")
+        constant = self.field.parameter(f"{name}_0")
+        self.constants[row.name] = constant
+        return constant
+
+    def _values_at(self, sample: Sample) -> dict[int, Any]:
+        """Values of all generators at a sample; speeds and accelerations that it does not tell are arbitrary."""
+        f = self.field
+        values: dict[int, Any] = {}
+        for name, g in self.parameters.items():
+            values[f.index(g)] = sample.time if name == "t" else sample.parameters[name]
+        for name, g in self.constants.items():
+            values[f.index(g)] = sample.constants[name]
+        for body, pose in sample.poses.items():
+            motion = sample.velocities.get(body, ())
+            for k, element in enumerate(_pose_elements(self._raw_poses[body])):
+                if element.generators():
+                    index = f.index(element)
+                    values[index] = pose[k]
+                    if motion:
+                        values[self._speeds[index]] = motion[k]
+        values = f.complete(values)
+        if sample.velocities:
+            self._add_speeds(values)
+        rng = random.Random(20240229)
+        for index, generator in f.generators.items():
+            if index not in values and generator.kind in ("speed", "acceleration"):
+                values[index] = rng.uniform(0.5, 1.5)
+        return f.complete(values)
+
+    def _add_speeds(self, values: dict[int, Any]) -> None:
+        """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, and of named measures."""
+        f = self.field
+        for line in self._lines:
+            vx, vy = (f.evaluate(f.rate(c), values) for c in (line.x, line.y))
+            cos, sin = math.cos(values[line.angle]), math.sin(values[line.angle])
+            turning = (cos * vy - sin * vx) / values[line.length]
+            values[self._speeds[line.angle]] = turning
+            values[self._speeds[line.length]] = cos * vx + sin * vy + f.evaluate(line.offset, values) * turning
+        for index, value in self._defined.items():
+            values[self._speeds[index]] = f.evaluate(f.rate(value), values)
+
+    def numbers(self, sample: Sample, start: Sample | None = None) -> dict[int, Any]:
+        """Values of all generators at a sample with velocities, for evaluating results there; `start` is the same
+        draw at the start, for symbols of start values."""
+        values = self._values_at(sample)
+        if self.start_symbols:
+            first = values if start is None else self._values_at(start)
+            for index, symbol in self.start_symbols.items():
+                values[self.field.index(symbol)] = first[index]
+            values = self.field.complete(values)
+        return values
+
+    def _values(self, k: int) -> dict[int, Any]:
+        """Sample k, with the atoms made since."""
+        known = self._sample_values[k]
+        if len(known) < len(self.field.generators):
+            rng = random.Random(len(known))
+            for index, generator in self.field.generators.items():
+                if index not in known and generator.kind in ("speed", "acceleration"):
+                    known[index] = rng.uniform(0.5, 1.5)
+            self._sample_values[k] = self.field.complete(known)
+        return self._sample_values[k]
+
+    def at_samples(self, x: Ratio) -> list[float]:
+        """The element in numbers at the start poses of all samples; nan where it has no real value."""
+        return self._at(x, [k for k, s in enumerate(self.samples) if s.is_start])
+
+    def _at(self, x: Ratio, which: Sequence[int]) -> list[float]:
+        found: list[float] = []
+        for k in which:
+            try:
+                found.append(float(self.field.evaluate(x, self._values(k))))
+            except (KeyError, ValueError, ArithmeticError):
+                found.append(math.nan)
+        return found
+
+    def vanishes(self, x: Ratio) -> bool:
+        """True if the element is zero on the motion: formally, or at all samples where coordinates are bound by
+        closed loops."""
+        if x.is_zero():
+            return True
+        fraction = x.fraction()
+        if fraction is not None or not self.samples:
+            return False
+        if not self._is_looped(x):
+            return False
+        # poses in general position, since an entry may vanish at the start and nowhere else
+        general = [k for k, s in enumerate(self.samples) if not s.is_start]
+        values = self._at(x, general or range(len(self.samples)))
+        return all(abs(v) < ZERO_TOLERANCE for v in values)
+
+    def _is_looped(self, x: Ratio) -> bool:
+        if not hasattr(self, "elimination"):
+            return True
+        return bool(self.elimination.loops)
+
+    def is_negative(self, x: Ratio) -> bool:
+        """The sign at the first sample, where formulas do not tell; the choice is noted as an assumption."""
+        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE):
+            return False
+        values = self.at_samples(x)
+        negative = bool(values) and values[0] < 0
+        assumed = -x if negative else x
+        if all(assumed != other for other in self.assumed):
+            self.assumed.append(assumed)
+        return negative
+
+    # -- coordinates and speeds ---------------------------------------------------------------
+    def _finish_coordinates(self) -> None:
+        f = self.field
+        express = self.elimination.express
+        self.poses = {
+            name: Pose(*(express(v) for v in (p.x, p.y, p.angle, p.cos, p.sin))) for name, p in self._raw_poses.items()
+        }
+        straight = straight_tangent(f, self.is_negative)
+        gone = set(self._unknowns) - set(self.elimination.unknowns)
+        cache: dict[Any, tuple[Ratio, Ratio]] = {}
+        for line in self._lines:
+            if not gone & {line.length, line.angle}:
+                key = (express(line.x).key(), express(line.y).key(), line.offset.key())
+                cache[key] = express(f.variable(line.length)), express(f.variable(line.angle))
+
+        def tangent(v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
+            key = (v.x.key(), v.y.key(), offset.key())
+            if key not in cache:
+                opposite = ((-v.x).key(), (-v.y).key(), offset.key())
+                if opposite in cache and offset.is_zero():
+                    cache[key] = cache[opposite][0], cache[opposite][1] + f.pi
+                else:
+                    cache[key] = straight(v, offset)
+            return cache[key]
+
+        self.geometry = FieldGeometry(f, self.parameters, self.poses, tangent)
+        self.dual = DualGeometry(self.geometry, {b.name: b.turns for b in self.system.bodies.values()})
+        kept = [
+            Coordinate(u.name, u.index, self._speeds[u.index], u.index in self._angles) for u in self.elimination.kept
+        ]
+        self._solve_speeds(kept)
+
+    def _solve_speeds(self, kept: list[Coordinate]) -> None:
+        """Which speeds are independent, and the others by them: J u = b, and J du/dt = db/dt - dJ/dt u."""
+        f = self.field
+        for speed in self._speeds.values():
+            f.clear_rate(speed)  # of an earlier pass
+        totals: list[tuple[str, Ratio]] = [(loop.name, f.rate(loop.value)) for loop in self.elimination.loops]
+        for row in self.system.held:
+            if isinstance(row.measure, RateMeasure):
+                total = f.zero if row.target is None else -self.geometry.scalar(row.target)
+                for coefficient, measure in row.measure.terms:
+                    total = total + coefficient.value(self.geometry) * f.rate(measure.value(self.geometry))
+                totals.append((row.name, total))
+        names = [name for name, _total in totals]
+        preference = [c.speed for c in sorted(kept, key=lambda c: self._unknowns[c.index].rank)]
+        rows = [self._speed_row(total, preference) for _name, total in totals]
+        solved = solve(f, rows, preference, self.vanishes, in_order=True)
+        if solved.contradictory:
+            raise CannotAnswer(
+                f"the constraints contradict each other in {', '.join(names[k] for k in solved.contradictory)}"
+            )
+        self.redundant = [*self.elimination.redundant, *(names[k] for k in solved.redundant)]
+        self.speed_rows = [rows[k] for k in range(len(rows)) if k not in solved.redundant]
+        free = set(solved.free)
+        self.coordinates = tuple(c for c in kept if c.speed in free)
+        self.dependent = tuple(c for c in kept if c.speed not in free)
+        self._dependent_speeds = {speed: self._sum_of(row) for speed, row in solved.pivots.items()}
+        self._still_speeds = {speed: f.zero for speed, x in self._dependent_speeds.items() if self.vanishes(x)}
+        for k in range(len(self.samples)):
+            values = self._values(k)
+            for speed, expression in self._dependent_speeds.items():
+                values[speed] = f.evaluate(expression, self._values(k))
+        self.accelerations: list[int] = []
+        for c in self.coordinates:
+            a = f.generator(Generator(Call("rate", f.generators[c.speed].display), "acceleration"))
+            f.set_rate(f.variable(c.speed), a)
+            self.accelerations.append(f.index(a))
+        if self.dependent:
+            self._solve_dependent_accelerations([totals[k][1] for k in range(len(rows)) if k not in solved.redundant])
+
+    def _solve_dependent_accelerations(self, totals: Sequence[Ratio]) -> None:
+        speeds = [c.speed for c in self.dependent]
+        rows: list[Row] = []
+        for total in totals:
+            row: Row = {s: x for s in speeds if not (x := self.field.partial(total, s)).is_zero()}
+            rest = self.field.rate(total)  # the dependent speeds have no rate yet, so theirs are missing
+            if not rest.is_zero():
+                row[RHS] = -rest
+            rows.append(row)
+        solved = solve(self.field, rows, speeds, self.vanishes)
+        for speed in speeds:
+            self.field.set_rate(self.field.variable(speed), self._sum_of(solved.pivots[speed]))
+
+    def _sum_of(self, row: Row) -> Ratio:
+        total = row.get(RHS, self.field.zero)
+        for column, coefficient in row.items():
+            if column != RHS:
+                total = total + coefficient * self.field.variable(column)
+        return total
+
+    def _speed_row(self, total: Ratio, speeds: Sequence[int]) -> Row:
+        row: Row = {}
+        rest = total
+        for speed in speeds:
+            coefficient = self.field.partial(total, speed)
+            if not coefficient.is_zero():
+                row[speed] = coefficient
+                rest = rest - coefficient * self.field.variable(speed)
+        if not rest.is_zero():
+            row[RHS] = -rest
+        return row
+
+    def measure_of(self, c: Coordinate) -> Measure | None:
+        """The measure that a coordinate is; None for a length or angle of a line that is none by itself."""
+        if c.index in self._coordinate_measures:
+            return self._coordinate_measures[c.index]
+        return None
+
+    # -- start values -------------------------------------------------------------------------
+    def given_start(self, c: Coordinate) -> Ratio | None:
+        """The start value of a coordinate where the poses given for the bodies tell it."""
+        values = self._given_poses()
+        defined = self._defined.get(c.index)
+        x = self.field.variable(c.index) if defined is None else defined
+        for line in self._lines:
+            if {line.length, line.angle} & self.field.ingredients(x):
+                place = self.field.follow(line.x, values), self.field.follow(line.y, values)
+                if not any(self.field.ingredients(p) & self._unknowns.keys() for p in place):
+                    length, angle = straight_tangent(self.field, self.is_negative)(Vector(*place), line.offset)
+                    values |= {line.length: length, line.angle: angle}
+        needed = self.field.ingredients(x) & self._unknowns.keys()
+        if not needed <= values.keys():
+            return None
+        return self.field.follow(x, values)
+
+    def given_start_speed(self, c: Coordinate, start: Mapping[int, Ratio]) -> Ratio | None:
+        """The start value of a speed where the velocities given for the bodies tell it."""
+        speeds: dict[int, Ratio] = {}
+        for body in self.system.moving:
+            pose = self._raw_poses[body.name]
+            for elements, given in (
+                ((pose.x, pose.y), body.start.velocity),
+                (
+                    (pose.angle,),
+                    None if body.start.angular_velocity is None else (body.start.angular_velocity,),
+                ),
+            ):
+                if given is not None:
+                    for element, expr in zip(elements, given, strict=True):
+                        speeds[self._speeds[self.field.index(element)]] = self.geometry.scalar(expr)
+        if not speeds:
+            return None
+        # each given velocity is an equation in the independent speeds
+        for raw_index, speed in self._speeds.items():
+            if speed in speeds:
+                own = self.rate(self.elimination.express(self.field.variable(raw_index)))
+                own = self.field.follow(own, {k: v for k, v in start.items() if k != c.speed})
+                if own.generators() & {k.speed for k in self.coordinates} == frozenset({c.speed}):
+                    slope = self.field.partial(own, c.speed)
+                    rest = own - slope * self.field.variable(c.speed)
+                    return (speeds[speed] - rest) / slope
+        return None
+
+    def _given_value(self, measure: Measure, name: str) -> Ratio | None:
+        """The start value of a measure where the poses given for its bodies tell it, as they do at all samples."""
+        known = self._given_poses()
+        poses: dict[str, Pose[Ratio]] = {}
+        for body, pose in self._raw_poses.items():
+            parts = [self.field.follow(v, known) for v in (pose.x, pose.y, pose.angle, pose.cos, pose.sin)]
+            if not any(self.field.ingredients(v) & self._unknowns.keys() for v in parts):
+                poses[body] = Pose(*parts)
+        if any(body != GROUND and body not in poses for body in measure.bodies()):
+            return None
+        start = FieldGeometry(self.field, self.parameters, poses, straight_tangent(self.field, self.is_negative))
+        value = measure.value(start)
+        starts = [s for s in self.samples if s.is_start]
+        for number, sample in zip(self.at_samples(value), starts, strict=True):
+            if not abs(number - sample.constants.get(name, 0.0)) < 1e-7:
+                return None
+        return value
+
+    def _value_from_start(self, measure: Measure, name: str) -> Ratio | None:
+        """The same from the start values of the coordinates."""
+        f = self.field
+        values: dict[int, Ratio] = {f.index(f.time): f.zero}
+        for c in (*self.coordinates, *self.dependent):
+            if c.name in self.system.start:
+                values[c.index] = self.geometry.scalar(self.system.start[c.name])
+                continue
+            value = self.given_start(c)
+            if value is None:
+                value = self.recognised_start(c)
+            if value is None:
+                return None
+            values[c.index] = value
+        x = f.follow(measure.value(self.geometry), values)
+        starts = [s for s in self.samples if s.is_start]
+        same = all(
+            abs(number - sample.constants.get(name, 0.0)) < 1e-7
+            for number, sample in zip(self.at_samples(x), starts, strict=True)
+        )
+        return x if same else None
+
+    def _given_poses(self) -> dict[int, Ratio]:
+        values: dict[int, Ratio] = {}
+        f, scalar = self.field, self._raw.scalar
+        for body in self.system.moving:
+            pose, start = self._raw_poses[body.name], body.start
+            angle = None
+            if not body.turns:
+                angle = f.zero
+            elif start.angle is not None:
+                angle = scalar(start.angle)
+                values[f.index(pose.angle)] = angle
+            if start.at is None:
+                continue
+            point, (ax, ay) = start.at
+            rx, ry = (scalar(e) for e in body.points[point])
+            if angle is None and not (rx.is_zero() and ry.is_zero()):
+                continue
+            c, s = cos_sin(f, f.zero if angle is None else angle)
+            values[f.index(pose.x)] = scalar(ax) - (c * rx - s * ry)
+            values[f.index(pose.y)] = scalar(ay) - (s * rx + c * ry)
+        return values
+
+    def start_numbers(self, index: int) -> list[float]:
+        """The start value of a generator at every sample that is a start pose."""
+        return [float(self._values(k)[index]) for k, s in enumerate(self.samples) if s.is_start]
+
+    def start_parameter(self, c: Coordinate, numbers: Sequence[float]) -> Ratio:
+        """A symbol for a start value that follows from the assembly only."""
+        symbol = self.field.parameter(f"{c.name}_0")
+        starts = iter(numbers)
+        last = numbers[0] if numbers else 0.0
+        for k, sample in enumerate(self.samples):
+            last = next(starts, last) if sample.is_start else last
+            self._sample_values[k][self.field.index(symbol)] = last
+        self.start_symbols[c.index] = symbol
+        return symbol
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        return len(self.coordinates)
+
+    @property
+    def loops(self) -> tuple[Equation, ...]:
+        """Equations among the coordinates that remain: the closed loops."""
+        return tuple(self.elimination.loops)
+
+    def rate(self, x: Ratio) -> Ratio:
+        """Total time derivative; speeds of dependent coordinates stay as they are, but for those that are zero."""
+        return self.field.substitute(self.field.rate(x), self._still_speeds)
+
+    def in_independent_speeds(self, x: Ratio) -> Ratio:
+        """The same with the speeds of dependent coordinates put in."""
+        return self.field.substitute(x, self._dependent_speeds)
+
+    def dependent_speed(self, c: Coordinate) -> Ratio:
+        return self._dependent_speeds[c.speed]
+
+    # -- kinematics of the bodies -------------------------------------------------------------
+    @cached_property
+    def velocities(self) -> dict[str, Triple]:
+        return {
+            b.name: (self.rate(p.x), self.rate(p.y), self.rate(p.angle))
+            for b in self.system.moving
+            for p in (self.poses[b.name],)
+        }
+
+    @cached_property
+    def partial_velocities(self) -> dict[str, list[Triple]]:
+        """d(velocity of the mass centre, angular velocity)/du_k, for every body and independent speed."""
+        return {
+            name: [(self.slope(v[0], c), self.slope(v[1], c), self.slope(v[2], c)) for c in self.coordinates]
+            for name, v in self.velocities.items()
+        }
+
+    def slope(self, x: Ratio, c: Coordinate) -> Ratio:
+        """Derivative by an independent speed, the dependent speeds following it."""
+        f = self.field
+        total = f.partial(x, c.speed)
+        for speed, expression in self._dependent_speeds.items():
+            if speed in x.generators():
+                total = total + f.partial(x, speed) * f.partial(expression, c.speed)
+        return total
+
+    @cached_property
+    def body_accelerations(self) -> dict[str, Triple]:
+        """With the accelerations du/dt as generators."""
+        return {name: (self.rate(v[0]), self.rate(v[1]), self.rate(v[2])) for name, v in self.velocities.items()}
+
+    @cached_property
+    def inertias(self) -> dict[str, Triple]:
+        scalar = self.geometry.scalar
+        return {b.name: (m, m, scalar(b.inertia)) for b in self.system.moving for m in (scalar(b.mass),)}
+
+    # -- dynamics -----------------------------------------------------------------------------
+    @cached_property
+    def mass_matrix(self) -> list[list[Ratio]]:
+        n = len(self.coordinates)
+        f = self.field
+        M = [[f.zero] * n for _ in range(n)]
+        for name, partials in self.partial_velocities.items():
+            inertia = self.inertias[name]
+            for slot in range(3):
+                if inertia[slot].is_zero():
+                    continue
+                column = [(k, partials[k][slot]) for k in range(n) if not partials[k][slot].is_zero()]
+                for place, (j, sj) in enumerate(column):
+                    weighted = inertia[slot] * sj
+                    for k, sk in column[place:]:
+                        M[j][k] = f.lowest_terms(M[j][k] + weighted * sk)
+        for j in range(n):
+            for k in range(j):
+                M[j][k] = M[k][j]
+        return M
+
+    @cached_property
+    def forcing(self) -> list[Ratio]:
+        """F of M du/dt = F: generalized forces of the loads minus the velocity terms of the inertia."""
+        f = self.field
+        still = dict.fromkeys(self.accelerations, f.zero)
+        forces = [f.zero for _ in self.coordinates]
+        for name, wrench in self.load_wrenches.items():
+            inertia = self.inertias[name]
+            bias = [f.substitute(a, still) for a in self.body_accelerations[name]]
+            push = [w - m * a for w, m, a in zip(wrench, inertia, bias, strict=True)]
+            for k, partial in enumerate(self.partial_velocities[name]):
+                for p, s in zip(push, partial, strict=True):
+                    if not s.is_zero() and not p.is_zero():
+                        forces[k] = f.lowest_terms(forces[k] + p * s)
+        return forces
+
+    @cached_property
+    def load_wrenches(self) -> dict[str, list[Ratio]]:
+        """Force (x, y) and moment about the mass centre of all loads on every body."""
+        f = self.field
+        total: dict[str, list[Ratio]] = {b.name: [f.zero] * 3 for b in self.system.moving}
+        for push in self.system.pushes:
+            law = self.law(push)
+            for (body, slot), slope in self.gradient(push.measure).items():
+                if body not in total:
+                    continue  # what the ground feels moves nothing
+                k = _SLOTS.index(slot)
+                total[body][k] = total[body][k] + law * slope
+        return total
+
+    def gradient(self, measure: Measure | RateMeasure) -> dict[tuple[str, str], Ratio]:
+        """Derivatives of a measure by the coordinates of the bodies (of its rate by their velocities)."""
+        if measure not in self._gradients:
+            self._gradients[measure] = self._gradient(measure)
+        return self._gradients[measure]
+
+    @cached_property
+    def _gradients(self) -> dict[Any, dict[tuple[str, str], Ratio]]:
+        return {}
+
+    def _gradient(self, measure: Measure | RateMeasure) -> dict[tuple[str, str], Ratio]:
+        if isinstance(measure, RateMeasure):
+            total: dict[tuple[str, str], Ratio] = {}
+            for coefficient, part in measure.terms:
+                c = coefficient.value(self.geometry)
+                for slot, slope in self._gradient(part).items():
+                    total[slot] = total.get(slot, self.field.zero) + c * slope
+            return total
+        dual: Dual = measure.value(self.dual)
+        return {slot: slope for slot, slope in dual.slope.items() if not slope.is_zero()}
+
+    def law(self, push: Push) -> Ratio:
+        """Generalized force of a load; in coordinates, speeds and time."""
+        values: dict[str, Ratio] = {}
+        needed = free_symbols(push.law)
+        if not isinstance(push.measure, RateMeasure):
+            if "@value" in needed:
+                value = push.measure.value(self.geometry)
+                values["@value"] = value - self.start_constant(push)
+            if "@rate" in needed:
+                values["@rate"] = self.rate(push.measure.value(self.geometry))
+        for name, measure in push.measures:
+            value = measure.value(self.geometry)
+            values[name] = value
+            values[f"rate({name})"] = self.rate(value)
+        return self.geometry.apply(push.law, values)
+
+    def start_constant(self, push: Push) -> Ratio:
+        """The start value of a measure of which only changes count (a spring relaxed at the start)."""
+        if isinstance(push.measure, RateMeasure) or not push.measure.incremental:
+            return self.field.zero
+        if all(abs(s.constants.get(push.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
+            return self.field.zero
+        given = self._given_value(push.measure, push.name)
+        if given is None:
+            given = self._value_from_start(push.measure, push.name)
+        if given is not None:
+            return given
+        if push.name not in self.constants:
+            name = push.name.replace(".", "_").replace(" ", "_")
+            self.constants[push.name] = self.field.parameter(f"{name}_0")
+            index = self.field.index(self.constants[push.name])
+            for k, sample in enumerate(self.samples):
+                self._sample_values[k][index] = sample.constants[push.name]
+        return self.constants[push.name]
+
+    @cached_property
+    def solved_accelerations(self) -> dict[int, Ratio]:
+        """du/dt in coordinates, speeds and time, by acceleration generator."""
+        rows: list[Row] = []
+        for line, force in zip(self.mass_matrix, self.forcing, strict=True):
+            row: Row = {a: m for a, m in zip(self.accelerations, line, strict=True) if not m.is_zero()}
+            if not force.is_zero():
+                row[RHS] = force
+            rows.append(row)
+        solved = solve(self.field, rows, self.accelerations, self.vanishes)
+        if solved.free:
+            names = ", ".join(
+                c.name for c, a in zip(self.coordinates, self.accelerations, strict=True) if a in solved.free
+            )
+            raise CannotAnswer(
+                f"nothing with mass moves with {names}, so its acceleration is not determined. Give the body "
+                "a mass or an inertia, or connect it"
+            )
+        return {a: solved.pivots[a].get(RHS, self.field.zero) for a in self.accelerations}
+
+    # -- reactions ----------------------------------------------------------------------------
+    @cached_property
+    def _multipliers(self) -> tuple[Solved, dict[str, int]]:
+        """J^T lambda = M A - loads, body by body."""
+        f = self.field
+        columns = {row.name: k for k, row in enumerate(self.system.held)}
+        by_slot: dict[tuple[str, str], Row] = {}
+        for row in self.system.held:
+            for slot, slope in self.gradient(row.measure).items():
+                by_slot.setdefault(slot, {})[columns[row.name]] = slope
+        rows: list[Row] = []
+        for body in self.system.moving:
+            accelerations = [f.substitute(a, self.solved_accelerations) for a in self.body_accelerations[body.name]]
+            for k, slot in enumerate(_SLOTS[: 3 if body.turns else 2]):
+                row = dict(by_slot.get((body.name, slot), {}))
+                if not row:
+                    continue
+                rest = self.inertias[body.name][k] * accelerations[k] - self.load_wrenches[body.name][k]
+                if not rest.is_zero():
+                    row[RHS] = rest
+                rows.append(row)
+        return solve(f, rows, list(columns.values()), self.vanishes), columns
+
+    def multiplier(self, row: Held) -> Ratio:
+        """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
+        solved, columns = self._multipliers
+        column = columns[row.name]
+        names = {k: name for name, k in columns.items()}
+        if column in solved.free:
+            with_it = [column] + [c for c, r in solved.pivots.items() if column in r]
+        else:
+            with_it = [column] + [c for c in solved.pivots[column] if c != RHS]
+        if column in solved.free or len(with_it) > 1:
+            rows = ", ".join(sorted(names[c] for c in with_it))
+            raise CannotAnswer(
+                f"the reaction {row.name} is not unique: the constraints {rows} depend on each other, so rigid-body "
+                "mechanics fixes only a combination of their reactions. Remove one of them or make one part flexible"
+            )
+        return solved.pivots[column].get(RHS, self.field.zero)
+
+
+def _pose_elements(pose: Pose[Ratio]) -> tuple[Ratio, Ratio, Ratio]:
+    return pose.x, pose.y, pose.angle

@@ -1,0 +1,195 @@
+"""Signs of field elements under the declared signs of the parameters.
+
+Sufficient tests, never guesses: a polynomial whose terms all have one sign has it; a product has the product of
+the signs of its factors; with c^2 + s^2 = 1 either square may be replaced; a trigonometric polynomial is
+bounded by the sum of its amplitudes.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.tidy import Terms, fourier, sine_form, square_variants
+
+
+class Sign(Enum):
+    """What is known of an element for all admissible values."""
+
+    POSITIVE = "positive"
+    NONNEGATIVE = "not negative"
+    NEGATIVE = "negative"
+    NONPOSITIVE = "not positive"
+    ZERO = "zero"
+    UNKNOWN = "unknown"
+
+    def __neg__(self) -> Sign:
+        return _OPPOSITE[self]
+
+    @property
+    def is_strict(self) -> bool:
+        return self in (Sign.POSITIVE, Sign.NEGATIVE)
+
+
+_OPPOSITE = {
+    Sign.POSITIVE: Sign.NEGATIVE,
+    Sign.NEGATIVE: Sign.POSITIVE,
+    Sign.NONNEGATIVE: Sign.NONPOSITIVE,
+    Sign.NONPOSITIVE: Sign.NONNEGATIVE,
+    Sign.ZERO: Sign.ZERO,
+    Sign.UNKNOWN: Sign.UNKNOWN,
+}
+
+
+def sign_of(x: Ratio) -> Sign:
+    """The sign of an element, where it can be told."""
+    field = x.field
+    result = _product(field, x.num)
+    if x.den is not None:
+        result = times(result, _product(field, x.den))
+    return result
+
+
+def times(a: Sign, b: Sign) -> Sign:
+    if Sign.ZERO in (a, b):
+        return Sign.ZERO
+    if Sign.UNKNOWN in (a, b):
+        return Sign.UNKNOWN
+    negative = (a in (Sign.NEGATIVE, Sign.NONPOSITIVE)) != (b in (Sign.NEGATIVE, Sign.NONPOSITIVE))
+    if a.is_strict and b.is_strict:
+        return Sign.NEGATIVE if negative else Sign.POSITIVE
+    return Sign.NONPOSITIVE if negative else Sign.NONNEGATIVE
+
+
+def _product(field: Field, poly: object) -> Sign:
+    element = Ratio(field, poly, None)
+    if element.is_zero():
+        return Sign.ZERO
+    whole = _sum(field, field.terms(poly))
+    if whole is not Sign.UNKNOWN:
+        return whole
+    unit, factors = field.factor(poly)
+    result = Sign.POSITIVE if unit > 0 else Sign.NEGATIVE
+    for base, exponent in factors:
+        own = _sum(field, field.terms(base.num))
+        if exponent % 2 == 0:
+            own = Sign.POSITIVE if own.is_strict else Sign.NONNEGATIVE
+        result = times(result, own)
+    return result
+
+
+def is_positive(field: Field, g: int) -> bool:
+    """True for generators that are positive for all admissible values."""
+    generator = field.generators[g]
+    if generator.kind == "root" and generator.made_of:
+        if g not in field.positive_roots:
+            field.positive_roots[g] = sign_of(field.radicand(g)) is Sign.POSITIVE
+        return field.positive_roots[g]
+    return generator.positive
+
+
+def _with_root(field: Field, terms: Terms) -> Sign:
+    """a + b r with a root r >= 0: the common sign of a and b, else the sign of the larger of a^2 and b^2 r^2."""
+    roots = sorted({g for m in terms for g, _e in m if _is_root(field, g)}, reverse=True)
+    if not roots:
+        return Sign.UNKNOWN
+    r = roots[0]
+    parts = field.polynomial(terms).coefficients(r)
+    if len(parts) != 2:
+        return Sign.UNKNOWN
+    a, b = sign_of(parts[0]), sign_of(parts[1])
+    if Sign.UNKNOWN in (a, b):
+        return Sign.UNKNOWN
+    if parts[0].is_zero():
+        return times(b, Sign.POSITIVE if is_positive(field, r) else Sign.NONNEGATIVE)
+    negative_a, negative_b = (s in (Sign.NEGATIVE, Sign.NONPOSITIVE) for s in (a, b))
+    if negative_a == negative_b:
+        if a.is_strict:
+            return a
+        return Sign.NONPOSITIVE if negative_a else Sign.NONNEGATIVE
+    larger = sign_of(parts[0] * parts[0] - parts[1] * parts[1] * field.radicand(r))
+    if larger in (Sign.POSITIVE, Sign.NONNEGATIVE):
+        return times(larger, a)
+    if larger in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        return times(-larger, b)
+    return Sign.UNKNOWN
+
+
+def _sum(field: Field, terms: Terms) -> Sign:
+    if any(_is_root(field, g) for m in terms for g, _e in m):
+        found = _with_root(field, terms)
+        if found is not Sign.UNKNOWN:
+            return found
+    for variant in square_variants(field, terms):
+        found = _terms(field, variant)
+        if found is not Sign.UNKNOWN:
+            return found
+    return _amplitudes(field, terms)
+
+
+def _terms(field: Field, terms: Terms) -> Sign:
+    """All terms of one sign; strict if one term is."""
+    signs: set[bool] = set()
+    strict = False
+    for monomial, coefficient in terms.items():
+        odd = [g for g, e in monomial if e % 2]
+        if not all(is_positive(field, g) for g in odd if not _is_root(field, g)):
+            return Sign.UNKNOWN
+        signs.add(coefficient > 0)
+        strict = strict or all(is_positive(field, g) for g, _e in monomial)
+    if len(signs) != 1:
+        return Sign.UNKNOWN
+    positive = signs.pop()
+    if strict:
+        return Sign.POSITIVE if positive else Sign.NEGATIVE
+    return Sign.NONNEGATIVE if positive else Sign.NONPOSITIVE
+
+
+def _is_root(field: Field, g: int) -> bool:
+    return field.generators[g].kind == "root" and bool(field.generators[g].made_of)
+
+
+def _amplitudes(field: Field, terms: Terms) -> Sign:
+    """constant + sum of waves >= constant - sum of amplitudes."""
+    constant: dict[tuple[tuple[int, int], ...], object] = {}
+    total = field.zero
+    for monomial, coefficient in terms.items():
+        trig = tuple(i for i in monomial if field.generators[i[0]].kind in ("cos", "sin"))
+        fixed = tuple(i for i in monomial if field.generators[i[0]].kind not in ("cos", "sin"))
+        if not all(is_positive(field, g) for g, e in fixed if e % 2):
+            return Sign.UNKNOWN
+        for (is_sine, frequencies), share in fourier(field, trig).items():
+            constant.setdefault((fixed, is_sine, frequencies), field.zero)  # type: ignore[arg-type]
+            constant[fixed, is_sine, frequencies] += field.element(share * coefficient)  # type: ignore[operator,index]
+    lower = upper = total
+    # amplitudes of one wave are added over the fixed monomials before their size is taken
+    waves: dict[object, list[tuple[object, Ratio]]] = {}
+    for (fixed, is_sine, frequencies), share in constant.items():  # type: ignore[misc]
+        waves.setdefault((is_sine, frequencies), []).append((fixed, share))  # type: ignore[arg-type]
+    for (_is_sine, frequencies), parts in waves.items():  # type: ignore[misc]
+        for fixed, share in parts:
+            term = field.polynomial({fixed: 1}) * share  # type: ignore[dict-item]
+            if not frequencies:
+                lower, upper = lower + term, upper + term
+            else:
+                value = share.fraction() or 0
+                size = term if value > 0 else -term
+                lower, upper = lower - size, upper + size
+    low, high = _terms_of(field, lower), _terms_of(field, upper)
+    if low in (Sign.POSITIVE, Sign.NONNEGATIVE):
+        return low
+    if high in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        return high
+    return Sign.UNKNOWN
+
+
+def _terms_of(field: Field, x: Ratio) -> Sign:
+    if x.is_zero():
+        return Sign.NONNEGATIVE
+    own = _terms(field, field.terms(x.num))
+    if x.den is not None:
+        own = times(own, _terms(field, field.terms(x.den)))
+    return own
+
+
+__all__ = ["Sign", "sign_of", "sine_form", "times"]

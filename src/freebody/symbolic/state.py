@@ -1,0 +1,105 @@
+"""The symbolic route's view of a system at an instant: everything as a field element in q, u and t."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, differentiate, free_symbols, number, substitute
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Push, RateMeasure
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+
+_POLYNOMIAL_LIMIT = 12
+
+
+class SymbolicState:
+    """A general instant, or with `values` one at which some generators have given elements (the start)."""
+
+    def __init__(self, model: SymbolicModel, values: Mapping[int, Ratio] | None = None) -> None:
+        self.model = model
+        self.values = dict(values or {})
+
+    def here(self, x: Ratio) -> Ratio:
+        """An element at this instant."""
+        if not self.values:
+            return x
+        return self.model.field.follow(self.model.in_independent_speeds(x), self.values)
+
+    def scalar(self, expr: Expr) -> Ratio:
+        return self.model.geometry.scalar(expr)
+
+    def value(self, measure: Measure) -> Ratio:
+        return self.here(measure.value(self.model.geometry))
+
+    def _rate(self, measure: Measure | RateMeasure) -> Ratio:
+        m = self.model
+        if isinstance(measure, RateMeasure):
+            total = m.field.zero
+            for coefficient, part in measure.terms:
+                total = total + coefficient.value(m.geometry) * m.rate(part.value(m.geometry))
+            return total
+        return m.rate(measure.value(m.geometry))
+
+    def rate(self, measure: Measure | RateMeasure) -> Ratio:
+        return self.here(self.model.in_independent_speeds(self._rate(measure)))
+
+    def acceleration(self, measure: Measure | RateMeasure) -> Ratio:
+        m = self.model
+        second = m.rate(self._rate(measure))
+        if second.generators() & set(m.accelerations):
+            second = m.field.substitute(second, m.solved_accelerations)
+        return self.here(second)
+
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[Ratio, Ratio, Ratio]:
+        slopes = self.model.gradient(measure)
+        zero = self.model.field.zero
+        x, y, turn = (self.here(slopes.get((body, slot), zero)) for slot in ("x", "y", "angle"))
+        return x, y, turn
+
+    def multiplier(self, row: Held) -> Ratio:
+        return self.here(self.model.multiplier(row))
+
+    def law(self, push: Push) -> Ratio:
+        return self.here(self.model.law(push))
+
+    def potential(self, push: Push) -> Ratio:
+        """-integral of the law over its measure, for laws that are polynomials in it."""
+        field = self.model.field
+        coefficients = law_polynomial(push)
+        assert not isinstance(push.measure, RateMeasure)
+        value = push.measure.value(self.model.geometry) - self.model.start_constant(push)
+        total = field.zero
+        for k, coefficient in enumerate(coefficients):
+            total = total - self.scalar(coefficient) * value ** (k + 1) / (k + 1)
+        return self.here(total)
+
+    def sqrt(self, x: Any) -> Ratio:
+        return self.model.field.sqrt(x, self.model.is_negative)
+
+
+def law_polynomial(push: Push) -> list[Expr]:
+    """Coefficients c_k of a law sum c_k value^k. Raises CannotAnswer if the load has no such potential."""
+    if isinstance(push.measure, RateMeasure):
+        raise CannotAnswer(f"{push.load} turns with a body and has no potential energy")
+    symbols = free_symbols(push.law)
+    if push.measures or {"@rate", "t"} & symbols or "rate(" in str(push.law):
+        raise CannotAnswer(f"{push.load} depends on time, a rate or another measure and has no potential energy")
+    coefficients: list[Expr] = []
+    derivative = push.law
+    factorial = 1
+    for k in range(_POLYNOMIAL_LIMIT):
+        try:
+            coefficients.append(substitute(derivative, {"@value": number(0)}) * Fraction(1, factorial))
+        except ZeroDivisionError:
+            raise CannotAnswer(f"the law of {push.load} is singular at 0 and no polynomial") from None
+        derivative = differentiate(derivative, "@value")
+        if "@value" not in free_symbols(derivative):
+            if derivative != number(0):
+                coefficients.append(derivative * Fraction(1, factorial * (k + 1)))
+            return coefficients
+        factorial *= k + 1
+    raise CannotAnswer(f"the law of {push.load} is no polynomial in its measure, so its potential is not closed")

@@ -1,0 +1,432 @@
+"""The form that people read: factored, collected, angles gathered, shortest of several exact forms.
+
+Every candidate is the same element written differently; the one with the fewest operations wins. Products of
+sines and cosines of different angles are turned into functions of sums and differences (Fourier form):
+c1 c2 + s1 s2 = cos(theta1 - theta2).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from freebody.language.expression import (
+    Call,
+    Expr,
+    Number,
+    Product,
+    Sum,
+    add,
+    divide,
+    multiply,
+    n_operations,
+    negate,
+    number,
+    power,
+)
+from freebody.symbolic.field import Field, Poly, Ratio, declaration_order, has_lonely_symbol, primitive
+
+Monomial = tuple[tuple[int, int], ...]
+Terms = dict[Monomial, int]
+# order in which factors of a product are written
+_PLACE = {
+    "parameter": 0,
+    "time": 1,
+    "coordinate": 2,
+    "speed": 3,
+    "acceleration": 4,
+    "cos": 5,
+    "sin": 5,
+    "function": 5,
+    "root": 6,
+}
+_EXPANDED_TERMS = 12  # larger sums are always shorter collected
+_FACTOR_TERMS = 600  # larger polynomials are not factored
+
+
+def tidy(x: Ratio) -> Expr:
+    """The readable expression of an element."""
+    x = _root_on_top(_without_numeric_roots(x.field.lowest_terms(x)))
+    if x.den is not None and _is_below_zero(x.denominator()):
+        x = Ratio(x.field, -x.num, -x.den)
+    absorbed = _root_of_a_quotient(x)
+    if absorbed is not None:
+        return absorbed
+    top = _poly(x.field, x.num)
+    if x.den is None:
+        return top
+    bottom = _poly(x.field, x.den)
+    return _fraction(top, bottom)
+
+
+def _root_of_a_quotient(x: Ratio) -> Expr | None:
+    """a sqrt(r)/(b f) with f dividing r, as a/b sqrt((r/f)/f): sqrt(L g)/g is sqrt(L/g)."""
+    field = x.field
+    if x.den is None:
+        return None
+    _unit, factors = field.factor(x.num)
+    roots = [base for base, e in factors if e == 1 and len(base.generators()) == 1 and _is_root_generator(field, base)]
+    if len(roots) != 1:
+        return None
+    inside = field.radicand(field.index(roots[0]))
+    outside = x / roots[0]
+    changed = False
+    _u, below = field.factor(x.den)
+    for base, _e in below:
+        if (inside.numerator() / base).den is None and sign_is_positive(base):
+            inside, outside = inside / base / base, outside * base
+            changed = True
+    if not changed:
+        return None
+    front = tidy(outside)
+    root = Call("sqrt", tidy(inside))
+    return root if front == number(1) else multiply(*_factors(front), root)
+
+
+def _is_root_generator(field: Field, base: Ratio) -> bool:
+    (index,) = base.generators()
+    generator = field.generators[index]
+    return generator.kind == "root" and bool(generator.made_of) and len(field.terms(base.num)) == 1
+
+
+def sign_is_positive(x: Ratio) -> bool:
+    from freebody.symbolic.signs import Sign, sign_of
+
+    return sign_of(x) is Sign.POSITIVE
+
+
+def _is_below_zero(x: Ratio) -> bool:
+    from freebody.symbolic.signs import Sign, sign_of
+
+    return sign_of(x) in (Sign.NEGATIVE, Sign.NONPOSITIVE)
+
+
+def _fraction(top: Expr, bottom: Expr) -> Expr:
+    """top/bottom with the sign in front and the numbers gathered."""
+    n_top, rest_top = _number_part(top)
+    n_bottom, rest_bottom = _number_part(bottom)
+    ratio = n_top / n_bottom
+    if ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
+        ratio, rest_bottom = -ratio, _positive_first([negate(t) for t in rest_bottom.terms])
+    up = multiply(number(ratio.numerator), *_factors(rest_top))
+    down = multiply(number(ratio.denominator), *_factors(rest_bottom))
+    return divide(up, down)
+
+
+def _number_part(e: Expr) -> tuple[Fraction, Expr]:
+    if isinstance(e, Number):
+        return e.value, number(1)
+    if isinstance(e, Product) and isinstance(e.factors[0], Number):
+        return e.factors[0].value, multiply(*e.factors[1:])
+    return Fraction(1), e
+
+
+def _factors(e: Expr) -> tuple[Expr, ...]:
+    return e.factors if isinstance(e, Product) else (e,)
+
+
+def _root_on_top(x: Ratio) -> Ratio:
+    """a/(b sqrt(r)) = a sqrt(r)/(b r)."""
+    field = x.field
+    if x.den is None:
+        return x
+    _unit, factors = field.factor(x.den)
+    for base, _e in factors:
+        if len(base.generators()) == 1 and _is_root_generator(field, base):
+            return field.quotient((x.numerator() * base).num, (x.denominator() * base).num)
+    return x
+
+
+def _without_numeric_roots(x: Ratio) -> Ratio:
+    """1/(a + b sqrt(n)) = (a - b sqrt(n))/(a^2 - n b^2) for roots of numbers n."""
+    field = x.field
+    while x.den is not None:
+        den = x.denominator()
+        roots = [g for g in den.generators() if field.generators[g].kind == "root" and not field.generators[g].made_of]
+        if not roots:
+            return x
+        parts = den.coefficients(roots[0])
+        if len(parts) != 2:
+            return x
+        conjugate = parts[0] - parts[1] * field.variable(roots[0])
+        if (den * conjugate).is_zero():
+            return x
+        # multiplying numerator and denominator separately keeps the root out of the denominator
+        x = field.quotient((x.numerator() * conjugate).num, (den * conjugate).num)
+    return x
+
+
+def _poly(field: Field, poly: Poly) -> Expr:
+    """The shortest of the candidate forms of a polynomial."""
+    if poly == 0:
+        return number(0)
+    best: Expr | None = None
+    for candidate in _candidates(field, poly):
+        if best is None or n_operations(candidate) < n_operations(best):
+            best = candidate
+    assert best is not None
+    return best
+
+
+def _candidates(field: Field, poly: Poly) -> list[Expr]:
+    found: list[Expr] = []
+    terms = field.terms(poly)
+    if len(terms) <= _FACTOR_TERMS:
+        # long sums over several angles hardly ever factor
+        several = len(field.pairs(field.used(poly))) > 1
+        unit, factors = field.factor(poly, is_quick=several)
+        if len(factors) > 1 or (factors and factors[0][1] > 1):
+            parts: list[tuple[tuple[int, int], Expr]] = []
+            for base, exponent in factors:
+                shown = _sum(field, base.num)
+                parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
+            parts.sort(key=lambda item: item[0])
+            found.append(_signed_product(unit, [e for _p, e in parts]))
+            if sum(len(field.terms(base.num)) > 1 for base, _e in factors) <= 1:
+                return found  # only symbols came out in front: no other form is shorter
+    found.append(_sum(field, poly))
+    return found
+
+
+def _signed_product(unit: int, parts: list[Expr]) -> Expr:
+    """Turns a factor such as (m2 - m1) round so that the product has no sign in front, if one can."""
+    if unit < 0:
+        for k, part in enumerate(parts):
+            n, rest = _number_part(part)
+            if isinstance(rest, Sum) and 2 * sum(map(_is_negative, rest.terms)) >= len(rest.terms):
+                parts[k] = _positive_first([negate(t) for t in rest.terms])
+                return multiply(number(-unit * n), *parts)
+    return multiply(number(unit), *parts)
+
+
+def _place(field: Field, base: Ratio) -> tuple[int, int]:
+    """Simple symbols first, sums last, each in order of declaration."""
+    generators = base.generators()
+    if len(field.terms(base.num)) == 1 and len(generators) == 1:
+        (index,) = generators
+        return _PLACE[field.generators[index].kind], index
+    return 4 if base.is_constant() else 9, min(generators, default=0)
+
+
+def _sum(field: Field, poly: Poly) -> Expr:
+    """A sum without factoring it as a whole: the shortest of expanded, collected, gathered, with either square."""
+    base = field.terms(poly)
+    if len(base) == 1:
+        return _monomials(field, base)
+    best: Expr | None = None
+    for terms in square_variants(field, base):
+        variants: list[Expr | None] = [_collected(field, terms, gather=False), _collected(field, terms, gather=True)]
+        if len(terms) <= _EXPANDED_TERMS:
+            variants.append(_monomials(field, terms))
+        for e in variants:
+            if e is None:
+                continue
+            if best is None or n_operations(e) < n_operations(best):
+                best = e
+    assert best is not None
+    return best
+
+
+def square_variants(field: Field, terms: Terms) -> list[Terms]:
+    """The polynomial with c^2 for each angle, or with c^2 = 1 - s^2 put in where cosines are squared."""
+    variants = [terms]
+    for c, s in field.pairs(g for m in terms for g, _e in m):
+        if any(dict(m).get(c, 0) >= 2 for m in terms):
+            variants += [sine_form(v, c, s) for v in list(variants)][:4]
+    return variants
+
+
+def sine_form(terms: Mapping[Monomial, int], c: int, s: int) -> Terms:
+    result: Terms = {}
+    for monomial, coefficient in terms.items():
+        exponents = dict(monomial)
+        n, odd = divmod(exponents.pop(c, 0), 2)
+        power_s = exponents.pop(s, 0)
+        binomial = 1
+        for k in range(n + 1):
+            parts = dict(exponents)
+            if odd:
+                parts[c] = 1
+            if power_s + 2 * k:
+                parts[s] = power_s + 2 * k
+            key = tuple(sorted(parts.items()))
+            value = result.get(key, 0) + coefficient * binomial * (-1) ** k
+            if value:
+                result[key] = value
+            else:
+                result.pop(key, None)
+            binomial = binomial * (n - k) // (k + 1)
+    return result
+
+
+def _monomials(field: Field, terms: Mapping[Monomial, int]) -> Expr:
+    ordered = sorted(terms.items(), key=lambda item: declaration_order(item[0]))
+    content = 0
+    for _m, c in ordered:
+        content = math.gcd(content, c)
+    if content > 1 and len(ordered) > 1:
+        inner = _positive_first([_monomial(field, m, c // content) for m, c in ordered])
+        return multiply(number(content), *_factors(inner))
+    return _positive_first([_monomial(field, m, c) for m, c in ordered])
+
+
+def _positive_first(terms: list[Expr]) -> Expr:
+    """A sum that does not begin with a minus sign, if it need not."""
+    if terms and _is_negative(terms[0]):
+        for k, term in enumerate(terms):
+            if not _is_negative(term):
+                return add(term, *terms[:k], *terms[k + 1 :])
+        if len(terms) > 1:
+            return negate(add(*(negate(term) for term in terms)))
+    return add(*terms)
+
+
+def _is_negative(e: Expr) -> bool:
+    return _number_part(e)[0] < 0
+
+
+def _monomial(field: Field, monomial: Monomial, coefficient: int) -> Expr:
+    parts = sorted(monomial, key=lambda item: (_PLACE[field.generators[item[0]].kind], item[0]))
+    factors = [shown(field, g) if e == 1 else power(shown(field, g), number(e)) for g, e in parts]
+    return multiply(number(coefficient), *factors)
+
+
+def shown(field: Field, index: int) -> Expr:
+    """A generator as it is displayed; roots with a tidy radicand."""
+    generator = field.generators[index]
+    if generator.kind == "root" and generator.made_of:
+        return Call("sqrt", tidy(field.radicand(index)))
+    return generator.display
+
+
+def _collected(field: Field, terms: Mapping[Monomial, int], *, gather: bool) -> Expr | None:
+    """Collected by what moves; to `gather` is to write sines and cosines as functions of sums of angles in
+    every group of terms in which functions of different angles are multiplied."""
+    mixed: set[Monomial] = set()
+    if gather:
+        for monomial in terms:
+            angles = {min(p) for p in field.pairs(g for g, _e in monomial if not _is_fixed(field, g))}
+            if len(angles) > 1:
+                mixed.add(_plain(field, monomial))
+        if not mixed:
+            return None  # nothing to gather
+    groups: dict[Any, Terms] = {}
+    pieces: dict[Any, Expr] = {}
+    for monomial, coefficient in terms.items():
+        fixed = tuple(i for i in monomial if _is_fixed(field, i[0]))
+        moving = tuple(i for i in monomial if not _is_fixed(field, i[0]))
+        if not gather or _plain(field, monomial) not in mixed:
+            pieces[moving] = _monomial(field, moving, 1)
+            group = groups.setdefault(moving, {})
+            group[fixed] = group.get(fixed, 0) + coefficient
+            continue
+        plain = tuple(i for i in moving if field.generators[i[0]].kind not in ("cos", "sin"))
+        trig = tuple(i for i in moving if field.generators[i[0]].kind in ("cos", "sin"))
+        for (is_sine, frequencies), share in fourier(field, trig).items():
+            key = (plain, is_sine, frequencies)
+            pieces[key] = multiply(_monomial(field, plain, 1), _wave(field, is_sine, frequencies))
+            group = groups.setdefault(key, {})
+            # shares are multiples of a power of 1/2; kept exact by a common denominator below
+            group[fixed] = group.get(fixed, 0) + share * coefficient  # type: ignore[assignment]
+    common, content = 1, 0
+    for group in groups.values():
+        for share in group.values():
+            common = math.lcm(common, Fraction(share).denominator)
+    whole = {key: {m: int(Fraction(c) * common) for m, c in group.items() if c} for key, group in groups.items()}
+    for group in whole.values():
+        content = math.gcd(content, *group.values())
+    if content == 0:
+        return number(0)
+    shown_terms: list[Expr] = []
+    for key, group in whole.items():
+        if group:
+            coefficient = _factored(field, {m: c // content for m, c in group.items()})
+            shown_terms.append(multiply(*_factors(coefficient), *_factors(pieces[key])))
+    ratio = Fraction(content, common)
+    total = multiply(number(ratio.numerator), *_factors(_positive_first(shown_terms)))
+    return _fraction(total, number(ratio.denominator))
+
+
+def _is_fixed(field: Field, g: int) -> bool:
+    """True for parameters and constant functions of them; roots of expressions are kept apart."""
+    generator = field.generators[g]
+    return field.is_constant_generator(g) and not (generator.kind == "root" and generator.made_of)
+
+
+def _plain(field: Field, monomial: Monomial) -> Monomial:
+    """What moves in a term, without sines and cosines."""
+    return tuple(
+        i for i in monomial if not _is_fixed(field, i[0]) and field.generators[i[0]].kind not in ("cos", "sin")
+    )
+
+
+def _factored(field: Field, terms: Mapping[Monomial, int]) -> Expr:
+    """A polynomial in parameters, factored where that is shorter."""
+    if len(terms) == 1:
+        return _monomials(field, terms)
+    content, common, rest = primitive(terms)
+    if has_lonely_symbol(rest):
+        front = _monomial(field, tuple(sorted(common.items())), content)
+        return multiply(*_factors(front), *_factors(_monomials(field, rest)))
+    poly = field.polynomial(terms)
+    unit, factors = field.factor(poly.num)
+    plain = _monomials(field, terms)
+    parts = sorted(((_place(field, b), b, e) for b, e in factors), key=lambda item: item[0])
+    product = _signed_product(
+        unit,
+        [power(_monomials(field, field.terms(b.num)), number(e)) for _p, b, e in parts],
+    )
+    return product if n_operations(product) <= n_operations(plain) else plain
+
+
+def fourier(field: Field, trig: Monomial) -> dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction]:
+    """A product of sines and cosines as a sum of sines and cosines of sums of angles, by
+    c = (e + 1/e)/2, s = (e - 1/e)/(2i)."""
+    if trig not in field.waves:
+        field.waves[trig] = _fourier(field, trig)
+    return field.waves[trig]
+
+
+def _fourier(field: Field, trig: Monomial) -> dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction]:
+    waves: dict[tuple[tuple[int, int], ...], tuple[Fraction, Fraction]] = {(): (Fraction(1), Fraction(0))}
+    for g, exponent in trig:
+        is_sine = field.generators[g].kind == "sin"
+        angle = g - 1 if is_sine else g
+        for _ in range(exponent):
+            fresh: dict[tuple[tuple[int, int], ...], tuple[Fraction, Fraction]] = {}
+            for key, (re, im) in waves.items():
+                for step in (1, -1):
+                    k = dict(key)
+                    k[angle] = k.get(angle, 0) + step
+                    new = tuple(sorted((a, n) for a, n in k.items() if n))
+                    if is_sine:  # (re + i im)(step/(2i)) = step (im - i re)/2
+                        add_re, add_im = step * im / 2, -step * re / 2
+                    else:
+                        add_re, add_im = re / 2, im / 2
+                    old = fresh.get(new, (Fraction(0), Fraction(0)))
+                    fresh[new] = old[0] + add_re, old[1] + add_im
+            waves = fresh
+    result: dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction] = {}
+    for key, (re, im) in waves.items():
+        # e^{ik} pairs with e^{-ik}: re cos k - im sin k, from each member of the pair
+        flip = bool(key) and key[0][1] < 0
+        standard = tuple((a, -n) for a, n in key) if flip else key
+        if re:
+            result[False, standard] = result.get((False, standard), Fraction(0)) + re
+        if im:
+            share = im if flip else -im
+            result[True, standard] = result.get((True, standard), Fraction(0)) + share
+    return {k: v for k, v in result.items() if v}
+
+
+def _wave(field: Field, is_sine: bool, frequencies: tuple[tuple[int, int], ...]) -> Expr:
+    if not frequencies:
+        return number(1)
+    parts: list[Expr] = []
+    for angle, n in frequencies:
+        display = field.generators[angle].display
+        assert isinstance(display, Call)
+        parts.append(multiply(number(n), display.argument))
+    return Call("sin" if is_sine else "cos", add(*parts))
