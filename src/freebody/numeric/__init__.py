@@ -1,0 +1,1 @@
+"""The numeric route: absolute coordinates in floating point."""

@@ -1,0 +1,29 @@
+"""A number, or why there is none: every failure of floating-point arithmetic is told in the user's names."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import Any
+
+from freebody.errors import CannotAnswer
+
+
+def finite(value: Any) -> float:
+    """The number, if it is one. Raises ValueError for infinities and undefined values."""
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError("the result is not finite")
+    return number
+
+
+@contextmanager
+def named(name: str) -> Generator[None]:
+    """Says in whose name something has no value."""
+    try:
+        yield
+    except CannotAnswer as error:
+        raise CannotAnswer(f"{name}: {error}") from None
+    except (ArithmeticError, ValueError) as error:
+        raise CannotAnswer(f"{name} has no value here: {error}") from None

@@ -1,0 +1,111 @@
+"""The accelerations and multipliers of one instant.
+
+With J the gradients of the held measures, M the masses and Q the generalized forces of the loads,
+
+    M a = Q + J^T lambda,        J a = target'' - bias.
+
+a_p is the smallest solution of the second equation. What the held measures leave free follows, with N a basis
+of the free directions, from  N^T M N z = N^T (Q - M a_p),  a = a_p + N z;  and lambda from the first equation.
+Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 7 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric.checks import finite, named
+from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
+from freebody.numeric.split import RANK_CUT, Split, stack
+
+if TYPE_CHECKING:
+    from freebody.numeric.reference import Reference
+
+
+@dataclass(frozen=True)
+class Dynamics:
+    """What follows from the pose and the velocities of an instant."""
+
+    accelerations: Array
+    multipliers: Array
+    split: Split
+
+
+def dynamics(reference: Reference, g: JetGeometry, cut: float | None = None) -> Dynamics:
+    """Accelerations and multipliers. A motion runs through singular poses with a `cut`; without one,
+    contradictions there are refused."""
+    n, M = len(reference.masses), reference.masses
+    gaps = [reference.gap(row, g) for row in reference.system.held]
+    J = stack([gap.row(n) for gap in gaps], n)
+    b = np.array([-gap.bias for gap in gaps])
+    Q = forces(reference, g)
+    split = Split(J, reference.sizes.small_moves, cut or RANK_CUT)
+    a = split.least(b)
+    if cut is None:
+        _check_consistent(reference, split, J @ a - b, b)
+    N = split.null
+    if N.shape[1]:
+        inertia = N.T @ (M[:, None] * N)
+        check_inertia(reference, N, inertia)
+        a = a + N @ np.linalg.solve(inertia, N.T @ (Q - M * a))
+    multipliers = split.multipliers(M * a - Q)
+    if not (np.isfinite(a).all() and np.isfinite(multipliers).all()):
+        raise CannotAnswer(f"the accelerations at t = {g.time.value:.6g} s are not finite")
+    return Dynamics(a, multipliers, split)
+
+
+def forces(reference: Reference, g: JetGeometry) -> Array:
+    """Generalized forces of all loads."""
+    return sum(each_force(reference, g), np.zeros(len(reference.masses)))
+
+
+def each_force(reference: Reference, g: JetGeometry) -> Iterator[Array]:
+    """Generalized forces, load by load."""
+    for push in reference.system.pushes:
+        measure = reference.jet(g, push.measure, push.name)
+        if measure.gradient is not None:
+            yield law(reference, g, push, measure) * measure.gradient
+
+
+def law(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None = None) -> float:
+    """The generalized force of a load, whose measure may be known already."""
+    needed = free_symbols(push.law)
+    names: dict[str, float] = {**reference.frame.values, TIME: g.time.value}
+    if VALUE.name in needed or RATE.name in needed:
+        own = measure or reference.jet(g, push.measure, push.name)
+        names[RATE.name] = own.rate
+        if not isinstance(push.measure, RateMeasure):
+            names[VALUE.name] = own.value - reference.start_value(push.measure)
+    for name, other in push.measures:
+        jet = reference.jet(g, other, name)
+        names[name], names[f"rate({name})"] = jet.value, jet.rate
+    with named(push.name):
+        return finite(evaluate(push.law, names, FLOAT_FUNCTIONS))
+
+
+def _check_consistent(reference: Reference, split: Split, gaps: Array, b: Array) -> None:
+    gaps, b = split.row_scale * np.abs(gaps), split.row_scale * np.abs(b)
+    if gaps.size and gaps.max() > 1e-6 * b.max() + 1e-9 * split.row_scale.max() * reference.sizes.length:
+        k = int(gaps.argmax())
+        raise CannotAnswer(
+            f"{reference.system.held[k].name} cannot go on moving as it does: the connections contradict each "
+            "other in this singular pose"
+        )
+
+
+def check_inertia(reference: Reference, N: Array, inertia: Array) -> None:
+    """Raises CannotAnswer naming a body that can move along N without inertia."""
+    values, vectors = np.linalg.eigh(inertia)
+    if values[0] > RANK_CUT:
+        return
+    loose = reference.most_moved(N @ vectors[:, 0])
+    raise CannotAnswer(
+        f"{loose} can move without inertia, so its acceleration is not determined. Give it a mass (and a "
+        "moment of inertia), or hold it"
+    )

@@ -1,0 +1,82 @@
+"""Small undamped motions M z'' + K z = 0 about an equilibrium q, and their frequencies.
+
+With N a basis of what the connections leave free at q and B N = 1, the poses q(z) hold everything and have
+B (q(z) - q) = z; then
+
+    M = N^T M_bodies N,        K = -d/dz [(dq/dz)^T Q(q(z))],        det(K - omega^2 M) = 0.
+
+K is taken by differences of order 4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.numeric.instant import check_inertia, each_force, forces
+from freebody.numeric.jets import Array, Branch
+from freebody.numeric.placing import Equation
+
+if TYPE_CHECKING:
+    from freebody.numeric.reference import Reference
+
+
+def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float]) -> tuple[Array, Array]:
+    """(M, K), z along independent directions. Raises CannotAnswer if q is no equilibrium."""
+    equations, D, n = reference.held_where(q, 0.0), reference.sizes.small_moves, len(q)
+    N = reference.split_at(q, branches).null
+    k = int(N.shape[1])
+    back = N.T / D**2  # N = D V with V^T V = 1, so back @ N = 1
+    mass = N.T @ (reference.masses[:, None] * N)
+    if k:
+        check_inertia(reference, N, mass)
+
+    def force(z: Array) -> Array:
+        pinned = [Equation.along(back[i], q, float(z[i])) for i in range(k)]
+        fit = reference.placing.placed(q + N @ z, equations + pinned, 0.0, branches)
+        free = reference.split_at(fit.q, branches).null
+        slopes = free @ np.linalg.inv(back @ free)
+        return slopes.T @ forces(reference, reference.geometry(fit.q, np.zeros(n), 0.0, branches))
+
+    pull, g = force(np.zeros(k)), reference.geometry(q, np.zeros(n), 0.0, branches)
+    # loads may cancel each other at rest, so the scale is that of each of them
+    scale = sum(float(np.linalg.norm(D * load)) for load in each_force(reference, g))
+    K = np.zeros((k, k))
+    moved = 0.0  # what the loads come to a thousandth of the size away
+    for i in range(k):
+        h = 1e-3 / reference.sizes.relative(N[:, i]).max()
+        z = np.zeros(k)
+        z[i] = h
+        moved = max(moved, float(np.linalg.norm(force(z))))
+        K[:, i] = -(8.0 * (force(z) - force(-z)) - (force(2.0 * z) - force(-2.0 * z))) / (12.0 * h)
+    if np.linalg.norm(pull) > 1e-7 * scale + 1e-5 * moved:
+        raise CannotAnswer(
+            f"this pose is no equilibrium: the loads set {reference.most_moved(N @ pull)} in motion. Ask for "
+            "the frequencies about an equilibrium"
+        )
+    return mass, K
+
+
+def frequencies(mass: Array, K: Array) -> Array:
+    """Natural angular frequencies [rad/s], ascending; 0 for a direction without stiffness. Raises CannotAnswer
+    if the equilibrium is unstable."""
+    if not len(mass):
+        return np.zeros(0)
+    root = np.linalg.inv(np.linalg.cholesky(mass))
+    A = root @ K @ root.T
+    largest = float(np.abs(A).max())
+    if np.abs(A - A.T).max() <= 1e-7 * largest:
+        squares = np.linalg.eigvalsh((A + A.T) / 2.0)
+    else:
+        eigenvalues = np.linalg.eigvals(A)
+        if np.abs(eigenvalues.imag).max() > 1e-7 * largest:
+            raise CannotAnswer("the loads have no potential, and the motion about this pose grows (flutter)")
+        squares = np.sort(eigenvalues.real)
+    squares[np.abs(squares) < 1e-9 * largest] = 0.0
+    if squares[0] < 0.0:
+        raise CannotAnswer(f"the equilibrium is unstable: a small motion grows at {math.sqrt(-squares[0]):.6g} 1/s")
+    return np.sqrt(squares)

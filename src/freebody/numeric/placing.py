@@ -1,0 +1,154 @@
+"""Finding a pose: the nearest one, by the masses, in which all gaps F(q) of some equations vanish.
+
+Damped Gauss-Newton, with A the gradients of the weighted gaps and D the metric of the masses:
+
+    step = -D A^T (A A^T + mu)^(-1) F,        mu in proportion to |F|^2, which keeps convergence quadratic
+
+and where the gaps are small, the smallest step that closes them in a rank-revealing sense, so that equations
+may say the same thing more than once.
+Source: Levenberg-Marquardt after Yamashita & Fukushima, Computing Suppl. 15, 2001, 239-249.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.base import Measure
+from freebody.model.elements import RateMeasure
+from freebody.numeric.jets import Array, Branch, Frame, Jet, JetGeometry
+from freebody.numeric.sizes import Sizes
+from freebody.numeric.split import Split
+
+TOLERANCE = 4e-13  # at which a pose is good enough to stop, by the size of the system
+ACCEPTED = 1e-11  # up to which it is accepted where rounding stops the improvement
+N_STEPS = 200
+
+
+@dataclass(frozen=True)
+class Equation:
+    """A condition on the pose: a gap that must vanish."""
+
+    name: str
+    unit: str
+    gap: Callable[[JetGeometry], Jet]
+
+    @classmethod
+    def of(cls, name: str, measure: Measure | RateMeasure, target: Jet | Callable[[JetGeometry], Jet]) -> Equation:
+        """A measure is at its target, angles of lines counted so that they are near it."""
+
+        def gap(g: JetGeometry) -> Jet:
+            wanted = target if isinstance(target, Jet) else target(g)
+            return g.of_near(measure, wanted.value) - wanted
+
+        return cls(name, _unit(measure.dimension), gap)
+
+    @classmethod
+    def along(cls, direction: Array, q: Array, length: float) -> Equation:
+        """The pose has moved from q by so much, seen along a direction."""
+        size = float(np.linalg.norm(direction))
+        row = direction / size
+        return cls("a direction of motion", "", lambda g: Jet(float(row @ (g.q - q)) - length / size, row))
+
+
+def _unit(dimension: Dimension) -> str:
+    return {LENGTH: "m", DIMENSIONLESS: "rad"}.get(dimension, str(dimension))
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A pose, how far it is from fulfilling its equations, and the gradients of these."""
+
+    q: Array
+    gaps: Array
+    rows: Array
+    weights: Array  # make the gaps numbers by the size of the system
+    extent: float  # how far the system reaches, by its size
+    equations: Sequence[Equation]
+    branches: Mapping[Branch, float]
+
+    @property
+    def error(self) -> float:
+        return float(np.abs(self.weights * self.gaps).max(initial=0.0)) / self.extent
+
+    @property
+    def worst(self) -> str:
+        k = int(np.abs(self.weights * self.gaps).argmax())
+        return f"{self.equations[k].name} is off by {abs(self.gaps[k]):.3g} {self.equations[k].unit}"
+
+
+@dataclass(frozen=True)
+class Placing:
+    """Poses of one system in numbers."""
+
+    frame: Frame
+    sizes: Sizes
+
+    def placed(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit:
+        """The pose near q that fulfils the equations. Raises CannotAnswer if there is none in reach."""
+        fit = self.fit(q, equations, t, near)
+        if fit is None:
+            raise CannotAnswer(f"a held measure has no value in the pose at t = {t:.6g} s")
+        if fit.error > ACCEPTED:
+            raise CannotAnswer(f"no pose in reach at t = {t:.6g} s holds everything: {fit.worst}")
+        return fit
+
+    def fit(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit | None:
+        """The best pose that steps from q lead to. None where a measure has no value at q."""
+        here = self._gaps(q, equations, t, near)
+        if here is None:
+            return None
+        D = self.sizes.small_moves * math.sqrt(self.sizes.mass) * self.sizes.length
+        damping = 1e-2
+        for _ in range(N_STEPS):
+            if here.error <= TOLERANCE:
+                break
+            A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps
+            is_close = here.error < 1e-6
+            if is_close:
+                step = -Split(here.rows, self.sizes.small_moves).least(here.gaps)
+            else:
+                if np.linalg.norm(A.T @ F) <= 1e-9 * np.linalg.norm(F) * np.linalg.norm(A):
+                    break  # a stationary point of the gaps: nearer than this it does not get from here
+                mu = damping * float(F @ F)
+                step = -D * (A.T @ _damped(A @ A.T, mu, F))
+            step = step * min(1.0, 0.5 / max(float(self.sizes.relative(step).max(initial=0.0)), 1e-300))
+            there = self._gaps(here.q + step, equations, t, here.branches)
+            if there is not None and np.linalg.norm(there.weights * there.gaps) < np.linalg.norm(F):
+                here, damping = there, max(0.1 * damping, 1e-12)
+            elif is_close or damping > 1e12:
+                break
+            else:
+                damping *= 10.0
+        return here
+
+    def _gaps(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit | None:
+        g = JetGeometry(self.frame, q, np.zeros_like(q), t, near)
+        try:
+            gaps = [equation.gap(g) for equation in equations]
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None
+        values = np.array([gap.value for gap in gaps])
+        rows = np.array([gap.row(len(q)) for gap in gaps]).reshape(len(gaps), len(q))
+        if not (np.isfinite(values).all() and np.isfinite(rows).all()):
+            return None
+        weights = np.array([1.0 / self.sizes.length if equation.unit == "m" else 1.0 for equation in equations])
+        extent = max(1.0, self.sizes.relative(q).max(initial=0.0))
+        return Fit(q, values, rows, weights, extent, equations, g.angles)
+
+
+def _damped(square: Array, mu: float, F: Array) -> Array:
+    """(square + mu) x = F; by least squares where equations that say the same thing make it singular."""
+    damped = square + mu * np.eye(len(F))
+    x: Any
+    try:
+        x = np.linalg.solve(damped, F)
+    except np.linalg.LinAlgError:
+        x = np.linalg.lstsq(damped, F, rcond=1e-13)[0]
+    return x

@@ -1,0 +1,258 @@
+"""The reference route: a system in plain numbers, by the shortest way from the statements of its measures.
+
+Absolute coordinates q hold x, y and theta of every moving body (a particle has no theta). With J the
+gradients of the held measures, the accelerations a and the multipliers lambda solve
+
+    M a = Q + J^T lambda,        J a = target'' - bias.
+
+Every solution is rank-revealing in the metric of the masses, so redundant connections are allowed and
+massless bodies too; what is then not unique is refused by name. SI units throughout, angles in rad.
+Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 7 and 8.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, InputError
+from freebody.language.expression import Expr, evaluate
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, RateMeasure
+from freebody.numeric.checks import finite, named
+from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
+from freebody.numeric.linearised import frequencies, linearised
+from freebody.numeric.placing import Equation, Fit, Placing
+from freebody.numeric.sizes import Sizes, typical_length
+from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.split import Split, stack
+from freebody.numeric.start import assembled, start_pose, start_velocities
+from freebody.numeric.trajectory import Trajectory, integrate
+from freebody.system.system import System
+
+
+class Reference:
+    """One system with a number for every parameter."""
+
+    def __init__(self, system: System, values: Mapping[str, float] | None = None) -> None:
+        """values: by parameter name, in SI; a parameter left out keeps the value of the model. Raises
+        CannotAnswer naming the parameters without a value."""
+        self.system = system
+        numbers = _numbers(system, values or {})
+        columns: dict[str, tuple[int, ...]] = {}
+        for body in system.moving:
+            n = sum(map(len, columns.values()))
+            columns[body.name] = tuple(range(n, n + (3 if body.turns else 2)))
+        self.frame = Frame(columns, {}, numbers)
+        fixed = {body.name: start_pose(body, self.number) for body in system.bodies.values() if body.fixed}
+        self.frame = Frame(columns, fixed, numbers)
+        self.masses = np.array(
+            [
+                self.number(body.mass if k < 2 else body.inertia)
+                for body in system.moving
+                for k in range(len(columns[body.name]))
+            ],
+            dtype=np.float64,
+        )
+        turning = np.array([i == 2 for c in columns.values() for i in range(len(c))], dtype=bool)
+        self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number))
+        self.placing = Placing(self.frame, self.sizes)
+        self._branches: dict[Branch, float] = {}
+        self._origins: dict[int, float] | None = None
+
+    # -- poses and velocities -----------------------------------------------------------------
+    def columns(self, body: str) -> tuple[int, ...]:
+        """Where x, y and theta of a moving body stand in q."""
+        return self.frame.columns[body]
+
+    def pose(self, q: Array, body: str) -> tuple[float, float, float]:
+        """x, y of the mass centre [m] and the angle [rad] of a body."""
+        pose = self.geometry(q, np.zeros_like(q), 0.0).pose(body)
+        return pose.x.value, pose.y.value, pose.angle.value
+
+    def assemble(self, extra: Sequence[tuple[Measure, float]] = (), guess: Array | None = None) -> Array:
+        """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
+        measures have the given values (which replace those of the model's start). What is left free moves as
+        little as possible from zero, or from the `guess`. From here on measures of which only changes mean
+        something count from this pose.
+
+        Returns q. Raises CannotAnswer naming the row with the largest gap if this is contradictory."""
+        fit = assembled(self, extra, guess)
+        self._remember(fit)
+        return fit.q
+
+    def pose_near(self, q: Array, wanted: Sequence[tuple[Measure, float]] = (), t: float = 0.0) -> Array:
+        """The nearest pose, by the masses, in which everything that q holds is still held and the `wanted`
+        measures have the given values. Raises CannotAnswer if there is none in reach."""
+        equations = self.held_where(q, 0.0) + [Equation.of(self.name_of(m), m, Jet(x)) for m, x in wanted]
+        return self.placing.placed(q, equations, t, self._branches).q
+
+    def wander(self, q: Array, rng: np.random.Generator, size: float, t: float = 0.0) -> tuple[Array, Array]:
+        """A pose and velocities (q, v) near q that hold what q holds, otherwise arbitrary: the free
+        directions are moved by about `size` (of the system's size, or radians) and run at about one size (or
+        radian) a second. Raises CannotAnswer if there is none."""
+
+        def along(free: Array, size: float) -> Array:
+            step: Array = free @ rng.standard_normal(int(free.shape[1]))
+            return step * (size / (float(self.sizes.relative(step).max(initial=0.0)) or 1.0))
+
+        step = along(self.split_at(q, self._branches).null, size)
+        here = self.placing.placed(q + step, self.held_where(q, 0.0), t, self._branches).q
+        free = self.split_at(here, self._branches, t).null
+        return here, along(free, 1.0) + self.velocities(here, (), t, with_start=False)
+
+    def velocities(
+        self,
+        q: Array,
+        extra: Sequence[tuple[Measure | RateMeasure, float]] = (),
+        t: float = 0.0,
+        *,
+        with_start: bool = True,
+    ) -> Array:
+        """Velocities of least kinetic energy [m/s, rad/s] that hold what is held and have the rates of the
+        model's start; `extra` rates replace those. Without `with_start` only the `extra` rates are asked for.
+        Raises CannotAnswer naming a rate that contradicts."""
+        return start_velocities(self, self.geometry(q, np.zeros_like(q), t), extra, with_start=with_start)
+
+    # -- instants and motions -----------------------------------------------------------------
+    def snapshot(self, q: Array, v: Array, t: float = 0.0, near: Snapshot | None = None) -> Snapshot:
+        """The system at one instant; its accelerations and reactions are found when they are first asked for.
+        Angles of lines are counted on from those of `near`, or of the start."""
+        if not (np.isfinite(q).all() and np.isfinite(v).all() and math.isfinite(t)):
+            raise CannotAnswer(f"the state at t = {t:.6g} s is not finite")
+        return Snapshot(self, self.geometry(q, v, t, near.branches if near else None), q, v, t)
+
+    def integrate(
+        self,
+        start: Snapshot | tuple[Array, Array],
+        until: float,
+        event: Callable[[Snapshot], float] | None = None,
+    ) -> Trajectory:
+        """The motion from `start` (a snapshot, or (q, v) at t = 0) until the time `until` [s], or until the
+        first later time at which `event` crosses zero. Raises CannotAnswer if the event does not happen."""
+        now = start if isinstance(start, Snapshot) else self.snapshot(*start)
+        return integrate(self, now, until, event)
+
+    def linearised(self, q: Array) -> tuple[Array, Array]:
+        """(M, K) of the small undamped motions M z'' + K z = 0 about the equilibrium q, z along independent
+        directions. Raises CannotAnswer if q is no equilibrium."""
+        return linearised(self, q, self._branches)
+
+    def frequencies(self, q: Array) -> Array:
+        """Natural angular frequencies [rad/s] of the undamped system about the equilibrium pose q, ascending;
+        0 for a direction without stiffness. Raises CannotAnswer if the equilibrium is unstable."""
+        return frequencies(*self.linearised(q))
+
+    # -- rows ---------------------------------------------------------------------------------
+    def geometry(self, q: Array, v: Array, t: float, near: Mapping[Branch, float] | None = None) -> JetGeometry:
+        """What measures see at one instant; angles of lines are counted on from `near`, or from the start."""
+        return JetGeometry(self.frame, q, v, t, self._branches if near is None else near)
+
+    def jet(self, g: JetGeometry, measure: Measure | RateMeasure, name: str = "the measure") -> Jet:
+        """The jet of a measure; raises CannotAnswer where it has no finite value."""
+        with named(name):
+            jet = g.of(measure)
+            finite(jet.value + jet.rate + jet.bias)
+            return jet
+
+    def gap(self, row: Held, g: JetGeometry) -> Jet:
+        """How far a held measure is from its target; the value leaves out a constant of incremental ones."""
+        return self.jet(g, row.measure, row.name) - _target(row, g)
+
+    def held_by_targets(self) -> list[Equation]:
+        """Equations of the held measures whose targets are known before the start pose is."""
+        return [_at_target(row) for row in self.system.held if _holds_a_place(row)]
+
+    def held_where(self, q: Array, t: float) -> list[Equation]:
+        """Equations of all held measures; those that keep a start value keep the one they have at q."""
+        g = self.geometry(q, np.zeros_like(q), t)
+        equations: list[Equation] = []
+        for row in self.system.held:
+            if _holds_a_place(row):
+                equations.append(_at_target(row))
+            elif not isinstance(row.measure, RateMeasure):
+                kept = Jet(self.jet(g, row.measure, row.name).value)
+                equations.append(Equation.of(row.name, row.measure, kept))
+        return equations
+
+    def split_at(self, q: Array, near: Mapping[Branch, float], t: float = 0.0) -> Split:
+        """What the held measures determine at a pose, and what they leave free."""
+        g = self.geometry(q, np.zeros_like(q), t, near)
+        rows = [self.gap(row, g).row(len(q)) for row in self.system.held]
+        return Split(stack(rows, len(q)), self.sizes.small_moves)
+
+    # -- where measures count from ------------------------------------------------------------
+    def _remember(self, fit: Fit) -> None:
+        """From this pose incremental measures count, and the angles of lines go on from here."""
+        g = self.geometry(fit.q, np.zeros_like(fit.q), 0.0, fit.branches)
+        everything: list[tuple[str, Measure | RateMeasure]] = [
+            *((row.name, row.measure) for row in self.system.held),
+            *((push.name, push.measure) for push in self.system.pushes),
+            *((name, m) for push in self.system.pushes for name, m in push.measures),
+            *self.system.measures.items(),
+            *self.system.offered,
+        ]
+        origins: dict[int, float] = {}
+        for name, measure in everything:
+            with suppress(CannotAnswer):
+                jet = self.jet(g, measure, name)
+                if not isinstance(measure, RateMeasure) and measure.incremental:
+                    origins[self.frame.number(measure)] = jet.value
+        self._branches, self._origins = g.angles, origins
+
+    def start_value(self, measure: Measure) -> float:
+        """The value from which a measure counts: at the start for one of which only changes mean something,
+        zero for all others."""
+        if not measure.incremental:
+            return 0.0
+        if self._origins is None:
+            self.assemble()
+        origin = (self._origins or {}).get(self.frame.number(measure))
+        if origin is None:
+            raise CannotAnswer("only changes of this measure mean something, and it has no value at the start")
+        return origin
+
+    # -- numbers and names --------------------------------------------------------------------
+    def number(self, expr: Expr, t: float = 0.0) -> float:
+        """Value of an expression in the parameters and time."""
+        with named("a number of the model"):
+            return finite(evaluate(expr, {**self.frame.values, TIME: t}))
+
+    def name_of(self, measure: Measure | RateMeasure) -> str:
+        """What the user calls a measure."""
+        names = (name for name, known in self.system.measures.items() if known == measure)
+        return next(names, "the measure")
+
+    def most_moved(self, motion: Array) -> str:
+        """The body that moves most, by the size of the system."""
+        relative = self.sizes.relative(motion)
+        return max(self.frame.columns, key=lambda body: max(relative[list(self.columns(body))]))
+
+
+def _numbers(system: System, values: Mapping[str, float]) -> dict[str, float]:
+    unknown = sorted(set(values) - set(system.parameters))
+    if unknown:
+        known = ", ".join(system.parameters)
+        raise InputError(f"there is no parameter {', '.join(unknown)}; the system has {known}")
+    given = {p.name: p.value for p in system.parameters.values()} | dict(values)
+    missing = [name for name, value in given.items() if value is None]
+    if missing:
+        raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; give one under parameters")
+    return {name: float(value) for name, value in given.items() if value is not None}
+
+
+def _holds_a_place(row: Held) -> bool:
+    """Whether the target of a held measure is known before the start pose is."""
+    return not isinstance(row.measure, RateMeasure) and (row.target is not None or not row.measure.incremental)
+
+
+def _target(row: Held, g: JetGeometry) -> Jet:
+    with named(row.name):
+        return Jet(0.0) if row.target is None else g.scalar(row.target)
+
+
+def _at_target(row: Held) -> Equation:
+    return Equation.of(row.name, row.measure, lambda g: _target(row, g))

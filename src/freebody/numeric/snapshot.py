@@ -1,0 +1,113 @@
+"""A system in numbers at one instant: measures and their rates, accelerations, reactions, loads.
+
+Reactions are the multipliers of the held measures. Where rows of these depend on each other only some
+combinations are determined: a multiplier is unique if no combination of rows that vanishes contains its row.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Push, RateMeasure
+from freebody.numeric.instant import Dynamics, dynamics, law
+from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.potential import potential
+
+if TYPE_CHECKING:
+    from freebody.numeric.reference import Reference
+
+UNIQUE = 1e-9  # a multiplier is unique if no null vector has a larger component on it
+
+
+class Snapshot:
+    """A system in numbers at one instant: a `State[float]`. Everything raises CannotAnswer where there is no
+    finite or no unique value."""
+
+    def __init__(self, reference: Reference, geometry: JetGeometry, q: Array, v: Array, t: float) -> None:
+        self.reference = reference
+        self.q, self.v, self.t = q, v, t
+        self._geometry = geometry
+
+    @property
+    def branches(self) -> Mapping[Branch, float]:
+        """The angles of lines met so far, by which later ones are counted on."""
+        return self._geometry.angles
+
+    @cached_property
+    def _dynamics(self) -> Dynamics:
+        return dynamics(self.reference, self._geometry)
+
+    @property
+    def accelerations(self) -> Array:
+        """Second derivatives of q [m/s^2, rad/s^2]."""
+        return self._dynamics.accelerations
+
+    @property
+    def kinetic_energy(self) -> float:
+        """[J]"""
+        return 0.5 * float(self.v @ (self.reference.masses * self.v))
+
+    # -- State[float] -------------------------------------------------------------------------
+    def scalar(self, expr: Expr) -> float:
+        return self.reference.number(expr, self.t)
+
+    def value(self, measure: Measure) -> float:
+        return self._jet(measure).value
+
+    def rate(self, measure: Measure | RateMeasure) -> float:
+        return self._jet(measure).rate
+
+    def acceleration(self, measure: Measure | RateMeasure) -> float:
+        jet = self._jet(measure)
+        return float(jet.row(len(self.q)) @ self.accelerations) + jet.bias
+
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[float, float, float]:
+        frame, g, q = self.reference.frame, self._geometry, self.q
+        if body in frame.fixed:
+            # it feels the reaction too: for the derivative it may move
+            q = np.append(q, frame.fixed[body])
+            frame = frame.released(body)
+            g = JetGeometry(frame, q, np.append(self.v, np.zeros(3)), self.t, self.branches)
+        row = self.reference.jet(g, measure).row(len(q))
+        x, y, *theta = (float(row[k]) for k in frame.columns[body])
+        return x, y, theta[0] if theta else 0.0
+
+    def multiplier(self, row: Held) -> float:
+        rows = self.reference.system.held
+        found = next((k for k, other in enumerate(rows) if other is row), None)
+        if found is None and row not in rows:
+            raise CannotAnswer(f"{row.name} is not held in this system")
+        k = rows.index(row) if found is None else found
+        empty = self._dynamics.split.left_null
+        if float(np.linalg.norm(empty[k])) > UNIQUE:
+            shared = np.abs(empty @ empty[k]) > UNIQUE
+            names = dict.fromkeys(other.connection for other, is_one in zip(rows, shared, strict=True) if is_one)
+            raise CannotAnswer(
+                f"the {row.reaction} of {row.name} is not unique: {', '.join(names)} hold the same thing "
+                "more than once. Remove what is redundant"
+            )
+        return float(self._dynamics.multipliers[k])
+
+    def law(self, push: Push) -> float:
+        return law(self.reference, self._geometry, push)
+
+    def potential(self, push: Push) -> float:
+        """[J]"""
+        return potential(self.reference, push, self.value)
+
+    def sqrt(self, x: Any) -> float:
+        value = float(x)
+        if not value >= 0.0:
+            raise CannotAnswer(f"there is no real root of {value:.6g}")
+        return math.sqrt(value)
+
+    def _jet(self, measure: Measure | RateMeasure) -> Jet:
+        return self.reference.jet(self._geometry, measure)

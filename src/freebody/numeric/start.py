@@ -1,0 +1,161 @@
+"""The start of a motion: a pose and velocities as the model describes them, and otherwise as small as possible.
+
+A pose is searched from the description of each body, then from disturbed ones. Velocities v solve one linear
+system, J v = wanted rates, by the least kinetic energy.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.measures.base import Measure
+from freebody.model.elements import RateMeasure, RigidBody
+from freebody.numeric.jets import Array, Jet, JetGeometry
+from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
+from freebody.numeric.split import Split, stack
+
+if TYPE_CHECKING:
+    from freebody.numeric.reference import Reference
+
+N_STARTS = 16
+
+
+# -- the pose ---------------------------------------------------------------------------------
+def start_pose(body: RigidBody, number: Callable[[Expr], float]) -> tuple[float, float, float]:
+    """Where a body is by its own `at` and `angle`, or is said to be near, zero where they say nothing."""
+    start = body.start if body.start.near is None else body.start.with_guess()
+    theta = 0.0 if start.angle is None else number(start.angle)
+    if start.at is None:
+        return 0.0, 0.0, theta
+    point, place = start.at
+    px, py = (number(c) for c in body.points[point])
+    x, y = (number(c) for c in place)
+    c, s = math.cos(theta), math.sin(theta)
+    return x - (c * px - s * py), y - (s * px + c * py), theta
+
+
+def assembled(reference: Reference, extra: Sequence[tuple[Measure, float]], guess: Array | None) -> Fit:
+    """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
+    equations = reference.held_by_targets()
+    equations += [*_start_equations(reference, extra), *_body_equations(reference)]
+    guess = _guess(reference) if guess is None else guess
+    best: Fit | None = None
+    for q in _starts(guess, reference.sizes.unit_moves):
+        fit = reference.placing.fit(q, equations, 0.0, {})
+        if fit is not None and (best is None or fit.error < best.error):
+            best = fit
+        if best is not None and best.error <= TOLERANCE:
+            break
+    if best is None:
+        raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
+    if best.error > ACCEPTED:
+        raise CannotAnswer(
+            f"the start cannot be assembled: at best {best.worst}. "
+            "Change the start of the model (at, angle, start) or the lengths"
+        )
+    return best
+
+
+def _guess(reference: Reference) -> Array:
+    q = np.zeros(len(reference.masses))
+    for body in reference.system.moving:
+        pose = start_pose(body, reference.number)
+        for k, value in zip(reference.columns(body.name), pose, strict=False):
+            q[k] = value
+    return q
+
+
+def _starts(guess: Array, unit_moves: Array) -> Iterator[Array]:
+    """The guess, then disturbed ones: first a little, later by the size of the system."""
+    yield guess
+    n = len(guess)
+    for k in range(N_STARTS):
+        disturbance = np.random.default_rng(k).standard_normal(n)
+        yield guess + min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance
+
+
+def _start_equations(reference: Reference, extra: Sequence[tuple[Measure, float]]) -> list[Equation]:
+    equations: list[Equation] = []
+    for name, expr in reference.system.start.items():
+        measure = reference.system.measures[name]
+        if all(measure != other for other, _ in extra):
+            equations.append(Equation.of(name, measure, Jet(reference.number(expr))))
+    return equations + [Equation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
+
+
+def _body_equations(reference: Reference) -> list[Equation]:
+    """A place or an angle that the model gives to a body at the start."""
+    from freebody.measures.angle import Angle
+    from freebody.measures.displacement import Displacement
+    from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+
+    equations: list[Equation] = []
+    for body in reference.system.moving:
+        if body.start.at is not None:
+            point, place = body.start.at
+            for axis, expr in zip((RIGHT, UP), place, strict=True):
+                measure = Displacement(body.point(point), Point(GROUND), axis)
+                equations.append(Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
+        if body.start.angle is not None and body.turns:
+            angle = Jet(reference.number(body.start.angle))
+            equations.append(Equation.of(f"angle of {body.name}", Angle(body.name), angle))
+    return equations
+
+
+# -- the velocities ---------------------------------------------------------------------------
+_Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it must be
+
+
+def start_velocities(
+    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | RateMeasure, float]], *, with_start: bool
+) -> Array:
+    """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
+    n = len(g.q)
+    wanted = list(_wanted_rates(reference, g, extra, with_start))
+    J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
+    b = np.array([rate - jet.rate for _name, jet, rate in wanted])
+    v = Split(J, reference.sizes.small_moves).least(b)
+    gaps = np.abs(J @ v - b)
+    if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):
+        k = int(gaps.argmax())
+        raise CannotAnswer(
+            f"the velocities contradict each other: at best {wanted[k][0]} is off by {gaps[k]:.3g} (in SI "
+            "units). Change or remove one of them"
+        )
+    return v
+
+
+def _wanted_rates(
+    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | RateMeasure, float]], with_start: bool
+) -> Iterator[_Rate]:
+    """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
+    replaces them, and the extra ones."""
+    system = reference.system
+    for row in system.held:
+        yield row.name, reference.gap(row, g), 0.0
+    given = {name: reference.number(expr) for name, expr in system.start_rates.items()}
+    for name, rate in given.items() if with_start else ():
+        measure = system.measures[name]
+        if all(measure != other for other, _ in extra):
+            yield f"rate({name})", reference.jet(g, measure, name), rate
+    for measure, rate in extra:
+        name = reference.name_of(measure)
+        yield f"the rate of {name}", reference.jet(g, measure, name), rate
+    for body in system.moving if with_start else ():
+        yield from _body_rates(reference, body)
+
+
+def _body_rates(reference: Reference, body: RigidBody) -> Iterator[_Rate]:
+    """A velocity or an angular velocity that the model gives to a body at the start."""
+    start, columns, unit_rows = body.start, reference.columns(body.name), np.eye(len(reference.masses))
+    for k, expr in enumerate(start.velocity or ()):
+        yield f"velocity of {body.name}", Jet(0.0, unit_rows[columns[k]]), reference.number(expr)
+    if start.angular_velocity is not None and body.turns:
+        spin = reference.number(start.angular_velocity)
+        yield f"angular_velocity of {body.name}", Jet(0.0, unit_rows[columns[2]]), spin
