@@ -1,0 +1,1 @@
+"""Options judged against a solved question."""

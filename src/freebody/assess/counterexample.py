@@ -1,0 +1,64 @@
+"""Small numbers for which an option and the answer differ, as one would put in by hand: m = 1 kg, theta = 30°."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+from freebody.assess.comparing import Pair
+from freebody.assess.points import BALL_FUNCTIONS, Point, is_free, real
+from freebody.assess.setting import N_TRIES
+from freebody.assess.words import NOT_REAL, digits, unit_behind
+from freebody.language.expression import Symbol
+from freebody.language.notation import to_text
+from freebody.language.units import ACCELERATION
+
+
+def counterexample(pair: Pair) -> str:
+    """The first numbers that show a difference, and both values with them."""
+    free = [g for g in pair.generators if is_free(pair.field, g)]
+    if pair.is_looped:
+        return "with the model's own numbers: " + _told_at(pair, pair.setting.poses()[0])
+    if not free:
+        mine, its = pair.numbers(Point(pair.field, real))
+        return f"is {digits(mine)}, the answer is {digits(its)}"
+    undefined: str | None = None
+    for attempt in range(N_TRIES):
+        point, words = _small_point(pair, free, attempt)
+        mine, its = pair.numbers(point)
+        admissible = all(point.number(c) > 0 for c in pair.option.conditions)
+        if not its.is_finite() or not admissible or digits(mine) == digits(its):
+            continue
+        told = f"for {', '.join(words)}: {_told_at(pair, point)}"
+        if mine.is_finite():
+            return told
+        undefined = undefined or told
+    return undefined or "differs from the answer"
+
+
+def _told_at(pair: Pair, point: Point) -> str:
+    unit = unit_behind(pair.setting.dimension)
+    mine, its = map(digits, pair.numbers(point))
+    return f"option {mine}{unit if mine != NOT_REAL else ''}, answer {its}{unit}"
+
+
+def _small_point(pair: Pair, free: list[int], attempt: int) -> tuple[Point, list[str]]:
+    field, setting, rng = pair.field, pair.setting, random.Random(attempt)
+    values: dict[int, Any] = {}
+    words: list[str] = []
+    for place, g in enumerate(free):
+        shown = field.generators[g].display
+        # when positive numbers have shown nothing, what may be negative is
+        is_turned = attempt > N_TRIES // 2 and not field.generators[g].positive
+        sign = -1 if is_turned else 1
+        if field.acute(g) or g in setting.angles:
+            degrees = sign * (30, 45, 60)[(place + attempt) % 3]
+            values[g] = BALL_FUNCTIONS["pi"] * degrees / 180
+            words.append(f"{to_text(shown)} = {degrees}°")
+            continue
+        own = setting.own_numbers.get(g)
+        is_weight = shown == Symbol("g") and setting.names.dimensions.get("g") == ACCELERATION
+        small = place % 9 + 1 if not attempt else rng.randint(1, 5)
+        values[g] = own if is_weight and own is not None else real(sign * small)
+        words.append(f"{to_text(shown)} = {digits(values[g])}{setting.names.unit(shown)}")
+    return Point(field, real, values), words

@@ -1,0 +1,95 @@
+"""The options of a question judged against the answer, each with the reason a teacher would give.
+
+The reasons are tried in this order, and the first that applies is given:
+
+1. the option cannot be read, or names what the problem does not give;
+2. its dimension is not that of the answer, or it adds unlike terms;
+3. it is equal to the answer, decided in the field: a/b = c/d if and only if a d - b c reduces to zero. Where
+   that does not decide (roots that depend on each other, logarithms, a root whose sign changes with the
+   motion), both are enclosed at random points in ball arithmetic: an enclosure of the difference without zero
+   proves that they differ, agreement to 40 digits at all points is reported as just that;
+4. a special or limiting case in which the two differ;
+5. small numbers for which the two differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from freebody.assess.comparing import PROVED, Pair, how_equal
+from freebody.assess.points import working_precision
+from freebody.assess.reading import as_option, read
+from freebody.assess.reasons import why_wrong
+from freebody.assess.setting import Answer, Setting
+from freebody.assess.verdict import Judgement, Settled, Verdict
+from freebody.assess.words import listed, places
+from freebody.language.units import Dimension
+from freebody.model.question import Question
+from freebody.symbolic.model import SymbolicModel
+from freebody.system.system import System
+
+__all__ = ["Answer", "Judgement", "Verdict", "judge"]
+
+
+def judge(
+    question: Question,
+    answer: Answer,
+    dimension: Dimension,
+    model: SymbolicModel,
+    system: System,
+    *,
+    up_to_constant: bool = False,
+) -> Judgement:
+    """Judges every option of a question against its answer.
+
+    `answer` is an element of the model's field in SI units, a pair (x, y) of them, or a count; without one
+    (None) only options that no answer can equal are judged, the others are left out and noted. With
+    `up_to_constant` an option may differ from the answer by what does not change in the motion (energies).
+    """
+    setting = Setting(answer, dimension, model, system, up_to_constant)
+    with working_precision():
+        found = {letter: _verdict(setting, text) for letter, text in question.options.items()}
+    verdicts = {letter: v for letter, v in found.items() if v is not None}
+    right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
+    notes = _notes(question, found, right) if question.options else ()
+    return Judgement(right[0] if len(right) == 1 else None, verdicts, notes)
+
+
+def _verdict(setting: Setting, text: str) -> Verdict | None:
+    """On one option; None where there is no answer to compare it with."""
+    try:
+        exprs = read(setting, text)
+        if setting.answers is None:
+            return None
+        options = [as_option(setting, expr) for expr in exprs]
+    except Settled as found:
+        return found.verdict
+    evidence: list[str] = []
+    for option, answer, where in zip(options, setting.answers, places(len(options)), strict=True):
+        pair = Pair(setting, option, answer)
+        equal = how_equal(pair)
+        if equal is None:
+            return Verdict("wrong", where + why_wrong(pair))
+        evidence.append(equal)
+    # of the components of a vector the one with the weakest evidence speaks for all
+    return Verdict("right", max(evidence, key=lambda e: (not e.endswith(PROVED), len(e))))
+
+
+def _notes(question: Question, found: Mapping[str, Verdict | None], right: list[str]) -> tuple[str, ...]:
+    notes = [f"({k}) {v.reason}" for k, v in found.items() if v is not None and v.verdict == "unreadable"]
+    key, open_ = question.key, [letter for letter, v in found.items() if v is None]
+    if open_:
+        notes.append(f"there is no answer to compare {listed(open_)} with")
+    elif not right:
+        notes.append("no option is right")
+    elif len(right) > 1:
+        notes.append(f"{_COUNTS.get(len(right), len(right))} options are right: {listed(right)}")
+    verdict = found.get(key) if key is not None else None
+    if verdict is not None and verdict.verdict != "right":
+        is_or_are = "is" if len(right) == 1 else "are"
+        instead = f"{listed(right)} {is_or_are} right" if right else f"it {verdict.reason}"
+        notes.append(f"the key says {key}, but {instead}")
+    return tuple(notes)
+
+
+_COUNTS = {2: "two", 3: "three", 4: "four", 5: "five"}

@@ -1,0 +1,1 @@
+"""Studies: what freebody finds out about a system."""

@@ -1,0 +1,84 @@
+"""The result values of a solve study."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from freebody.assess.options import Verdict
+from freebody.language.expression import Expr
+from freebody.language.notation import to_latex, to_python
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """How a closed form was checked against the numeric route."""
+
+    draws: int
+    worst_relative_difference: float
+    route: str  # what the second route did
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An answer in closed form, or the reason why there is none.
+
+    `expression` is None (no closed form), an expression, or a pair for a vector; `value` the same in numbers at
+    the model's parameter values and start state, in SI; `conditions` say where the answer holds.
+    """
+
+    id: str
+    question: str
+    expression: Expr | tuple[Expr, ...] | None
+    unit: str
+    value: float | tuple[float, ...] | None
+    conditions: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    reason: str = ""
+    choice: str | None = None
+    options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    author_notes: tuple[str, ...] = ()
+    evidence: Evidence | None = None
+    symbol: str = ""
+
+    @property
+    def is_answered(self) -> bool:
+        return self.expression is not None or self.value is not None
+
+    @property
+    def latex(self) -> str | None:
+        if self.expression is None:
+            return None
+        if isinstance(self.expression, tuple):
+            return r"\begin{pmatrix}" + r" \\ ".join(map(to_latex, self.expression)) + r"\end{pmatrix}"
+        return to_latex(self.expression)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The answer as plain data, in the form of the JSON document."""
+        if self.expression is None:
+            shown: Any = None
+        elif isinstance(self.expression, tuple):
+            shown = [to_python(e) for e in self.expression]
+        else:
+            shown = to_python(self.expression)
+        return {
+            "id": self.id,
+            "question": self.question,
+            "expression": shown,
+            "latex": self.latex,
+            "unit": self.unit,
+            "value": list(self.value) if isinstance(self.value, tuple) else self.value,
+            "conditions": list(self.conditions),
+            "notes": list(self.notes),
+            "reason": self.reason or None,
+            "choice": self.choice,
+            "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
+            "author_notes": list(self.author_notes),
+            "evidence": None
+            if self.evidence is None
+            else {
+                "draws": self.evidence.draws,
+                "worst_relative_difference": self.evidence.worst_relative_difference,
+                "route": self.evidence.route,
+            },
+        }

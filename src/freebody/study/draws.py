@@ -1,0 +1,115 @@
+"""Random admissible numbers for a system: parameters, a start pose, a pose and motion in general position.
+
+Parameters vary about the values in the file (about 1 where there are none), keep their declared signs, and are
+drawn again, closer to the file, where the mechanism cannot be assembled. The seed is fixed: a run repeats.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+from freebody.symbolic.sample import Sample
+from freebody.system.system import System
+
+SEED = 7
+_TRIES = 12
+
+
+@dataclass
+class Draw:
+    """One set of parameter values, with the numeric route set up for it and assembled at the start."""
+
+    values: dict[str, float]
+    reference: Reference
+    q: Array
+
+    def start(self) -> Snapshot:
+        """The start, with its velocities."""
+        return self.reference.snapshot(self.q, self.reference.velocities(self.q))
+
+    def sample(self, snapshot: Snapshot | None = None, *, is_start: bool = True) -> Sample:
+        """The same numbers for the symbolic route."""
+        system = self.reference.system
+        q = self.q if snapshot is None else snapshot.q
+        poses = {b.name: self.reference.pose(q, b.name) for b in system.moving}
+        velocities: dict[str, tuple[float, float, float]] = {}
+        if snapshot is not None:
+            for body in system.moving:
+                v = [float(snapshot.v[k]) for k in self.reference.columns(body.name)] + [0.0]
+                velocities[body.name] = (v[0], v[1], v[2])
+        constants: dict[str, float] = {}
+        for item in (*system.held, *system.pushes):
+            measure: Any = item.measure
+            if getattr(measure, "incremental", False):
+                constants[item.name] = self.reference.start_value(measure)
+        time = 0.0 if snapshot is None else snapshot.t
+        return Sample(self.values, poses, constants, time, is_start, velocities)
+
+    def anywhere(self, seed: int, t: float, size: float) -> Snapshot:
+        """A pose and motion near the start, otherwise arbitrary; as far as `size` of the system, or radians."""
+        reference = self.reference
+        for distance in (size, size / 3, size / 10):
+            try:
+                q, v = reference.wander(self.q, np.random.default_rng(seed), distance, t)
+            except CannotAnswer:
+                continue
+            return reference.snapshot(q, v, t)
+        return self.start()
+
+
+def draw_parameters(system: System, rng: random.Random, spread: float, *, lengths: bool = True) -> dict[str, float]:
+    """Random values of all parameters; spread 0 gives the file's values. Without `lengths`, lengths and angles
+    keep theirs: a file that mixes symbols and numbers in its geometry fits together for these only."""
+    values: dict[str, float] = {}
+    for p in system.parameters.values():
+        if not lengths and p.value is not None and p.dimension in (LENGTH, DIMENSIONLESS):
+            values[p.name] = p.value
+        elif p.acute:
+            center = 0.6 if p.value is None else p.value
+            room = min(center, math.pi / 2 - center)
+            values[p.name] = center + spread * room * rng.uniform(-0.9, 0.9)
+        elif p.value is None:
+            values[p.name] = math.exp(rng.uniform(-0.7, 0.7))
+        else:
+            values[p.name] = p.value * math.exp(spread * rng.uniform(-0.7, 0.7))
+            if p.value == 0 and spread and p.sign != "positive":
+                values[p.name] = spread * rng.uniform(0.2, 1.0)
+    return values
+
+
+def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near: Draw | None = None) -> list[Draw]:
+    """n draws. Without a draw to be `near`, the first one has the file's own values where it gives them."""
+    rng = random.Random(seed)
+    found: list[Draw] = []
+    first: CannotAnswer | None = None
+    for k in range(n):
+        spread = 0.0 if k == 0 and near is None else widest
+        for attempt in range(_TRIES):
+            lengths = attempt < _TRIES // 2
+            if attempt == _TRIES // 2:
+                spread = widest
+            values = draw_parameters(system, rng, 0.0 if k == 0 and near is None else spread, lengths=lengths)
+            try:
+                reference = Reference(system, values)
+                # on the same branch as the file's own numbers
+                branch = near or (found[0] if found else None)
+                q = reference.assemble(guess=None if branch is None else branch.q)
+                found.append(Draw(values, reference, q))
+                break
+            except CannotAnswer as error:
+                if k == 0 and near is None and all(p.value is not None for p in system.parameters.values()):
+                    raise
+                first = first or error
+                spread *= 0.6
+    if not found:
+        raise first or CannotAnswer("no admissible parameter values were found")
+    return found

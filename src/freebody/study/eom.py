@@ -1,0 +1,109 @@
+"""Equations of motion in generalized coordinates: M(q) q'' = F(q, q', t), with loop constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
+from freebody.language.notation import to_latex, to_python
+from freebody.model.elements import RateMeasure
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class Equations:
+    """M du/dt = F, with the closed loops that bind further coordinates."""
+
+    system: System
+    coordinates: tuple[str, ...]
+    dependent: tuple[str, ...]
+    mass_matrix: tuple[tuple[Expr, ...], ...]
+    forcing: tuple[Expr, ...]
+    loops: tuple[Expr, ...]
+    dependent_rates: dict[str, Expr]
+    velocity_constraints: tuple[Expr, ...]
+    redundant: tuple[str, ...]
+
+    def lines(self) -> Iterator[tuple[Expr, Expr]]:
+        """Every equation as (left, right)."""
+        for row, force in zip(self.mass_matrix, self.forcing, strict=True):
+            terms = [
+                multiply(m, Call("rate", Call("rate", Symbol(c))))
+                for m, c in zip(row, self.coordinates, strict=True)
+                if m != number(0)
+            ]
+            yield add(*terms), force
+
+    def to_plain(self) -> dict[str, Any]:
+        """Plain data: the JSON document of `freebody eom`."""
+        return {
+            "title": self.system.title,
+            "degrees_of_freedom": len(self.coordinates),
+            "coordinates": list(self.coordinates),
+            "dependent_coordinates": list(self.dependent),
+            "mass_matrix": [[to_python(e) for e in row] for row in self.mass_matrix],
+            "forcing": [to_python(e) for e in self.forcing],
+            "equations": [f"{to_python(a)} = {to_python(b)}" for a, b in self.lines()],
+            "latex": [f"{to_latex(a)} = {to_latex(b)}" for a, b in self.lines()],
+            "constraints": [to_python(e) for e in self.loops],
+            "velocity_constraints": [to_python(e) for e in self.velocity_constraints],
+            "dependent_rates": {k: to_python(e) for k, e in self.dependent_rates.items()},
+            "redundant": list(self.redundant),
+        }
+
+    def to_latex(self) -> str:
+        """An `align` environment, loops first."""
+        rows = [f"0 &= {to_latex(e)}" for e in (*self.loops, *self.velocity_constraints)]
+        rows += [f"{to_latex(a)} &= {to_latex(b)}" for a, b in self.lines()]
+        body = " \\\\\n    ".join(rows)
+        return "\\begin{align}\n    " + body + "\n\\end{align}"
+
+
+def equations_of_motion(system: System) -> Equations:
+    """Derives the equations. Raises ModelError if the system cannot be assembled."""
+    if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
+        # nothing counts from the start; without loops no numbers are needed either
+        model = SymbolicModel(system, [])
+        if not model.loops and not model.redundant:
+            return _equations(system, model)
+    return _equations(system, Setup(system, 2).model)
+
+
+def _equations(system: System, model: SymbolicModel) -> Equations:
+    state = SymbolicState(model)
+    velocity = [tidy(state.rate(row.measure)) for row in system.held if isinstance(row.measure, RateMeasure)]
+    return Equations(
+        system,
+        tuple(c.name for c in model.coordinates),
+        tuple(c.name for c in model.dependent),
+        _symmetric(model.mass_matrix),
+        tuple(map(tidy, model.forcing)),
+        tuple(tidy(primitive_part(e.value)) for e in model.loops),
+        {c.name: tidy(model.dependent_speed(c)) for c in model.dependent},
+        tuple(velocity),
+        tuple(model.redundant),
+    )
+
+
+def _symmetric(M: list[list[Ratio]]) -> tuple[tuple[Expr, ...], ...]:
+    """The tidy mass matrix; equal entries are put in order once."""
+    upper = {(j, k): tidy(x) for j, row in enumerate(M) for k, x in enumerate(row) if j <= k}
+    return tuple(tuple(upper[min(j, k), max(j, k)] for k in range(len(M))) for j in range(len(M)))
+
+
+def primitive_part(x: Ratio) -> Ratio:
+    """A loop equation without factors that cannot vanish."""
+    field = x.field
+    _unit, factors = field.factor(x.num)
+    result = field.one
+    for base, _exponent in factors:
+        if not base.is_constant():
+            result = result * base
+    return result

@@ -1,0 +1,250 @@
+"""The second opinion: every closed form is evaluated at random admissible numbers and compared with the
+numeric route, which shares only the statements of the measures. A disagreement is an error, never an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.model.question import Event, Power, Quantity, When, Work
+from freebody.numeric.reference import Snapshot, Trajectory
+from freebody.study.answer import Evidence
+from freebody.study.draws import Draw
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+
+INSTANT_TOLERANCE = 1e-8
+MOTION_TOLERANCE = 1e-7
+MIN_DRAWS = 5
+SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
+ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
+
+
+def _tuple(value: object) -> tuple[float, ...]:
+    if isinstance(value, tuple):
+        return tuple(float(v) for v in value)  # type: ignore[arg-type]
+    return (float(value),)  # type: ignore[arg-type]
+
+
+def _size(values: tuple[float, ...]) -> float:
+    return max((abs(v) for v in values), default=0.0)
+
+
+class Witness:
+    """Collects comparisons for one question. Differences count by the size of the quantity in the draw, or, where
+    it happens to cancel there, by a thousandth of its largest size in all draws."""
+
+    def __init__(self, question: str, route: str, tolerance: float) -> None:
+        self.question = question
+        self.route = route
+        self.tolerance = tolerance
+        self.pairs: list[tuple[Draw, tuple[float, ...], tuple[float, ...]]] = []
+
+    def compare(self, draw: Draw, exact: object, numeric: object) -> None:
+        self.pairs.append((draw, _tuple(exact), _tuple(numeric)))
+
+    def evidence(self) -> Evidence:
+        """Raises RoutesDisagree on a difference beyond the tolerance, CannotAnswer if too little was compared."""
+        largest = max((_size(b) for _draw, _a, b in self.pairs), default=0.0)
+        is_zero = all(v == 0.0 for _draw, a, _b in self.pairs for v in a)
+        floor = ZERO_FLOOR if is_zero else SMALL
+        worst = 0.0
+        for draw, a, b in self.pairs:
+            gap = max(abs(x - y) for x, y in zip(a, b, strict=True))
+            share = gap / max(_size(a), _size(b), 1e-3 * largest, floor)
+            if not share <= self.tolerance:
+                values = ", ".join(f"{k} = {v:.6g}" for k, v in draw.values.items())
+                raise RoutesDisagree(
+                    f"'{self.question}': the closed form gives {_shown(a)}, the numeric route {_shown(b)} at "
+                    f"{values}. No answer is shown. This is a defect of freebody; please report the model"
+                )
+            worst = max(worst, share)
+        if len(self.pairs) < MIN_DRAWS:
+            raise CannotAnswer(
+                f"only {len(self.pairs)} of the {MIN_DRAWS} checks against the numeric route could be made, so the "
+                "closed form is not shown"
+            )
+        return Evidence(len(self.pairs), worst, self.route)
+
+
+def _shown(values: tuple[float, ...]) -> str:
+    return ", ".join(f"{v:.10g}" for v in values)
+
+
+def element_at(setup: Setup, x: Ratio | tuple[Ratio, ...], draw: Draw, snapshot: Snapshot) -> tuple[float, ...]:
+    """A closed form in numbers at a snapshot."""
+    numbers = setup.model.numbers(draw.sample(snapshot), draw.sample())
+    parts = x if isinstance(x, tuple) else (x,)
+    try:
+        return tuple(float(setup.model.field.evaluate(p, numbers)) for p in parts)
+    except KeyError:
+        raise NotReal("a part of the closed form has no real value here") from None
+
+
+class NotReal(CannotAnswer):
+    """A closed form has no real value at the given numbers."""
+
+
+def at_instants(
+    setup: Setup,
+    question: str,
+    quantity: Quantity,
+    x: Ratio | tuple[Ratio, ...],
+    *,
+    at_start: bool,
+) -> Evidence:
+    """Compares at the start, or at a general pose and motion, of every draw."""
+    where = "at the start" if at_start else "at random poses and speeds"
+    witness = Witness(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
+    for k, draw in enumerate(setup.draws):
+        snapshot = draw.start() if at_start else setup.anywhere[k]
+        numeric = quantity_value(quantity, setup.system, snapshot)
+        exact = element_at(setup, x, draw, snapshot)
+        witness.compare(draw, exact, numeric)
+    return witness.evidence()
+
+
+def along_motion(
+    setup: Setup,
+    question: str,
+    quantity: Quantity,
+    event: Event,
+    x: Ratio,
+    time: Ratio | None,
+    conditions: Sequence[Condition],
+) -> Evidence:
+    """Integrates from the start to the event and compares the time, or the quantity there."""
+    witness = Witness(question, "numerical integration from the start to the event", MOTION_TOLERANCE)
+    for draw in setup.draw_stream():
+        if len(witness.pairs) >= MIN_DRAWS:
+            break
+        start = draw.start()
+        try:
+            numbers = element_at(setup, (x,), draw, start)
+            if not all(holds(setup, c, draw, start) for c in conditions):
+                continue
+        except NotReal:
+            continue
+        until = 100.0
+        if time is not None:
+            (expected,) = element_at(setup, (time,), draw, start)
+            if not expected > 0:
+                continue
+            until = 1.5 * expected
+        target = draw.reference.number(event.value)
+        found = draw.reference.integrate(start, until, _watch(event, target))
+        assert found.event_time is not None
+        assert found.event is not None
+        witness.compare(draw, numbers, _at_event(setup, quantity, found))
+    return witness.evidence()
+
+
+def _at_event(setup: Setup, quantity: Quantity, found: Trajectory) -> object:
+    assert found.event_time is not None
+    assert found.event is not None
+    if isinstance(quantity, When):
+        return found.event_time
+    if isinstance(quantity, Work):
+        return _work(setup, quantity, found.snapshots)
+    return quantity_value(quantity, setup.system, found.event)
+
+
+def _work(setup: Setup, quantity: Work, snapshots: Sequence[Snapshot]) -> float:
+    """The integral of the power over time, by Gauss-Legendre points on the motion between the steps."""
+    nodes, weights = np.polynomial.legendre.leggauss(4)
+    total = 0.0
+    for before, after in pairwise(snapshots):
+        half = (after.t - before.t) / 2
+        for node, weight in zip(nodes, weights, strict=True):
+            t = before.t + half * (1 + float(node))
+            there = before.reference.integrate(before, t).snapshots[-1]
+            total += half * float(weight) * float(quantity_value(Power(quantity.of), setup.system, there))
+    return total
+
+
+def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tuple[float, ...]:
+    """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
+    Raises CannotAnswer if the event does not happen within a minute."""
+    draw = setup.draws[0]
+    start = draw.start()
+    if event is None:
+        values = _tuple(quantity_value(quantity, setup.system, start))
+    else:
+        found = draw.reference.integrate(start, 60.0, _watch(event, draw.reference.number(event.value)))
+        values = _tuple(_at_event(setup, quantity, found))
+    return values[0] if len(values) == 1 else values
+
+
+def _watch(event: Event, target: float) -> Callable[[Snapshot], float]:
+    if event.order == 0:
+        return lambda s: s.value(event.measure) - target
+    return lambda s: s.rate(event.measure) - target
+
+
+def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:
+    """True where an inequality is satisfied in numbers; `>=` may miss by the round-off. Raises NotReal."""
+    (value,) = element_at(setup, (condition.element,), draw, snapshot)
+    if condition.relation == ">=":
+        return value >= -round_off
+    return value > 0 if condition.relation == ">" else value != 0
+
+
+def small_oscillations(
+    setup: Setup, question: str, x: Ratio | tuple[Ratio, ...], equilibrium: dict[int, Ratio], *, period: bool
+) -> Evidence:
+    """Compares angular frequencies, or the period, with a numerical linearisation of the full system."""
+    witness = Witness(question, "numerical linearisation about the same equilibrium", 1e-5)
+    for draw in setup.draw_stream():
+        if len(witness.pairs) >= MIN_DRAWS:
+            break
+        start = draw.start()
+        try:
+            exact = np.sort(element_at(setup, x, draw, start))
+        except NotReal:
+            continue
+        wanted = [
+            (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
+            for c in setup.model.coordinates
+            if (measure := setup.model.measure_of(c)) is not None
+        ]
+        frequencies = draw.reference.frequencies(draw.reference.pose_near(draw.q, wanted))
+        numeric = 2 * np.pi / frequencies if period else np.sort(frequencies)
+        witness.compare(draw, tuple(float(v) for v in exact), tuple(float(v) for v in numeric))
+    return witness.evidence()
+
+
+def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio) -> Evidence:
+    """At the equilibrium the full system, at rest, must not accelerate."""
+    witness = Witness(question, "accelerations of the full system at rest there", 1e-7)
+    for draw in setup.draws:
+        start = draw.start()
+        wanted = [
+            (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
+            for c in setup.model.coordinates
+            if (measure := setup.model.measure_of(c)) is not None
+        ]
+        q = draw.reference.pose_near(draw.q, wanted)
+        still = draw.reference.snapshot(q, np.zeros_like(q))
+        gap = float(np.abs(still.accelerations).max(initial=0.0))
+        witness.compare(draw, (1.0,), (1.0 + gap,))
+    return witness.evidence()
+
+
+def freedom(setup: Setup, question: str, dof: int) -> Evidence:
+    """Coordinates minus the rank of the constraint Jacobian at random poses."""
+    witness = Witness(question, "rank of the constraint Jacobian at random poses", 1e-12)
+    for k, draw in enumerate(setup.draws):
+        snapshot = setup.anywhere[k]
+        rows = [
+            [x for b in setup.system.moving for x in snapshot.gradient(row.measure, b.name)[: 3 if b.turns else 2]]
+            for row in setup.system.held
+        ]
+        n = sum(3 if b.turns else 2 for b in setup.system.moving)
+        rank = int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0
+        witness.compare(draw, (float(dof),), (float(n - rank),))
+    return witness.evidence()

@@ -1,0 +1,100 @@
+"""One system, set up on both routes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from functools import cached_property
+
+from freebody.errors import CannotAnswer, ModelError, Problem
+from freebody.numeric.reference import Snapshot
+from freebody.study.draws import SEED, Draw, draws
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.motion import Motion, StartState, start_state
+from freebody.symbolic.state import SymbolicState
+from freebody.system.system import System
+
+N_DRAWS = 6
+_TIME = 0.37  # an instant at which drivers are looked at
+
+
+class Setup:
+    """The symbolic model, the numeric draws, and what all questions share."""
+
+    def __init__(self, system: System, n_draws: int = N_DRAWS) -> None:
+        self.system = system
+        try:
+            self.draws: list[Draw] = draws(system, n_draws)
+        except CannotAnswer as error:
+            raise ModelError([Problem((), str(error))], system.file) from error
+        starts = [d.sample() for d in self.draws[:3]]
+        general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
+        self.model = SymbolicModel(system, [*starts, *general])
+
+    def draw_stream(self) -> Iterator[Draw]:
+        """The draws, then more of them, ever closer to the file's values, for answers with narrow conditions."""
+        yield from self.draws
+        for k, widest in enumerate((0.5, 0.2, 0.05)):
+            yield from draws(self.system, 3, seed=SEED + 10 + k, widest=widest, near=self.draws[0])
+
+    @property
+    def has_values(self) -> bool:
+        """True if the file gives every parameter a value."""
+        return all(p.value is not None for p in self.system.parameters.values())
+
+    @cached_property
+    def state(self) -> SymbolicState:
+        """The general instant."""
+        return SymbolicState(self.model)
+
+    @cached_property
+    def start(self) -> StartState:
+        s = self.system
+        return start_state(self.model, dict(s.start), dict(s.start_rates))
+
+    @cached_property
+    def start_instant(self) -> SymbolicState:
+        return SymbolicState(self.model, self.start.values)
+
+    @cached_property
+    def motion(self) -> Motion:
+        return Motion(self.model, self.start)
+
+    @cached_property
+    def anywhere(self) -> list[Snapshot]:
+        """A general pose and motion for every draw, on the branch for which the formulas are made."""
+        return [self._anywhere(d, SEED + k) for k, d in enumerate(self.draws)]
+
+    def _anywhere(self, draw: Draw, seed: int) -> Snapshot:
+        for size in (0.3, 0.1, 0.03, 0.01):
+            snapshot = draw.anywhere(seed, _TIME, size)
+            if self.is_on_branch(draw, snapshot):
+                return snapshot
+        return draw.start()
+
+    def is_on_branch(self, draw: Draw, snapshot: Snapshot) -> bool:
+        """True where everything that the formulas take to be positive is."""
+        if not self.model.assumed:
+            return True
+        numbers = self.model.numbers(draw.sample(snapshot))
+        return all(self.model.field.evaluate(x, numbers) > 0 for x in self.model.assumed)
+
+    def holding(self, state: SymbolicState) -> list[Condition]:
+        """Conditions without which the model itself is not true: what is taken to be positive is, ideal strings
+        pull, contacts push."""
+        found: list[Condition] = []
+        for x in self.model.assumed:
+            found += _open(state.here(self.model.elimination.express(x)), ">", "as at the start")
+        for row in self.system.held:
+            if row.unilateral:
+                what = {"tension": "stays taut", "normal force": "keeps touching"}.get(row.reaction, "holds")
+                with suppress(CannotAnswer):
+                    found += _open(row.sign * state.multiplier(row), ">=", f"{row.connection} {what}")
+        return found
+
+
+def _open(x: Ratio, relation: str, purpose: str) -> list[Condition]:
+    condition, _possible = require(x, relation, purpose)
+    return [] if condition is None else [condition]

@@ -1,0 +1,398 @@
+"""Closed-form answers to the questions of a system, with conditions, options judged, and evidence."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from freebody.assess.options import judge
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Expr, number
+from freebody.language.notation import to_text
+from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.measures.base import Measure
+from freebody.model.question import (
+    Energy,
+    Equilibrium,
+    Freedom,
+    OfMeasure,
+    Quantity,
+    Question,
+    RatioOf,
+    Small,
+    When,
+    Work,
+    Wrench,
+)
+from freebody.study import evidence as proof
+from freebody.study.answer import Answer, Evidence
+from freebody.study.eom import primitive_part
+from freebody.study.quantities import body_of_wrench, quantity_value
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, merged, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import Reached, find_equilibrium, small_oscillations
+from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
+
+Elements = Ratio | tuple[Ratio, ...]
+_ROUND_OFF = 1e-12  # of an assembled pose, in SI
+FOR_ALL = "for all positive parameters"
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What `solve` found out about one system."""
+
+    system: System
+    degrees_of_freedom: int
+    coordinates: tuple[str, ...]
+    dependent: tuple[str, ...]
+    redundant: tuple[str, ...]
+    answers: tuple[Answer, ...]
+
+    def __getitem__(self, id: str) -> Answer:
+        """The answer with an id."""
+        for answer in self.answers:
+            if answer.id == id:
+                return answer
+        raise KeyError(f"no question has the id {id}; there are {', '.join(a.id for a in self.answers)}")
+
+    @property
+    def is_complete(self) -> bool:
+        return all(a.expression is not None for a in self.answers)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The solution as plain data: the JSON document of the command line."""
+        return {
+            "title": self.system.title,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "coordinates": list(self.coordinates),
+            "dependent_coordinates": list(self.dependent),
+            "redundant": list(self.redundant),
+            "assumptions": list(self.system.assumptions),
+            "answers": [a.to_plain() for a in self.answers],
+        }
+
+
+def solve(system: System, question: str | None = None) -> Solution:
+    """Answers the questions of a system, or one question given in words.
+
+    Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
+    form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
+    questions = system.questions if question is None else (system.question(question),)
+    setup = Setup(system)
+    answers = tuple(_Solver(setup, q).answer() for q in questions)
+    model = setup.model
+    return Solution(
+        system,
+        model.degrees_of_freedom,
+        tuple(c.name for c in model.coordinates),
+        tuple(c.name for c in model.dependent),
+        tuple(model.redundant),
+        answers,
+    )
+
+
+@dataclass
+class _Found:
+    """A closed form on its way to an answer."""
+
+    element: Elements | Fraction
+    evidence: Evidence
+    conditions: list[Condition] = field(default_factory=list[Condition])
+    notes: list[str] = field(default_factory=list[str])
+    up_to_constant: bool = False
+    at_start: bool = False
+
+
+class _Solver:
+    """Answers one question."""
+
+    def __init__(self, setup: Setup, question: Question) -> None:
+        self.setup = setup
+        self.system = setup.system
+        self.model = setup.model
+        self.question = question
+
+    def answer(self) -> Answer:
+        q = self.question
+        try:
+            found = self._find()
+        except (CannotAnswer, ZeroDivisionError) as error:
+            reason = str(error) if isinstance(error, CannotAnswer) else "the closed form divides by zero"
+            return Answer(q.id, q.text, None, self._unit(), self._number_instead(), reason=reason)
+        except RoutesDisagree as error:
+            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
+        return self._finish(found)
+
+    def _number_instead(self) -> float | tuple[float, ...] | None:
+        """The value of the numeric route where there is no closed form; at the start, or at the event."""
+        q = self.question
+        if not self.setup.has_values:
+            return None
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            return proof.number(self.setup, q.quantity, q.event)
+        return None
+
+    def _find(self) -> _Found:
+        q = self.question.quantity
+        if self.question.event is not None:
+            return self._at_event(q)
+        match q:
+            case Freedom():
+                dof = self.model.degrees_of_freedom
+                return _Found(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
+            case Small():
+                return self._small(q)
+            case Equilibrium():
+                return self._equilibrium(q)
+            case _:
+                return self._at_instant(q)
+
+    # -- one instant --------------------------------------------------------------------------
+    def _at_instant(self, q: Quantity) -> _Found:
+        at_start = self.question.at_start
+        x = self._elements(q, self.setup.start_instant if at_start else self.setup.state)
+        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
+        notes: list[str] = []
+        if isinstance(q, Wrench):
+            body = body_of_wrench(q, self.system)
+            what = "moment" if q.moment else "force"
+            notes.append(f"the {what} that {q.connection} exerts on {body}")
+        return _Found(x, evidence, notes=notes, up_to_constant=_has_potential(q), at_start=at_start)
+
+    def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
+        value = quantity_value(q, self.system, state)
+        f = self.model.field
+        if isinstance(value, tuple):
+            return tuple(f.lowest_terms(f.element(v)) for v in value)  # type: ignore[arg-type]
+        return f.lowest_terms(f.element(value))
+
+    # -- an event along the motion ------------------------------------------------------------
+    def _at_event(self, q: Quantity) -> _Found:
+        event = self.question.event
+        assert event is not None
+        reached = self.setup.motion.reach(event)
+        conditions: list[Condition] = []
+        for x in reached.conditions:
+            condition, possible = require(x, ">", f"{event.text} is reached")
+            if not possible:
+                raise CannotAnswer(f"{event.text} is never reached after the start")
+            if condition is not None:
+                conditions.append(condition)
+        if isinstance(q, When):
+            if reached.time is None:
+                raise CannotAnswer(reached.why_no_time)
+            x = reached.time
+        elif isinstance(q, Work):
+            x = self._work(q, reached)
+        else:
+            x = self._there(q, reached)
+        evidence = proof.along_motion(
+            self.setup,
+            self.question.text,
+            q,
+            event,
+            x,
+            reached.time,
+            [*conditions, *self._root_conditions(x)],
+        )
+        return _Found(x, evidence, conditions, reached.notes, at_start=True)
+
+    def _there(self, q: Quantity, reached: Reached) -> Ratio:
+        """The quantity in the state at the event."""
+        f = self.model.field
+        values = {reached.coordinate.index: reached.at}
+        if reached.speed is not None:
+            values[reached.coordinate.speed] = reached.speed
+        if reached.time is not None:
+            values[f.index(f.time)] = reached.time
+        x = self._elements(q, SymbolicState(self.model, values))
+        if isinstance(x, tuple):
+            raise CannotAnswer("ask for one component of the vector at an event")
+        rest = {c.index for c in self.model.coordinates} | {c.speed for c in self.model.coordinates}
+        if f.ingredients(x) & rest:
+            raise CannotAnswer(
+                "the quantity depends on other coordinates as well, whose values at the event have no closed form"
+            )
+        return x
+
+    def _work(self, q: Work, reached: Reached) -> Ratio:
+        """Work of a load that is a function of its own measure: minus the change of its potential."""
+        f = self.model.field
+        before = self.setup.start_instant
+        after = SymbolicState(self.model, {reached.coordinate.index: reached.at})
+        total = f.zero
+        pushes = [p for p in self.system.pushes if p.load == q.of]
+        if not pushes:
+            raise CannotAnswer(f"{q.of} is no load; the work of a constraint is asked as power")
+        for push in pushes:
+            law_polynomial(push)
+            total = total + before.potential(push) - after.potential(push)
+        return f.lowest_terms(total)
+
+    # -- small oscillations and equilibrium ---------------------------------------------------
+    def _small(self, q: Small) -> _Found:
+        found = small_oscillations(self.model, self.setup.start)
+        f = self.model.field
+        conditions: list[Condition] = []
+        for square in found.squares:
+            condition, possible = require(square, ">" if q.what == "period" else ">=", "oscillates")
+            if not possible:
+                raise CannotAnswer("; ".join([*found.notes, "there is no oscillation about it: it is unstable"]))
+            if condition is not None:
+                conditions.append(condition)
+        if q.what != "frequencies" and len(found.squares) != 1:
+            raise CannotAnswer(f"there are {len(found.squares)} natural frequencies; ask for natural frequencies")
+        is_period = q.what == "period"
+        if is_period:
+            element: Elements = 2 * f.pi * f.sqrt(1 / found.squares[0], self.model.is_negative)
+        else:
+            roots = [f.sqrt(s, self.model.is_negative) for s in found.squares]
+            element = roots[0] if len(roots) == 1 else tuple(roots)
+        evidence = proof.small_oscillations(
+            self.setup, self.question.text, element, found.equilibrium, period=is_period
+        )
+        return _Found(element, evidence, conditions, list(found.notes), at_start=True)
+
+    def _equilibrium(self, q: Equilibrium) -> _Found:
+        values, notes = find_equilibrium(self.model, self.setup.start, stable_first=False)
+        x = SymbolicState(self.model, values).value(q.measure)
+        evidence = proof.at_rest(self.setup, self.question.text, values, x)
+        unstable = [note for note in notes if "stable" in note]
+        return _Found(x, evidence, notes=unstable, at_start=True)
+
+    # -- conditions ---------------------------------------------------------------------------
+    def _root_conditions(self, x: Elements) -> list[Condition]:
+        """Every divisor and every square root in the shown form."""
+        found: list[Condition] = []
+        f = self.model.field
+        for part in x if isinstance(x, tuple) else (x,):
+            if part.den is not None:
+                condition, _possible = require(part.denominator(), "!=", "divisor")
+                if condition is not None:
+                    found.append(condition)
+            for index in sorted(part.generators()):
+                if f.generators[index].kind == "root":
+                    condition, _possible = require(f.radicand(index), ">=", "under the root")
+                    if condition is not None:
+                        found.append(condition)
+        return found
+
+    def _finish(self, found: _Found) -> Answer:
+        q = self.question
+        if isinstance(found.element, Fraction):
+            expression: Expr | tuple[Expr, ...] = number(found.element)
+            value: float | tuple[float, ...] | None = float(found.element)
+            conditions: list[str] = []
+        else:
+            element = found.element
+            expression = tuple(map(tidy, element)) if isinstance(element, tuple) else tidy(element)
+            value = self._value(element)
+            conditions = self._conditions(found, element)
+            found.notes += self._loop_notes(element)
+        judgement = self._judge(found) if q.options else None
+        return Answer(
+            q.id,
+            q.text,
+            expression,
+            self._unit(),
+            value,
+            tuple(conditions),
+            tuple(found.notes),
+            choice=None if judgement is None else judgement.choice,
+            options={} if judgement is None else judgement.options,
+            author_notes=() if judgement is None else judgement.notes,
+            evidence=found.evidence,
+        )
+
+    def _loop_notes(self, element: Elements) -> list[str]:
+        """The closed loops, where an answer contains coordinates that they bind."""
+        bound = {c.index for c in self.model.dependent} | {c.speed for c in self.model.dependent}
+        parts = element if isinstance(element, tuple) else (element,)
+        if not any(self.model.field.ingredients(part) & bound for part in parts):
+            return []
+        return [f"with 0 = {to_text(tidy(primitive_part(loop.value)))}" for loop in self.model.loops]
+
+    def _conditions(self, found: _Found, element: Elements) -> list[str]:
+        conditions = [*found.conditions, *self._root_conditions(element)]
+        if not isinstance(self.question.quantity, (Freedom, Small, Equilibrium)):
+            at_start = self.question.at_start
+            conditions += self.setup.holding(self.setup.start_instant if at_start else self.setup.state)
+        found.notes += self._violated(conditions)
+        texts = merged(conditions)
+        acute = [p.name for p in self.system.parameters.values() if p.acute]
+        scope = FOR_ALL
+        if acute:
+            scope += ", " + ", ".join(f"0 < {to_text(_symbol(a))} < 90°" for a in acute)
+        return texts if texts else [scope]
+
+    def _violated(self, conditions: list[Condition]) -> list[str]:
+        """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
+        if not self.setup.has_values:
+            return []
+        draw = self.setup.draws[0]
+        start = draw.start()
+        broken: list[Condition] = []
+        for c in conditions:
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                if not proof.holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
+                    broken.append(c)
+        return [f"NOT SO at the model's own values: {text}; the answer is not true there" for text in merged(broken)]
+
+    def _judge(self, found: _Found) -> Any:
+        element: Any = found.element
+        dimension = self.question.quantity.dimension
+        return judge(self.question, element, dimension, self.model, self.system, up_to_constant=found.up_to_constant)
+
+    def _value(self, element: Elements) -> float | tuple[float, ...] | None:
+        if not self.setup.has_values:
+            return None
+        draw = self.setup.draws[0]
+        field = self.model.field
+        parts = element if isinstance(element, tuple) else (element,)
+        with suppress(CannotAnswer, ZeroDivisionError):
+            # exactly at the start where it has a formula, so that a zero is a zero
+            parts = tuple(field.follow(p, self.setup.start.values) for p in parts)
+        try:
+            values = proof.element_at(self.setup, parts, draw, draw.start())
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None
+        values = tuple(0.0 if abs(v) < _ROUND_OFF else v for v in values)
+        return values if isinstance(element, tuple) else values[0]
+
+    def _unit(self) -> str:
+        return unit_text(self.question.quantity)
+
+
+def _symbol(name: str) -> Expr:
+    from freebody.language.expression import Symbol
+
+    return Symbol(name)
+
+
+def _has_potential(q: Quantity) -> bool:
+    return isinstance(q, Energy) and q.what != "kinetic"
+
+
+def unit_text(q: Quantity) -> str:
+    """The SI unit of a quantity; angles and their rates in radians."""
+    dimension: Dimension = q.dimension
+    measure: Measure | None = getattr(q, "measure", None)
+    is_angular = (measure is not None and measure.dimension == DIMENSIONLESS) or isinstance(q, Small)
+    if isinstance(q, (OfMeasure, Equilibrium, Small)) and is_angular:
+        table = {
+            DIMENSIONLESS: "rad",
+            DIMENSIONLESS / TIME: "rad/s",
+            DIMENSIONLESS / TIME**2: "rad/s^2",
+        }
+        return table.get(dimension, str(dimension))
+    if isinstance(q, (Energy, Work)):
+        return "J"
+    if isinstance(q, (RatioOf, Freedom)) and dimension == DIMENSIONLESS:
+        return "1"
+    return str(dimension)
