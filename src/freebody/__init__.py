@@ -1,0 +1,69 @@
+"""freebody: rigid-body mechanics that shows its work and proves it.
+
+    import freebody as fb
+
+    system = fb.System.load("atwood_machine.yaml")
+    solution = fb.solve(system)
+    solution["acceleration"].expression
+
+Descriptions (`fb.Disk`, `fb.Pin`, `fb.Gravity` ...) make the same systems in Python; see `System.from_data`.
+Everything is imported on first use.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
+    from freebody.study.answer import Answer
+    from freebody.study.eom import Equations, equations_of_motion
+    from freebody.study.solve import Solution, solve
+    from freebody.system.system import System
+
+_HOMES = {
+    "System": "freebody.system.system",
+    "solve": "freebody.study.solve",
+    "Solution": "freebody.study.solve",
+    "Answer": "freebody.study.answer",
+    "equations_of_motion": "freebody.study.eom",
+    "Equations": "freebody.study.eom",
+    "FreebodyError": "freebody.errors",
+    "InputError": "freebody.errors",
+    "ModelError": "freebody.errors",
+    "CannotAnswer": "freebody.errors",
+    "RoutesDisagree": "freebody.errors",
+}
+
+__all__ = [
+    "Answer",
+    "CannotAnswer",
+    "Equations",
+    "FreebodyError",
+    "InputError",
+    "ModelError",
+    "RoutesDisagree",
+    "Solution",
+    "System",
+    "equations_of_motion",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
+    # descriptions: shapes, connections and loads by their class names
+    import_module("freebody.connections")
+    import_module("freebody.loads")
+    for base in ("Shape", "Connection", "Load"):
+        home = {
+            "Shape": "freebody.model.shapes",
+            "Connection": "freebody.connections.base",
+            "Load": "freebody.loads.base",
+        }
+        for kind in getattr(import_module(home[base]), base).kinds.values():
+            if kind.__name__ == name:
+                return kind
+    raise AttributeError(f"module 'freebody' has no attribute {name!r}")

@@ -1,0 +1,175 @@
+"""Results as text for a terminal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from freebody.language.expression import Expr, Number
+from freebody.language.notation import to_pretty, to_text
+from freebody.study.answer import Answer
+from freebody.study.eom import Equations
+from freebody.study.solve import Solution
+from freebody.system.system import System
+
+_RULE = "─"
+
+
+def number_text(value: float) -> str:
+    """Five significant digits, without trailing zeros."""
+    if value == 0 or not math.isfinite(value):
+        return "0" if value == 0 else str(value)
+    text = f"{value:.5g}"
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return f"{mantissa}e{int(exponent)}"
+    return text
+
+
+def plural(n: int, one: str, many: str | None = None) -> str:
+    word = one if n == 1 else (many or one + "s")
+    return f"{n} {word}"
+
+
+def system_line(system: System, dof: int, coordinates: tuple[str, ...], dependent: tuple[str, ...]) -> str:
+    """One line on the system."""
+    bodies = len(system.moving)
+    names = ", ".join(to_text(_name(c)) for c in coordinates)
+    text = (
+        f"{plural(bodies, 'moving body', 'moving bodies')}, {plural(len(system.connections), 'connection')}, "
+        f"{plural(dof, 'degree')} of freedom"
+    )
+    if coordinates:
+        text += f"; {plural(len(coordinates), 'coordinate').split(' ', 1)[1]}: {names}"
+    if dependent:
+        text += f"; bound to them: {', '.join(to_text(_name(c)) for c in dependent)}"
+    return text
+
+
+def _name(c: str) -> Expr:
+    from freebody.language.expression import Symbol
+
+    return Symbol(c)
+
+
+def solution_lines(solution: Solution) -> Iterator[str]:
+    """The whole answer sheet."""
+    system = solution.system
+    yield system.title
+    yield _RULE * min(len(system.title), 78)
+    yield system_line(system, solution.degrees_of_freedom, solution.coordinates, solution.dependent)
+    for text in system.assumptions:
+        yield f"assumed: {text}"
+    if solution.redundant:
+        yield f"redundant constraints: {', '.join(solution.redundant)}"
+    for answer in solution.answers:
+        yield ""
+        yield from answer_lines(answer)
+    if not solution.answers:
+        yield ""
+        yield "The file asks nothing. Add questions, or see its equations with: freebody eom FILE"
+
+
+def answer_lines(answer: Answer) -> Iterator[str]:
+    """One answer."""
+    yield f"{answer.id}  {answer.question}"
+    if answer.expression is None:
+        yield from _indented(f"no closed form: {answer.reason}", 4)
+        if answer.value is not None:
+            yield f"    by numbers  {_value_text(answer)}"
+        return
+    yield ""
+    if isinstance(answer.expression, tuple):
+        for k, part in enumerate(answer.expression):
+            yield from _indented(_displayed(part, f"[{k + 1}] = "), 6)
+    else:
+        yield from _indented(_displayed(answer.expression, "= "), 6)
+    yield ""
+    if answer.value is not None:
+        yield f"    value       {_value_text(answer)}"
+    yield from _listed("holds", answer.conditions)
+    yield from _listed("note", answer.notes)
+    if answer.options:
+        yield from _options(answer)
+    if answer.author_notes:
+        yield from _listed("to author", answer.author_notes)
+    if answer.evidence is not None:
+        e = answer.evidence
+        yield f"    evidence    {e.draws} random draws: {e.route};"
+        yield f"                largest relative difference {e.worst_relative_difference:.1g}"
+
+
+def _displayed(e: Expr, prefix: str) -> str:
+    lines = to_pretty(e).splitlines()
+    if len(lines) <= 1 or isinstance(e, Number):
+        return prefix + (lines[0] if lines else "0")
+    middle = _axis(lines)
+    pad = " " * len(prefix)
+    return "\n".join((prefix if k == middle else pad) + line for k, line in enumerate(lines))
+
+
+def _axis(lines: list[str]) -> int:
+    """The line of the first fraction bar, which is the axis of the layout."""
+    for k, line in enumerate(lines):
+        if "──" in line or line.strip().startswith("─"):
+            return k
+    return len(lines) // 2
+
+
+def _value_text(answer: Answer) -> str:
+    unit = "" if answer.unit == "1" else f" {answer.unit}"
+    if isinstance(answer.value, tuple):
+        return "(" + ", ".join(map(number_text, answer.value)) + ")" + unit
+    assert answer.value is not None
+    return number_text(answer.value) + unit
+
+
+def _indented(text: str, by: int) -> Iterator[str]:
+    for line in text.splitlines():
+        yield " " * by + line
+
+
+def _listed(label: str, texts: tuple[str, ...]) -> Iterator[str]:
+    for k, text in enumerate(texts):
+        yield f"    {label if k == 0 else '':<12}{text}"
+
+
+def _options(answer: Answer) -> Iterator[str]:
+    chosen = f"({answer.choice})" if answer.choice else "none"
+    yield f"    right       {chosen}"
+    for letter, verdict in answer.options.items():
+        if letter != answer.choice:
+            yield f"      ({letter})       {verdict.verdict}: {verdict.reason}"
+
+
+def equation_lines(equations: Equations) -> Iterator[str]:
+    """Equations of motion as text."""
+    system = equations.system
+    yield system.title
+    yield _RULE * min(len(system.title), 78)
+    yield system_line(system, len(equations.coordinates), equations.coordinates, equations.dependent)
+    if equations.dependent:
+        yield ""
+        yield "Closed loops (the dependent coordinates follow from them)"
+        for loop in equations.loops:
+            yield f"    0 = {to_text(loop)}"
+        yield "Rates of the dependent coordinates"
+        for name, rate in equations.dependent_rates.items():
+            yield f"    {to_text(_name(name))}' = {to_text(rate)}"
+    if equations.velocity_constraints:
+        yield ""
+        yield "Velocity constraints"
+        for row in equations.velocity_constraints:
+            yield f"    0 = {to_text(row)}"
+    yield ""
+    yield "Equations of motion"
+    for left, right in equations.lines():
+        yield f"    {to_text(left)} = {to_text(right)}"
+    if len(equations.coordinates) > 1:
+        yield ""
+        yield "Mass matrix"
+        for row in equations.mass_matrix:
+            yield "    [ " + ",  ".join(map(to_text, row)) + " ]"
+    if equations.redundant:
+        yield ""
+        yield f"redundant constraints: {', '.join(equations.redundant)}"

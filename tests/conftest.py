@@ -1,0 +1,81 @@
+"""Comparing formulas: two texts in the same symbols are the same function of them."""
+
+from __future__ import annotations
+
+import random
+import re
+import time
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import pytest
+import sympy
+
+import freebody as fb
+
+Agree = Callable[..., None]
+_FUNCTIONS = ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "pi"]
+_NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][+-]?\d+)?")
+_SEED = 20
+_DIGITS = 30
+
+
+class _Symbols(dict[str, Any]):
+    """Every name that is no function is a symbol."""
+
+    def __missing__(self, name: str) -> sympy.Symbol:
+        return sympy.Symbol(name)
+
+
+def formula(text: str) -> sympy.Expr:
+    """A formula in Python's notation; rate(x) is a symbol of its own."""
+    names = _Symbols({name: getattr(sympy, name) for name in _FUNCTIONS})
+    names["rate"] = lambda measure: sympy.Symbol(f"rate({measure.name})")
+    names["exact"] = sympy.Rational  # numbers as fractions, not as floats
+    return sympy.S(eval(_NUMBER.sub(r"exact('\g<0>')", text), {"__builtins__": {}}, names))
+
+
+def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -> None:
+    """Both agree to 20 digits at ten random points about the values in `near`, other symbols between 0.2 and 1:
+    an identity of elementary functions holds at a random point only if it holds (Schwartz and Zippel)."""
+    a, b = formula(found), formula(expected)
+    numbers = random.Random(_SEED)
+    symbols = sorted(a.free_symbols | b.free_symbols, key=str)
+    for _ in range(10):
+        point = {s: near.get(str(s), 0.0) * numbers.uniform(0.9, 1.1) or numbers.uniform(0.2, 1.0) for s in symbols}
+        exact = {s: sympy.Rational(round(value * 10**6), 10**6) for s, value in point.items()}
+        x, y = (sympy.N(e.subs(exact), _DIGITS) for e in (a, b))
+        size = max(abs(x), abs(y), sympy.Float(1e-6))
+        assert abs(x - y) < 1e-20 * size, f"seed {_SEED}: {found} is {x}, {expected} is {y} at {exact}"
+
+
+@pytest.fixture
+def within() -> Callable[[float, Callable[[], object]], None]:
+    """Asserts that an action takes less than a time [s] in the quickest of up to five runs: what else the machine does,
+    a collection of garbage or a first import make a run longer, never shorter."""
+
+    def check(seconds: float, action: Callable[[], object]) -> None:
+        times: list[float] = []
+        while len(times) < 5 and min(times, default=seconds) >= seconds:
+            started = time.perf_counter()
+            action()
+            times.append(time.perf_counter() - started)
+        assert min(times) < seconds
+
+    return check
+
+
+@pytest.fixture
+def agrees() -> Agree:
+    """Asserts that an answer of a solution is the expected formula (a list of them for a vector)."""
+
+    def check(solution: fb.Solution, id: str, expected: str | list[str]) -> None:
+        answer = solution[id]
+        assert answer.expression is not None, answer.reason
+        near = {p.name: p.value for p in solution.system.parameters.values() if p.value}
+        found = answer.to_plain()["expression"]
+        pairs = zip(found, expected, strict=True) if isinstance(found, list) else [(found, expected)]
+        for one, other in pairs:
+            assert_same_function(one, other, near)
+
+    return check

@@ -1,0 +1,218 @@
+"""The command line as its users meet it: what it prints, its exit codes, its messages."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import jsonschema
+import pytest
+from ruamel.yaml import YAML
+
+import freebody as fb
+
+Within = Callable[[float, Callable[[], object]], None]
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+
+
+def freebody(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "freebody.cli", *arguments], cwd=cwd, capture_output=True, text=True, check=False
+    )
+
+
+def solved(tmp_path: Path, text: str) -> subprocess.CompletedProcess[str]:
+    (tmp_path / "model.yaml").write_text(text, encoding="utf-8")
+    return freebody("solve", "model.yaml", cwd=tmp_path)
+
+
+def test_json_document_has_the_documented_content() -> None:
+    done = freebody("solve", "examples/atwood_machine.yaml", "--json")
+    assert done.returncode == 0
+    document = json.loads(done.stdout)
+    assert document["title"] == "Atwood machine with a massive pulley"
+    assert document["degrees_of_freedom"] == 1
+    assert document["coordinates"] == ["x1"]
+    answers = {a["id"]: a for a in document["answers"]}
+    m1, m2, M, g = 3.0, 2.0, 1.0, 9.81
+    # Newton for both masses and the pulley: (m1 + m2 + M/2) a = (m1 - m2) g
+    assert answers["acceleration"]["value"] == pytest.approx((m1 - m2) * g / (m1 + m2 + M / 2))
+    assert [answers[k]["choice"] for k in ("acceleration", "tension", "energy")] == ["a", "e", "c"]
+    wrong = [v for a in answers.values() for k, v in a["options"].items() if k != a["choice"]]
+    assert len(wrong) == 12
+    assert all(v["verdict"] == "wrong" and v["reason"] for v in wrong)
+    assert answers["tension"]["unit"] == "N"
+    assert answers["tension"]["conditions"] == ["for all positive parameters"]
+    assert answers["tension"]["evidence"]["draws"] >= 5
+    assert answers["tension"]["evidence"]["worst_relative_difference"] < 1e-9
+
+
+def test_a_question_without_closed_form_exits_with_one_and_says_why(tmp_path: Path) -> None:
+    model = (ROOT / "examples" / "simple_pendulum.yaml").read_text(encoding="utf-8")
+    (tmp_path / "p.yaml").write_text(model, encoding="utf-8")
+    done = freebody("solve", "p.yaml", "--find", "time when theta = 0", cwd=tmp_path)
+    assert done.returncode == 1
+    assert "no elementary closed form" in done.stdout
+    # a quarter of the period from 60 degrees: K(sin 30 deg) sqrt(L/g), K = 1.685750354812596 (Abramowitz & Stegun 17.1)
+    assert f"{1.685750354812596 * (1 / 9.81) ** 0.5:.5g}" in done.stdout
+
+
+def test_all_mistakes_of_a_file_come_in_one_message(tmp_path: Path) -> None:
+    done = solved(
+        tmp_path,
+        """\
+titel: typo
+parameters: {m1: 3 kgg, m2: -2 kg, R: 0.1 m, g: 9.81 m/s^2}
+bodies:
+  pulley: {disc: {radius: R}}
+  left: {particle: {mas: m1}}
+  right: {particle: {mass: R}}
+connections:
+  axle: {pin: [ground.axle, puley.center]}
+  rope: {strng: {from: left, over: [pulley], to: right}}
+loads: {weight: {gravity: m2}}
+measures: {x1: dropp of left}
+questions: [{find: aceleration of left}, {find: tension of rop}]
+""",
+    )
+    assert done.returncode == 2
+    assert done.stdout == ""
+    for expected in (
+        "model.yaml:1:8: titel: there is no section titel. Did you mean title?",
+        "kgg",
+        "m2 = -2 kg is not positive",
+        "Did you mean disk?",
+        "Did you mean mass?",
+        "'R' has the unit m, expected kg",
+        "there is no body puley. Did you mean pulley?",
+        "Did you mean string?",
+        "expected m/s^2",
+        "Did you mean: drop of POINT",
+        "Did you mean: acceleration of left",
+        "there is no connection rop",
+    ):
+        assert expected in done.stderr, expected
+    assert all(line.startswith("model.yaml:") for line in done.stderr.strip().splitlines())
+
+
+@pytest.mark.parametrize(
+    ("model", "message"),
+    [
+        (
+            "ground: {points: {A: [0, 0], B: [3 m, 0]}}\nbodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}\n"
+            "connections: {a: {pin: [ground.A, rod.start]}, b: {pin: [ground.B, rod.end]}}\n",
+            "b.x is off by 1 m",
+        ),
+        (
+            "bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}, w: {disk: {radius: 1 m}, fixed: true}}"
+            "\n"
+            "connections: {rope: {string: {from: a, over: [w], to: b, grips: [w]}}}\n",
+            "w is fixed and cannot turn",
+        ),
+        ("bodies: {a: {particle: {mass: m + L}}}\nparameters: {m: 1 kg, L: 1 m}\n", "unlike units cannot be added"),
+        ("parameters: {a: &x 1 m, b: *x}\nbodies: {p: {particle: {}}}\n", "write it out twice"),
+        ("parameters: {a: .nan}\nbodies: {p: {particle: {}}}\n", "not a finite number"),
+        ("parameters: {a: 1 m, a: 2 m}\nbodies: {p: {particle: {}}}\n", "a"),
+        ("bodies: {p: {particle: {mass: \"__import__('os')\"}}}\n", "column"),
+        ("bodies: {p: {particle: {mass: 9**9**9}}}\n", "exponent"),
+        ("bodies: {p: {particle: {mass: " + "(" * 100_000 + "1}}}\n", "at most 10000"),
+        ("", "empty"),
+        ("bodies: [1, 2\n", "not closed"),
+    ],
+)
+def test_a_bad_file_is_refused_with_the_reason(tmp_path: Path, model: str, message: str) -> None:
+    done = solved(tmp_path, model)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_missing_file_is_named_with_the_nearest_one(tmp_path: Path) -> None:
+    (tmp_path / "model.yaml").write_text("", encoding="utf-8")
+    done = freebody("solve", "modle.yaml", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "Did you mean model.yaml?" in done.stderr
+
+
+def test_new_writes_a_model_that_solves_and_never_overwrites(tmp_path: Path) -> None:
+    assert freebody("new", "first.yaml", cwd=tmp_path).returncode == 0
+    done = freebody("solve", "first.yaml", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "F" in done.stdout
+    again = freebody("new", "first.yaml", cwd=tmp_path)
+    assert again.returncode == 2
+    assert "exists already" in again.stderr
+
+
+def test_examples_are_listed_and_copied(tmp_path: Path) -> None:
+    listed = freebody("examples").stdout
+    assert all(path.stem in listed for path in EXAMPLES)
+    assert len(EXAMPLES) >= 16
+    assert freebody("examples", "yo_yo", cwd=tmp_path).returncode == 0
+    assert (tmp_path / "yo_yo.yaml").read_text(encoding="utf-8") == (ROOT / "examples/yo_yo.yaml").read_text(
+        encoding="utf-8"
+    )
+    assert "Did you mean yo_yo?" in freebody("examples", "yoyo", cwd=tmp_path).stderr
+
+
+def test_schema_accepts_every_example_and_refuses_a_typo() -> None:
+    schema = json.loads(freebody("schema").stdout)
+    validator = jsonschema.Draft202012Validator(schema)
+    for path in EXAMPLES:
+        data = json.loads(json.dumps(YAML(typ="safe").load(path.read_text(encoding="utf-8"))))
+        assert list(validator.iter_errors(data)) == [], path.name
+    assert list(validator.iter_errors({"bodies": {}, "conections": {}}))
+
+
+@pytest.mark.parametrize("form", [[], ["--latex"], ["--json"]])
+def test_equations_of_motion_come_as_text_latex_and_json(form: list[str]) -> None:
+    done = freebody("eom", "examples/cart_and_pendulum.yaml", *form)
+    assert done.returncode == 0
+    if form == ["--json"]:
+        document = json.loads(done.stdout)
+        # textbook: (M + m) x'' + m L/2 cos(theta) theta'' - m L/2 theta'^2 sin(theta) = F
+        assert document["mass_matrix"][0][0] == "M + m"
+        assert document["coordinates"] == ["x", "theta"]
+    else:
+        assert "theta" in done.stdout or "θ" in done.stdout
+
+
+def test_help_answers_at_once(within: Within) -> None:
+    assert "solve" in freebody("--help").stdout
+    within(1.0, lambda: freebody("--help"))
+
+
+def test_a_file_and_python_make_the_same_system() -> None:
+    text = """
+parameters: {m: 1 kg, R: 0.2 m, g: 9.81 m/s^2}
+bodies: {yoyo: {disk: {mass: m, radius: R}}}
+connections: {cord: {string: {from: ground.hand, to: wound on yoyo at right}}}
+loads: {weight: {gravity: g}}
+questions: [tension of cord]
+"""
+    data = {
+        "parameters": {"m": "1 kg", "R": "0.2 m", "g": "9.81 m/s^2"},
+        "bodies": {"yoyo": fb.Disk("m", "R")},
+        "connections": {"cord": fb.String(**{"from": "ground.hand", "to": "wound on yoyo at right"})},
+        "loads": {"weight": fb.Gravity("g")},
+        "questions": ["tension of cord"],
+    }
+    written, built = fb.System.from_text(text), fb.System.from_data(data)
+    assert written == built
+    assert fb.solve(built)["q1"].to_plain()["expression"] == "m*g/3"
+
+
+def test_new_values_keep_the_comments_of_the_file() -> None:
+    text = "# my model\nparameters: {m: 1 kg}  # the mass\nbodies: {p: {particle: {mass: m}}}\n"
+    system = fb.System.from_text(text)
+    assert system.to_yaml() == text
+    heavier = system.with_parameters(m="2 kg")
+    assert heavier.to_yaml() == text.replace("1 kg", "2 kg")
+    assert system.parameters["m"].value == 1.0
+    with pytest.raises(fb.InputError, match="Did you mean"):
+        system.with_parameters(mm=3)

@@ -1,0 +1,87 @@
+"""The documentation says what is so: its commands, code and outputs are run."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import types
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+
+
+def run(*arguments: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-m", "freebody.cli", *arguments], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    return done.stdout
+
+
+def blocks(text: str, language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", text, re.DOTALL)
+
+
+@pytest.mark.parametrize("block", blocks(README, "console"))
+def test_readme_shows_the_real_output(block: str) -> None:
+    command, _, shown = block.partition("\n")
+    assert command.startswith("$ freebody ")
+    real = run(*command.removeprefix("$ freebody ").split())
+    # round-off in the last digits of the evidence differs between machines
+    shown, real = (re.sub(r"difference \S+", "difference *", text) for text in (shown, real))
+    assert real.startswith(shown.removesuffix("...\n").rstrip())
+
+
+def test_readme_has_the_two_set_up_lines_that_ci_runs() -> None:
+    lines = re.findall(r"^python3 -m venv \.venv && .*$", README, re.MULTILINE)
+    assert [line.split("&& ", 1)[1].split(" && ")[0] for line in lines] == [
+        ".venv/bin/pip install .",
+        '.venv/bin/pip install ".[test]"',
+    ]
+    assert lines[0].endswith(".venv/bin/freebody solve examples/atwood_machine.yaml")
+    assert lines[1].endswith(".venv/bin/python -m pytest")
+
+
+def test_the_model_in_the_readme_solves() -> None:
+    (model,) = blocks(README, "yaml")
+    solution = fb.solve(fb.System.from_text(model))
+    assert solution["q1"].choice == "a"
+
+
+def test_the_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    (code,) = blocks(README, "python")
+    exec(compile(code, "README.md", "exec"), {})
+    assert capsys.readouterr().out.strip() == "5*g*sin(alpha)/7"
+
+
+def test_every_kind_is_in_the_readme() -> None:
+    from freebody.connections.base import Connection
+    from freebody.loads.base import Load
+    from freebody.system.reader import register_kinds
+
+    register_kinds()
+    for kind in [*Connection.kinds, *Load.kinds]:
+        if kind != "midpoint":
+            assert f"`{kind}`" in README, kind
+
+
+def test_the_connection_of_contributing_works_as_written() -> None:
+    from freebody.connections.base import Connection
+
+    (code,) = blocks(CONTRIBUTING, "python")
+    module = types.ModuleType("freebody.connections.midpoint")
+    try:
+        exec(compile(code, "CONTRIBUTING.md", "exec"), module.__dict__)
+        model = module.Midpoint.example + "loads: {f: {force: {at: a, along: right, magnitude: 6 N}}}\n"
+        # 2 x_m = x_a + x_b: the reaction is R on a and b and -2 R on m, so m a_a = F + R, a_b = R, a_m = -2 R
+        # with a_m = (a_a + a_b)/2 give R = -F/6
+        answer = fb.solve(fb.System.from_text(model), "acceleration of m along right")["q1"]
+        assert answer.value == pytest.approx(2.0)
+    finally:
+        Connection.kinds.pop("midpoint", None)

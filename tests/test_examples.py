@@ -1,0 +1,271 @@
+"""Every example that comes with the project: solved completely, with evidence, and as in the textbooks."""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+
+FOLDER = Path(__file__).parents[1] / "examples"
+EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
+SECONDS = 5.0
+
+Within = Callable[[float, Callable[[], object]], None]
+Agree = Callable[[fb.Solution, str, str | list[str]], None]
+example = pytest.mark.parametrize("name", EXAMPLES)
+
+
+@functools.cache
+def solved(name: str) -> fb.Solution:
+    return fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
+
+
+@example
+def test_example_is_solved_completely(name: str) -> None:
+    solution = solved(name)
+    assert solution.answers
+    assert {a.id: a.reason for a in solution.answers if a.expression is None} == {}
+    assert solution.is_complete
+
+
+@example
+def test_every_answer_was_checked_against_the_other_route(name: str) -> None:
+    for answer in solved(name).answers:
+        assert answer.evidence is not None, answer.id
+        assert answer.evidence.draws >= 5, answer.id
+        assert answer.evidence.worst_relative_difference < 1e-7, answer.id
+
+
+@example
+def test_the_choice_is_the_key_and_the_only_right_option(name: str) -> None:
+    solution = solved(name)
+    for question in solution.system.questions:
+        answer = solution[question.id]
+        assert answer.choice == question.key
+        assert set(answer.options) == set(question.options)
+        for option, verdict in answer.options.items():
+            assert (verdict.verdict == "right") == (option == question.key), f"{question.id} {option}"
+            assert option == question.key or verdict.reason
+
+
+@example
+def test_json_document_has_the_documented_keys(name: str) -> None:
+    solution = solved(name)
+    document = json.loads(json.dumps(solution.to_plain(), allow_nan=False))
+    assert {"title", "degrees_of_freedom", "coordinates", "answers"} <= set(document)
+    assert document["title"] == solution.system.title
+    assert document["degrees_of_freedom"] == len(document["coordinates"])
+    wanted = {"id", "question", "expression", "latex", "unit", "value", "conditions", "choice", "options", "evidence"}
+    for entry, question in zip(document["answers"], solution.system.questions, strict=True):
+        assert wanted <= set(entry)
+        assert (entry["id"], entry["question"]) == (question.id, question.text)
+        assert isinstance(entry["latex"], str)
+        assert isinstance(entry["unit"], str)
+        assert all(isinstance(c, str) for c in entry["conditions"])
+        assert {"draws", "worst_relative_difference", "route"} <= set(entry["evidence"])
+
+
+@example
+def test_an_expression_of_parameters_has_the_shown_value_in_plain_python(name: str) -> None:
+    solution = solved(name)
+    known = {p.name: p.value for p in solution.system.parameters.values()}
+    functions = {k: v for k, v in vars(math).items() if not k.startswith("_")}
+    for answer in solution.to_plain()["answers"]:
+        shown = answer["expression"]
+        pairs = zip(shown, answer["value"], strict=True) if isinstance(shown, list) else [(shown, answer["value"])]
+        for text, value in pairs:
+            names = set(re.findall(r"[A-Za-z_]\w*", text))
+            if not names <= known.keys() | functions.keys():
+                continue  # it depends on the instant
+            result = eval(text, {"__builtins__": {}}, functions | known)
+            assert result == pytest.approx(value, rel=1e-12, abs=1e-14), answer["id"]
+
+
+@example
+def test_example_takes_less_than_five_seconds(name: str, within: Within) -> None:
+    within(SECONDS, lambda: fb.solve(fb.System.load(FOLDER / f"{name}.yaml")))
+
+
+# Formulas of the literature, or derived in the comment above them. BJ: Beer, Johnston & Cornwell, Vector Mechanics
+# for Engineers: Dynamics; MK: Meriam & Kraige, Engineering Mechanics: Dynamics.
+_COMPOUND = "4*g*m1*m2*m3/(m1*m2 + m1*m3 + 4*m2*m3)"
+_ATWOOD = "(m1 + m2 + M/2)"
+_INCLINE = "(g*(m2 - m1*sin(alpha))/(m1 + m2 + M/2))"
+_SUN = "(4*T_S*r_P**2/(4*I_S*r_P**2 + 3*r_S**2*I_P + 3*m_P*r_P**2*r_S**2))"
+_DOUBLE = (  # angular acceleration of the upper rod
+    "((-g*(2*m1 + m2)*sin(theta1) - m2*g*sin(theta1 - 2*theta2)"
+    " - 2*sin(theta1 - theta2)*m2*(rate(theta2)**2*L2 + rate(theta1)**2*L1*cos(theta1 - theta2)))"
+    "/(L1*(2*m1 + m2 - m2*cos(2*theta1 - 2*theta2))))"
+)
+_LOWER = f"(-m1*(L1*{_DOUBLE} + g*sin(theta1))/sin(theta1 - theta2))"  # tension of the lower rod
+_CART = "((F + m*L*rate(theta)**2*sin(theta)/2 + 3*m*g*sin(theta)*cos(theta)/4)/(M + m - 3*m*cos(theta)**2/4))"
+_SWING = "(-m*d*(g*sin(theta) + a0*cos(theta))/(I + m*d**2))"
+_HOIST = "(-R*(2*T + m*R*g)/(4*I + m*R**2))"
+_BELT = "(I1*r2**2 + I2*r1**2)"
+_FALL = "(3*g*cos(theta)/(2*L))"
+_DISK = "(m*g*R*sin(alpha)/(I + m*R**2))"
+_LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
+
+TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
+    # BJ sec. 16.1 (pulleys with mass): (m1 + m2 + I/R^2) a = (m1 - m2) g, I = M R^2/2; T1 = m1 (g - a)
+    "atwood_machine": {
+        "acceleration": f"(m1 - m2)*g/{_ATWOOD}",
+        "tension": f"m1*(g - (m1 - m2)*g/{_ATWOOD})",
+        "energy": f"{_ATWOOD}*rate(x1)**2/2 - (m1 - m2)*g*x1",
+    },
+    # BJ sec. 19.3: 7/5 m (R - r)^2 phi'' = -m g (R - r) sin(phi); N - m g cos(phi) = m (R - r) phi'^2
+    "ball_in_bowl": {
+        "equation": "-5*g*sin(phi)/(7*(R - r))",
+        "normal": "m*g*cos(phi) + m*(R - r)*rate(phi)**2",
+        "period": "2*pi*sqrt(7*(R - r)/(5*g))",
+    },
+    # I1 a1 = T1 - F r1, I2 a2 = F r2 - T2, a1 r1 = a2 r2
+    "belt_drive": {
+        "motor": f"r2*(r2*T1 - r1*T2)/{_BELT}",
+        "drum": f"r1*(r2*T1 - r1*T2)/{_BELT}",
+        "belt": f"(T1 - I1*r2*(r2*T1 - r1*T2)/{_BELT})/r1",
+    },
+    # MK art. 6/4, moments about the accelerated hinge; the driver moves the mass centre, x_G = x + d sin(theta)
+    "body_on_driven_roller": {
+        "equation": _SWING,
+        "momentum": "(I + m*d**2)*rate(theta) + m*d*a0*t*cos(theta)",
+        "force": f"m*(a0 + d*{_SWING}*cos(theta) - d*rate(theta)**2*sin(theta))",
+    },
+    # Lagrange: (M + m) x'' + m L/2 (theta'' c - theta'^2 s) = F, m L^2/3 theta'' + m L/2 x'' c = -m g L/2 s
+    "cart_and_pendulum": {
+        "cart": _CART,
+        "rod": f"-3*({_CART}*cos(theta) + g*sin(theta))/(2*L)",
+        "momentum": "(M + m)*rate(x) + m*L/2*rate(theta)*cos(theta)",
+    },
+    # BJ sec. 12.1: a2 + a3 = -2 a1 with a1 = g - 2 T/m1, a2 = g - T/m2, a3 = g - T/m3 gives T
+    "compound_atwood": {
+        "a1": f"g - 2*{_COMPOUND}/m1",
+        "a2": f"g - {_COMPOUND}/m2",
+        "a3": f"g - {_COMPOUND}/m3",
+        "T1": f"2*{_COMPOUND}",
+        "T2": _COMPOUND,
+    },
+    # about the contact: 2 R T = 3/2 M R a; m g - T = 2 m a; T + F = M a
+    "cylinder_pulled_by_string": {
+        "cylinder": "m*g/(2*m + 3*M/4)",
+        "weight": "2*m*g/(2*m + 3*M/4)",
+        "tension": "3*M/4*m*g/(2*m + 3*M/4)",
+        "friction": "M/4*m*g/(2*m + 3*M/4)",
+    },
+    # BJ sec. 16.2 and 17.1: moments about the contact, energy over the drop h; friction is uphill, I alpha/R
+    "disk_rolling_down_incline": {
+        "time": f"(-v0/R + sqrt(v0**2/R**2 + 2*m*g*h/(I + m*R**2)))/{_DISK}",
+        "speed": "sqrt(v0**2 + 2*m*g*h/(m + I/R**2))",
+        "acceleration": "m*g*sin(alpha)/(m + I/R**2)",
+        "friction": f"-I*{_DISK}/R",
+    },
+    # the upper mass along and across its rod; frequencies: Landau & Lifshitz, Mechanics, sec. 23, problem 2
+    "double_pendulum": {
+        "acceleration": _DOUBLE,
+        "tension": f"m1*g*cos(theta1) + m1*L1*rate(theta1)**2 + {_LOWER}*cos(theta1 - theta2)",
+        "frequencies": [
+            f"sqrt(g*((m1 + m2)*(L1 + L2) - {_LANDAU})/(2*m1*L1*L2))",
+            f"sqrt(g*((m1 + m2)*(L1 + L2) + {_LANDAU})/(2*m1*L1*L2))",
+        ],
+    },
+    # BJ sample problem 17.4 (rod from the horizontal); Newton for the mass centre at L/2
+    "falling_hinged_rod": {
+        "release": "3*g/(2*L)",
+        "pin_at_release": "m*g/4",
+        "speed_below": "sqrt(3*g/L)",
+        "pin_below": "5*m*g/2",
+        "reaction": [
+            f"-m*L/2*({_FALL}*sin(theta) + rate(theta)**2*cos(theta))",
+            f"m*g - m*L/2*({_FALL}*cos(theta) - rate(theta)**2*sin(theta))",
+        ],
+    },
+    # Norton, Design of Machinery, eq. 6.18: w4/w2 = a sin(t2 - t3)/(c sin(t4 - t3))
+    "four_bar": {
+        "freedom": "1",
+        "rocker": "a*sin(theta - theta_coupler)/(c*sin(theta_rocker - theta_coupler))",
+    },
+    # a counter-clockwise drum pays out on its left: y'' = -R alpha/2, I alpha = T + R F, m y'' = 2 F - m g
+    "hoist": {
+        "acceleration": _HOIST,
+        "rope": f"m*(g + {_HOIST})/2",
+        "hook": f"m*(g + {_HOIST})",
+    },
+    # BJ sec. 16.1; the axle balances both pulls on the pulley and its weight
+    "incline_with_pulley": {
+        "acceleration": _INCLINE,
+        "T1": f"m1*({_INCLINE} + g*sin(alpha))",
+        "T2": f"m2*(g - {_INCLINE})",
+        "normal": "m1*g*cos(alpha)",
+        "axle": [
+            f"m1*({_INCLINE} + g*sin(alpha))*cos(alpha)",
+            f"m1*({_INCLINE} + g*sin(alpha))*sin(alpha) + m2*(g - {_INCLINE}) + M*g",
+        ],
+    },
+    # BJ sec. 19.1: y = L + m g/k (1 - cos(w t)), w^2 = k/m
+    "mass_on_spring": {
+        "acceleration": "g - k*(y - L)/m",
+        "rest": "L + m*g/k",
+        "frequency": "sqrt(k/m)",
+        "period": "2*pi*sqrt(m/k)",
+        "passage": "pi/2*sqrt(m/k)",
+        "speed": "g*sqrt(m/k)",
+    },
+    # Gruebler and Kutzbach: 3*5 - 4*2 - 2*2 - 2
+    "multi_bar_platform": {"q1": "1"},
+    # planet centre: F_sun + F_ring = m_P r_S alpha/2; planet spin: F_sun - F_ring = I_P r_S alpha/(2 r_P^2)
+    "planetary_gear": {
+        "acceleration": _SUN,
+        "planet_rate": "-r_S/(2*r_P)",
+        "sun_tooth": f"(T_S - I_S*{_SUN})/(3*r_S)",
+        "ring_tooth": f"r_S*{_SUN}/4*(m_P - I_P/r_P**2)",
+        "place_2": "1",
+        "place_3": "1",
+    },
+    # (m + I/r^2) x'' = T/r - k x; the teeth move the rack: F = m x'' + k x
+    "rack_and_pinion_drive": {
+        "acceleration": "(T/r - k*x)/(m + I/r**2)",
+        "tooth": "m*(T/r - k*x)/(m + I/r**2) + k*x",
+        "rest": "T/(k*r)",
+        "frequency": "sqrt(k/(m + I/r**2))",
+    },
+    # MK art. 3/5 and 3/7: energy to the lowest point, downwards in theta
+    "simple_pendulum": {
+        "equation": "-g/L*sin(theta)",
+        "tension": "m*g*cos(theta) + m*L*rate(theta)**2",
+        "lowest_speed": "-sqrt(2*g*(1 - cos(theta_0))/L)",
+        "lowest_tension": "m*g*(3 - 2*cos(theta_0))",
+        "period": "2*pi*sqrt(L/g)",
+    },
+    # x = r cos(theta) + l cos(phi), r sin(theta) = l sin(phi), differentiated (BJ sample problem 15.6)
+    "slider_crank": {
+        "piston": "-r*rate(theta)*(sin(theta) + cos(theta)*sin(phi)/cos(phi))",
+        "rod": "-r*cos(theta)/(l*cos(phi))",
+    },
+    # Rao, Mechanical Vibrations, sec. 5.3
+    "two_masses_three_springs": {"frequencies": ["sqrt(k/m)", "sqrt(3*k/m)"], "a1": "(k*(x2 - x1) - k*x1)/m"},
+    # MK art. 6/5: m a = m g - S, m R^2/2 a/R = S R
+    "yo_yo": {
+        "acceleration": "2*g/3",
+        "tension": "m*g/3",
+        "spin": "2*g/(3*R)",
+        "time": "sqrt(3*h/g)",
+        "speed": "sqrt(4*g*h/3)",
+    },
+}
+
+
+def test_every_question_of_every_example_has_its_textbook_formula() -> None:
+    asked = {name: {q.id for q in fb.System.load(FOLDER / f"{name}.yaml").questions} for name in EXAMPLES}
+    assert {name: set(known) for name, known in TEXTBOOK.items()} == asked
+
+
+@pytest.mark.parametrize(("name", "question"), [(n, q) for n, known in TEXTBOOK.items() for q in known])
+def test_answer_is_the_formula_of_the_textbook(name: str, question: str, agrees: Agree) -> None:
+    agrees(solved(name), question, TEXTBOOK[name][question])

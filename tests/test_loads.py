@@ -1,0 +1,303 @@
+"""Every load: one family of tests that all of them pass, and a closed form for each."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import freebody as fb
+import freebody.loads  # registers the kinds
+from freebody.loads.base import Load
+from freebody.numeric.reference import Reference, Snapshot
+from freebody.study.evidence import element_at
+from freebody.study.setup import Setup
+from freebody.system.schema import json_schema
+
+Agree = Callable[[fb.Solution, str, str | list[str]], None]
+KINDS = sorted(k for k, c in Load.kinds.items() if c.__module__.startswith("freebody."))
+STORING = [k for k in KINDS if Load.kinds[k].stores_energy]
+SEED = 12
+STEP = 1e-5
+
+kind = pytest.mark.parametrize("kind", KINDS)
+
+
+@functools.cache
+def example(kind: str) -> fb.System:
+    return fb.System.from_text(Load.kinds[kind].example)
+
+
+def somewhere(system: fb.System) -> Snapshot:
+    """A random pose and motion."""
+    reference = Reference(system)
+    q, v = reference.wander(reference.assemble(), np.random.default_rng(SEED), 0.2, 0.3)
+    return reference.snapshot(q, v, 0.3)
+
+
+def shifted(s: Snapshot, h: float) -> Snapshot:
+    return s.reference.snapshot(s.q + h * s.v, s.v, s.t + h, near=s)
+
+
+# -- the family -------------------------------------------------------------------------------
+@kind
+def test_load_is_described_and_in_the_schema(kind: str) -> None:
+    described = Load.kinds[kind]
+    assert f"`{kind}:" in (described.__doc__ or "")
+    entry = json_schema()["properties"]["loads"]["additionalProperties"]["properties"][kind]
+    assert entry["description"]
+
+
+@kind
+def test_example_is_a_valid_model_with_the_load(kind: str) -> None:
+    system = example(kind)
+    assert isinstance(system.loads["it"], Load.kinds[kind])
+    assert [push for push in system.pushes if push.load == "it"]
+    assert fb.System.from_text(system.to_yaml()) == system
+    jsonschema = pytest.importorskip("jsonschema")
+    jsonschema.validate(system.document.data, json_schema())
+
+
+@kind
+def test_load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
+    """Virtual power: the rate of the measure is its gradient times the velocities."""
+    s = somewhere(example(kind))
+    for push in s.reference.system.pushes:
+        bodies = s.reference.system.moving
+        row = np.concatenate([s.gradient(push.measure, b.name)[: 3 if b.turns else 2] for b in bodies])
+        for k in range(len(s.q)):
+            ahead, behind = (
+                s.reference.snapshot(s.q + h * np.eye(len(s.q))[k], s.v, s.t, near=s).value(push.measure)
+                for h in (STEP, -STEP)
+            )
+            assert row[k] == pytest.approx((ahead - behind) / (2 * STEP), rel=1e-7, abs=1e-8), f"seed {SEED} {push}"
+        assert s.rate(push.measure) == pytest.approx(row @ s.v, rel=1e-12), f"seed {SEED} {push.name}"
+
+
+@kind
+def test_free_bodies_accelerate_by_the_load_over_their_mass(kind: str) -> None:
+    """Newton and Euler: M a = gradient * law, where nothing is held."""
+    s = somewhere(example(kind))
+    assert not s.reference.system.held
+    forces = np.zeros(len(s.q))
+    for push in s.reference.system.pushes:
+        bodies = s.reference.system.moving
+        row = np.concatenate([s.gradient(push.measure, b.name)[: 3 if b.turns else 2] for b in bodies])
+        forces += row * s.law(push)
+    assert s.reference.masses * s.accelerations == pytest.approx(forces, rel=1e-12, abs=1e-12)
+
+
+@kind
+def test_both_routes_give_the_same_force(kind: str) -> None:
+    setup = Setup(example(kind))
+    for push in setup.system.pushes:
+        closed = setup.state.law(push)
+        for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
+            (value,) = element_at(setup, closed, draw, snapshot)
+            assert value == pytest.approx(snapshot.law(push), rel=1e-10, abs=1e-10)
+
+
+@pytest.mark.parametrize("kind", STORING)
+def test_power_is_minus_the_rate_of_the_stored_energy(kind: str) -> None:
+    s = somewhere(example(kind))
+    for push in s.reference.system.pushes:
+        fall = (shifted(s, -STEP).potential(push) - shifted(s, STEP).potential(push)) / (2 * STEP)
+        assert s.law(push) * s.rate(push.measure) == pytest.approx(fall, rel=1e-6, abs=1e-7), f"seed {SEED}"
+
+
+@pytest.mark.parametrize("kind", STORING)
+def test_total_energy_is_constant_along_the_motion(kind: str) -> None:
+    s = somewhere(example(kind))
+
+    def energy(now: Snapshot) -> float:
+        return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.pushes)
+
+    end = s.reference.integrate(s, s.t + 1.0).snapshots[-1]
+    assert energy(end) == pytest.approx(energy(s), rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["damper", "torsional_damper"])
+def test_dampers_only_take_energy(kind: str) -> None:
+    reference = Reference(example(kind))
+    q = reference.assemble()
+    generator = np.random.default_rng(SEED)
+    for _ in range(20):
+        s = reference.snapshot(q, generator.standard_normal(len(q)))
+        assert sum(s.law(push) * s.rate(push.measure) for push in reference.system.pushes) < 0, f"seed {SEED}"
+
+
+# -- closed forms -----------------------------------------------------------------------------
+CLOSED: dict[str, tuple[str, str, dict[str, str | list[str]]]] = {
+    # weight along another direction: a = g
+    "gravity in a tilted frame": (
+        "gravity",
+        """
+parameters: {m: 2 kg, alpha: 20 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {it: {gravity: {strength: g, along: alpha}}}
+""",
+        {"acceleration of ball along right": "g*cos(alpha)", "acceleration of ball along up": "g*sin(alpha)"},
+    ),
+    # m x'' = -k (x - l), energy k (x - l)^2/2 + m x'^2/2; from rest at x0 the speed at x = l is sqrt(k/m) (x0 - l)
+    "spring on a rail": (
+        "spring",
+        """
+parameters: {m: 2 kg, k: 50 N/m, l: 1 m, stretch: 0.2 m}
+bodies: {block: {particle: {mass: m}}}
+connections: {rail: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {it: {spring: {first: ground.O, second: block, stiffness: k, length: l}}}
+start: {x: l + stretch}
+""",
+        {
+            "force in it": "k*(x - l)",
+            "total energy": "m*rate(x)**2/2 + k*(x - l)**2/2",
+            "velocity of x when x = l": "-stretch*sqrt(k/m)",
+            "time when x = l": "pi/2*sqrt(m/k)",
+            "work of it when x = l": "k*stretch**2/2",
+        },
+    ),
+    # m v' = -c v: v = v0 exp(-c t/m), so half the speed after m log(2)/c at x0 + m v0/(2 c)
+    "damper on a rail": (
+        "damper",
+        """
+parameters: {m: 2 kg, c: 3 N s/m, v0: 4 m/s, x0: 1 m}
+bodies: {block: {particle: {mass: m}}}
+connections: {rail: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads: {it: {damper: {first: ground.O, second: block, damping: c}}}
+start: {x: x0, rate(x): v0}
+""",
+        {
+            "force in it": "c*rate(x)",
+            "power of it": "-c*rate(x)**2",
+            "time when rate(x) = v0/2": "m*log(2)/c",
+        },
+    ),
+    "torsional spring on a wheel": (
+        "torsional_spring",
+        """
+parameters: {J: 0.2 kg m^2, k: 5 N m, beta: 10 deg}
+bodies: {wheel: {body: {inertia: J, mass: 1 kg}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+measures: {theta: angle of wheel}
+loads: {it: {torsional_spring: {body: wheel, stiffness: k, angle: beta}}}
+""",
+        {
+            "angular acceleration of wheel": "-k*(theta - beta)/J",
+            "natural frequency": "sqrt(k/J)",
+            "equilibrium of theta": "beta",
+        },
+    ),
+    "torsional damper on a wheel": (
+        "torsional_damper",
+        """
+parameters: {J: 0.2 kg m^2, c: 0.5 N m s, w0: 10 rad/s}
+bodies: {wheel: {body: {inertia: J, mass: 1 kg}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+measures: {theta: angle of wheel}
+loads: {it: {torsional_damper: {body: wheel, damping: c}}}
+start: {theta: 0, rate(theta): w0}
+""",
+        {"time when rate(theta) = w0/10": "J*log(10)/c", "power of it": "-c*rate(theta)**2"},
+    ),
+    # the force changes in time only: m x'' = F0 sin(w t)
+    "force that changes in time": (
+        "force",
+        """
+parameters: {m: 2 kg, F0: 3 N, w: 5 rad/s}
+bodies: {ball: {particle: {mass: m}}}
+loads: {it: {force: {at: ball, along: [3, 4], magnitude: F0*sin(w*t)}}}
+""",
+        {"acceleration of ball": ["3*F0*sin(w*t)/(5*m)", "4*F0*sin(w*t)/(5*m)"]},
+    ),
+    # a force that turns with a pinned rod: m L^2/3 theta'' = F L; after one turn its work is 2 pi F L, not zero
+    "follower force": (
+        "force",
+        """
+parameters: {m: 3 kg, L: 2 m, F: 4 N}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+measures: {theta: angle of rod}
+loads: {it: {force: {at: rod.end, along: rod.up, magnitude: F}}}
+start: {theta: 0}
+""",
+        {
+            "angular acceleration of rod": "3*F/(m*L)",
+            "velocity of theta when theta = 2*pi": "sqrt(2*2*pi*F*L/(m*L**2/3))",
+            "power of it": "F*L*rate(theta)",
+        },
+    ),
+    # a motor between two free bodies turns them against each other, H = 0
+    "torque of a motor that reacts": (
+        "torque",
+        """
+parameters: {I1: 0.2 kg m^2, I2: 0.7 kg m^2, T: 3 N m}
+bodies: {rotor: {body: {mass: 1 kg, inertia: I1}}, housing: {body: {mass: 2 kg, inertia: I2}}}
+connections: {bearing: {pin: [housing, rotor]}}
+loads: {it: {torque: {on: rotor, magnitude: T, reacts_on: housing}}}
+""",
+        {"angular acceleration of rotor": "T/I1", "angular acceleration of housing": "-T/I2"},
+    ),
+    # V = k x^4/4: from rest at x0, m v^2/2 = k (x0^4 - x^4)/4
+    "cubic spring": (
+        "law",
+        """
+parameters: {m: 2 kg, k: 5 N/m^3, x0: 0.6 m}
+bodies: {ball: {particle: {mass: m}}}
+connections: {rail: {slider: {body: ball, along: right}}}
+measures: {x: x of ball}
+loads: {it: {law: {measure: x, force: -k*x^3}}}
+start: {x: x0}
+""",
+        {
+            "acceleration of x": "-k*x**3/m",
+            "potential energy": "k*x**4/4",
+            "velocity of x when x = 0": "-x0**2*sqrt(k/(2*m))",
+            "work of it when x = x0/2": "15*k*x0**4/64",
+        },
+    ),
+    # the law may use other measures and rates: a drag by the relative speed
+    "law of another measure": (
+        "law",
+        """
+parameters: {m1: 2 kg, m2: 3 kg, c: 5 N s/m}
+bodies: {a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {r1: {slider: {body: a, along: right}}, r2: {slider: {body: b, along: right}}}
+measures: {x1: x of a, x2: x of b}
+loads: {it: {law: {measure: {expression: x2 - x1}, force: c*(rate(x1) - rate(x2))}}}
+""",
+        {"acceleration of x1": "c*(rate(x2) - rate(x1))/m1", "acceleration of x2": "c*(rate(x1) - rate(x2))/m2"},
+    ),
+}
+
+
+def test_every_load_has_a_closed_form() -> None:
+    assert {kind for kind, _model, _known in CLOSED.values()} == set(KINDS)
+
+
+@functools.cache
+def solved(name: str) -> fb.Solution:
+    _kind, model, known = CLOSED[name]
+    return fb.solve(fb.System.from_text(model + "questions:\n" + "".join(f"  - {{find: '{q}'}}\n" for q in known)))
+
+
+@pytest.mark.parametrize(("name", "question"), [(n, q) for n, (_k, _m, known) in CLOSED.items() for q in known])
+def test_load_acts_as_derived(name: str, question: str, agrees: Agree) -> None:
+    known: dict[str, Any] = CLOSED[name][2]
+    agrees(solved(name), f"q{list(known).index(question) + 1}", known[question])
+
+
+def test_follower_force_has_no_potential_energy() -> None:
+    """Its work depends on the way, so the energy of the system grows by it: the kinetic energy is all there is."""
+    system = fb.System.from_text(CLOSED["follower force"][1])
+    assert fb.solve(system, "potential energy")["q1"].value == 0
+    assert fb.solve(system, "potential energy of rod")["q1"].value == 0
+
+
+def test_relaxed_spring_stores_no_energy(agrees: Agree) -> None:
+    system = fb.System.from_text(CLOSED["spring on a rail"][1])
+    agrees(fb.solve(system, "potential energy"), "q1", "k*(x - l)**2/2")

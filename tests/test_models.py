@@ -1,0 +1,145 @@
+"""What a model means where it leaves something unsaid: defaults, reference points, signs, starts."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import freebody as fb
+
+
+def value(text: str, question: str) -> float | tuple[float, ...]:
+    answer = fb.solve(fb.System.from_text(text), question)["q1"]
+    assert answer.expression is not None, answer.reason
+    assert answer.value is not None
+    return answer.value
+
+
+def test_spring_without_a_length_is_relaxed_at_the_start() -> None:
+    # only gravity turns the rod: m L^2/3 alpha = -m g L/2
+    text = """
+parameters: {m: 3 kg, L: 1 m, k: 300 N/m, h: 0.3 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], S: [L, -h]}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [ground.O, rod.start]}}
+loads: {w: {gravity: g}, s: {spring: {first: ground.S, second: rod.end, stiffness: k}}}
+measures: {theta: angle of rod}
+start: {theta: 0, rate(theta): 0}
+"""
+    answer = fb.solve(fb.System.from_text(text), "angular acceleration of rod at start")["q1"]
+    assert answer.to_plain()["expression"] == "-3*g/(2*L)"
+
+
+def test_slots_that_say_nothing_else_pass_through_the_origin() -> None:
+    # the centre moves on a circle of radius L/2 against the turn: H = m L^2/12 theta' - m L^2/4 theta'
+    text = """
+parameters: {m: 8 kg, L: 4 m, g: 9.81 m/s^2}
+bodies: {ladder: {rod: {mass: m, length: L}}}
+connections: {floor: {slot: {pin: ladder.start, along: right}}, wall: {slot: {pin: ladder.end, along: up}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of ladder from up}
+start: {theta: 20 deg, rate(theta): 1 rad/s}
+"""
+    assert value(text, "angular momentum about ground.O") == pytest.approx(-8 * 16 / 6)
+    assert value(text, "potential energy") == pytest.approx(8 * 9.81 * 2 * math.cos(math.radians(20)))
+
+
+def test_reaction_on_the_ground_is_opposite_to_that_on_the_body() -> None:
+    # tension 4 m g/3 on both sides of the pulley
+    text = """
+parameters: {m: 1 kg, g: 9.81 m/s^2}
+bodies: {p: {disk: {radius: 0.1 m}}, A: {particle: {mass: m}}, B: {particle: {mass: 2*m}}}
+connections: {ax: {pin: [ground.P, p]}, rope: {string: {from: A, over: [p], to: B}}}
+loads: {w: {gravity: g}}
+"""
+    assert value(text, "vertical reaction of ax on ground") == pytest.approx(-8 * 9.81 / 3)
+    assert value(text, "vertical reaction of ax on p") == pytest.approx(8 * 9.81 / 3)
+
+
+def test_rim_of_a_body_is_about_its_origin_not_its_mass_centre() -> None:
+    # G lies e below the centre of a rolling wheel: (I + m (R - e)^2) theta'' + m g e theta = 0
+    m, inertia, R, e, g = 3, 0.05, 0.2, 0.05, 9.81
+    text = f"""
+parameters: {{m: {m} kg, I: {inertia} kg m^2, R: {R} m, e: {e} m, g: {g} m/s^2}}
+ground: {{lines: {{floor: {{along: right}}}}}}
+bodies: {{wheel: {{body: {{mass: m, inertia: I, radius: R, center_of_mass: [0, -e]}}}}}}
+connections: {{c: {{rolling: {{body: wheel, on: floor}}}}}}
+loads: {{w: {{gravity: g}}}}
+measures: {{theta: angle of wheel}}
+"""
+    expected = 2 * math.pi * math.sqrt((inertia + m * (R - e) ** 2) / (m * g * e))
+    assert value(text, "period of small oscillations") == pytest.approx(expected)
+
+
+def test_absolute_value_keeps_its_sign_where_the_measure_is_negative() -> None:
+    text = """
+parameters: {m: 1 kg, F: 2 N, d: 1 m}
+bodies: {b: {particle: {mass: m}}}
+connections: {g: {slider: {body: b, along: right}}}
+measures: {x: x of b}
+start: {x: -0.5 m}
+loads: {f: {law: {measure: x, force: F*abs(x)/d}}}
+"""
+    assert value(text, "acceleration of x") == pytest.approx(1.0)
+
+
+def test_tie_of_a_frame_that_cannot_move() -> None:
+    # half the load stands on each foot; moments of one leg about the top
+    L, h, m, g, W, theta = 3, 1, 10, 9.81, 500, math.radians(25)
+    text = """
+parameters: {L: 3 m, h: 1 m, m: 10 kg, g: 9.81 m/s^2, theta: 25 deg, W: 500 N}
+bodies:
+  l: {rod: {mass: m, length: L}, points: {T: [h, 0]}}
+  r: {rod: {mass: m, length: L}, points: {T: [h, 0]}, angle: 115 deg}
+connections:
+  A: {pin: [ground.A, l.start]}
+  C: {pin: [l.end, r.end]}
+  B: {slot: {pin: r.start, along: right}}
+  tie: {link: [l.T, r.T]}
+loads: {w: {gravity: g}, W: {force: {at: l.end, along: down, magnitude: W}}}
+measures: {q: angle of l from up clockwise}
+start: {q: theta}
+"""
+    expected = (m * g + W) * L * math.sin(theta) / (2 * (L / 2 - h) * math.cos(theta))
+    assert value(text, "tension of tie") == pytest.approx(expected)
+    assert value(text, "degrees of freedom") == 0
+
+
+def test_velocity_ratio_of_a_six_bar_linkage_has_a_closed_form() -> None:
+    text = """
+ground: {points: {A: [0, 0], D: [4 m, 0], G: [7 m, 0]}}
+bodies:
+  b1: {rod: {length: 1.5 m}}
+  b2: {rod: {length: 4 m}}
+  b3: {rod: {length: 3 m}}
+  b4: {rod: {length: 3.5 m}, near: {angle: -20 deg}}
+  b5: {rod: {length: 2.5 m}, near: {angle: 80 deg}}
+connections:
+  A: {pin: [ground.A, b1.start]}
+  B: {pin: [b1.end, b2.start]}
+  C: {pin: [b2.end, b3.end]}
+  D: {pin: [ground.D, b3.start]}
+  E: {pin: [b3.center, b4.start]}
+  F: {pin: [b4.end, b5.end]}
+  G: {pin: [ground.G, b5.start]}
+measures: {th: angle of b1}
+start: {th: 60 deg}
+"""
+    answer = fb.solve(fb.System.from_text(text), "ratio of angular velocity of b5 to angular velocity of b1")["q1"]
+    assert answer.expression is not None
+    assert answer.evidence is not None
+    assert answer.evidence.worst_relative_difference < 1e-9
+
+
+def test_an_answer_says_when_the_models_own_numbers_break_its_condition() -> None:
+    # F lifts a: the string would have to push, since T = m2 (2 m1 g - F)/(m1 + m2) < 0 for F > 2 m1 g = 19.62 N
+    text = """
+parameters: {m1: 1 kg, m2: 2 kg, F: FORCE, g: 9.81 m/s^2}
+bodies: {p: {disk: {radius: 0.1 m}}, a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections: {ax: {pin: [ground.O, p]}, s: {string: {from: a, over: [p], to: b}}}
+loads: {w: {gravity: g}, F: {force: {at: a, along: up, magnitude: F}}}
+"""
+    for force, is_broken in (("40 N", True), ("19 N", False)):
+        answer = fb.solve(fb.System.from_text(text.replace("FORCE", force)), "tension of s at a")["q1"]
+        assert any("NOT SO" in note for note in answer.notes) == is_broken
