@@ -16,17 +16,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from freebody.api import System
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.study.answer import Answer
     from freebody.study.eom import Equations, equations_of_motion
+    from freebody.study.simulate import Simulation, Simulator, simulate
     from freebody.study.solve import Solution, solve
-    from freebody.system.system import System
 
 _HOMES = {
-    "System": "freebody.system.system",
+    "System": "freebody.api",
     "solve": "freebody.study.solve",
     "Solution": "freebody.study.solve",
     "Answer": "freebody.study.answer",
+    "simulate": "freebody.study.simulate",
+    "Simulation": "freebody.study.simulate",
+    "Simulator": "freebody.study.simulate",
     "equations_of_motion": "freebody.study.eom",
     "Equations": "freebody.study.eom",
     "FreebodyError": "freebody.errors",
@@ -44,9 +48,12 @@ __all__ = [
     "InputError",
     "ModelError",
     "RoutesDisagree",
+    "Simulation",
+    "Simulator",
     "Solution",
     "System",
     "equations_of_motion",
+    "simulate",
     "solve",
 ]
 

@@ -71,6 +71,122 @@ def eom(
 
 
 @app.command()
+def simulate(
+    file: ModelFile,
+    until: Annotated[str, typer.Option("--until", help="How long, as 10 or 200 ms.")],
+    out: Annotated[Path | None, typer.Option("--out", help="Write the motion: .nc, .csv or .parquet.")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Draw measures: .png, .svg or .pdf.")] = None,
+    show: Annotated[
+        list[str] | None, typer.Option("--show", help="What to draw: a measure, crank.x, rope.tension (repeatable).")
+    ] = None,
+    animate: Annotated[Path | None, typer.Option("--animate", help="Write an animation: .html, .gif or .mp4.")] = None,
+    event: Annotated[
+        list[str] | None,
+        typer.Option("--event", help="Look for 'theta = 90 deg', or 'stop when y of ball = 0' (repeatable)."),
+    ] = None,
+    set_: Annotated[
+        list[str] | None, typer.Option("--set", help="Another value of a parameter, as 'm1=2 kg' (repeatable).")
+    ] = None,
+    tolerance: Annotated[
+        float, typer.Option("--tolerance", help="Error allowed in a step, by the system's size.")
+    ] = 1e-9,
+    method: Annotated[str, typer.Option("--method", help="auto, dop853, dopri5, radau5 or rk4.")] = "auto",
+    step: Annotated[str | None, typer.Option("--step", help="The step of a fixed-step method, as 1 ms.")] = None,
+    every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
+    max_seconds: Annotated[float, typer.Option("--max-seconds", help="Stop after so long by the clock.")] = 3600.0,
+    verify: Annotated[bool, typer.Option("--verify", help="Run again, more exactly, and compare.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Simulate the motion of a model."""
+    from freebody.present.simulation import progress_bar, simulation_lines, told_compiling
+    from freebody.system.system import System
+
+    system = System.load(file)
+    if set_:
+        system = system.with_parameters(**dict(_assignment(text) for text in set_))
+    _check_outputs(out, plot, animate)
+    seconds = _seconds(until, "--until")
+    with told_compiling():
+        from freebody.study.simulate import simulate as run
+    with progress_bar(seconds) as progress:
+        result = run(
+            system,
+            seconds,
+            tolerance=tolerance,
+            method=method,
+            step=None if step is None else _seconds(step, "--step"),
+            events=event or (),
+            every=None if every is None else _seconds(every, "--every"),
+            max_seconds=max_seconds,
+            progress=progress,
+            verify=verify,
+        )
+    if as_json:
+        _print_json(result.summary())
+    else:
+        print("\n".join(simulation_lines(result)))
+    written: list[Path] = []
+    if out is not None:
+        from freebody.study.files import write
+
+        write(result.dataset, out)
+        written.append(out)
+    if plot is not None:
+        result.plot(*(show or ()), path=plot)
+        written.append(plot)
+    if animate is not None:
+        written.append(result.animate(animate))
+    if not as_json:
+        for path in written:
+            print(f"wrote {path}")
+    if not result.status.is_complete:
+        raise typer.Exit(1)
+
+
+def _check_outputs(out: Path | None, plot: Path | None, animate: Path | None) -> None:
+    """Paths that cannot be written are told before the run, not after."""
+    if out is not None:
+        from freebody.study.files import SUFFIXES, check_path
+
+        check_path(out, SUFFIXES)
+    if plot is not None:
+        from freebody.study.files import check_path
+
+        check_path(plot, (".png", ".svg", ".pdf"))
+    if animate is not None:
+        from freebody.study.files import check_path
+
+        check_path(animate, (".html", ".gif", ".mp4"))
+
+
+def _assignment(text: str) -> tuple[str, str]:
+    from freebody.errors import InputError
+
+    name, equals, value = text.partition("=")
+    if not equals or not name.strip() or not value.strip():
+        raise InputError(f"--set {text}: write name=value, as 'm1=2 kg'")
+    return name.strip(), value.strip()
+
+
+def _seconds(text: str, option: str) -> float:
+    """A time: a number of seconds, or a number with a unit."""
+    from freebody.errors import InputError
+    from freebody.language.units import TIME, parse_quantity
+
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    try:
+        quantity = parse_quantity(text)
+    except InputError as error:
+        raise InputError(f"{option} {text}: {error}") from error
+    if quantity is None or quantity.dimension != TIME:
+        raise InputError(f"{option} {text} is no time; write 10 or 200 ms")
+    return float(quantity.value)
+
+
+@app.command()
 def examples(
     name: Annotated[str | None, typer.Argument(help="An example to copy.")] = None,
     to: Annotated[Path, typer.Option("--to", help="Where to copy it.")] = Path(),

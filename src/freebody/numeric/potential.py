@@ -40,7 +40,7 @@ def potential(reference: Reference, push: Push, value: Callable[[Measure], float
     def force(x: Array) -> Array:
         names: dict[str, Any] = {**reference.frame.values, VALUE.name: x}
         names |= dict.fromkeys(own, x + origin)
-        return np.broadcast_to(evaluate(law, names, _ARRAY_FUNCTIONS), x.shape)
+        return np.broadcast_to(evaluate(law, names, ARRAY_FUNCTIONS), x.shape)
 
     with named(push.name):
         return -_integral(force, value(push.measure) - origin)
@@ -51,7 +51,7 @@ def _has_rate(expr: Expr) -> bool:
     return is_rate or any(_has_rate(part) for part in children(expr))
 
 
-_ARRAY_FUNCTIONS: Mapping[str, Any] = {
+ARRAY_FUNCTIONS: Mapping[str, Any] = {
     **{name: getattr(np, name) for name in ("sqrt", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh")},
     **{"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "abs": np.abs, "sign": np.sign},
     "pi": math.pi,

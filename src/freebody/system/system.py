@@ -8,9 +8,9 @@ through the same reader and give the same value.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, Self, cast
 
 from freebody.connections.base import Connection
 from freebody.errors import InputError
@@ -48,21 +48,21 @@ class System:
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
-    def load(cls, path: str | Path) -> System:
+    def load(cls, path: str | Path) -> Self:
         """Reads a model file. Raises ModelError with all problems of the file."""
-        return _read(Document.load(path), str(path))
+        return cls._read(Document.load(path), str(path))
 
     @classmethod
-    def from_text(cls, text: str, file: str | None = None) -> System:
+    def from_text(cls, text: str, file: str | None = None) -> Self:
         """Reads a model from YAML text."""
-        return _read(Document.read(text, file), file)
+        return cls._read(Document.read(text, file), file)
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> System:
+    def from_data(cls, data: Mapping[str, Any]) -> Self:
         """Builds a model from plain data and description objects (`Pin("ground.A", "rod.start")`)."""
-        return _read(Document.from_plain(_plain(data)), None)
+        return cls._read(Document.from_plain(_plain(data)), None)
 
-    def with_parameters(self, **values: str | float) -> System:
+    def with_parameters(self, **values: str | float) -> Self:
         """The same system with other parameter values; comments of its file are kept."""
         document = self.document
         for name, value in values.items():
@@ -71,13 +71,20 @@ class System:
             given = document.data["parameters"][name]
             path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
             document = document.with_value(path, value)
-        return _read(document, self.file)
+        return self._read(document, self.file)
+
+    @classmethod
+    def _read(cls, document: Document, file: str | None) -> Self:
+        from freebody.system.reader import Reader
+
+        read = Reader(document, file).system()
+        return cls(**{f.name: getattr(read, f.name) for f in fields(read)})
 
     # -- asking -------------------------------------------------------------------------------
     def question(self, text: str) -> Question:
         """A question given in words. Raises ModelError if it cannot be read."""
         document = self.document.with_value(("questions",), [{"find": text}])
-        return _read(document, self.file).questions[0]
+        return self._read(document, self.file).questions[0]
 
     def to_yaml(self) -> str:
         """The model file, with its comments."""
@@ -103,12 +110,6 @@ class System:
     def _meaning(self) -> tuple[object, ...]:
         described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
         return (*described, self.start, self.start_rates, self.questions)
-
-
-def _read(document: Document, file: str | None) -> System:
-    from freebody.system.reader import Reader
-
-    return Reader(document, file).system()
 
 
 def _plain(value: Any) -> Any:

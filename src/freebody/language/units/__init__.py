@@ -36,6 +36,7 @@ from freebody.language.units.dimension import (
     VELOCITY,
     VOLUME,
     Dimension,
+    unit_of,
 )
 from freebody.language.units.inference import dimension_of
 from freebody.language.units.quantity import Quantity, parse_quantity
@@ -73,4 +74,5 @@ __all__ = [
     "dimension_of",
     "parse_quantity",
     "parse_unit",
+    "unit_of",
 ]

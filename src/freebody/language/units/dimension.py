@@ -86,3 +86,8 @@ _USUAL = {
     ROTARY_DAMPING: "N m s",
     DIMENSIONLESS: "1",
 }
+
+
+def unit_of(dimension: Dimension) -> str:
+    """The unit in which a measure is given: m, rad, or SI base units."""
+    return {LENGTH: "m", DIMENSIONLESS: "rad"}.get(dimension, str(dimension))

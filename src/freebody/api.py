@@ -1,0 +1,45 @@
+"""The system as users hold it in their hands: with every study as a method."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from freebody.system.system import System as Description
+
+if TYPE_CHECKING:
+    from freebody.study.eom import Equations
+    from freebody.study.simulate import Simulation
+    from freebody.study.solve import Solution
+
+
+class System(Description):
+    """A mechanical system: immutable, from a file, from text or from Python objects."""
+
+    __hash__ = Description.__hash__
+
+    def solve(self, question: str | None = None) -> Solution:
+        """Answers its questions, or one more, in closed form; see `freebody.solve`."""
+        from freebody.study.solve import solve
+
+        return solve(self, question)
+
+    def equations_of_motion(self) -> Equations:
+        """Equations of motion, mass matrix and constraint equations."""
+        from freebody.study.eom import equations_of_motion
+
+        return equations_of_motion(self)
+
+    def simulate(
+        self,
+        until: float,
+        *,
+        tolerance: float = 1e-9,
+        values: Mapping[str, float] | None = None,
+        events: Sequence[str] = (),
+        **options: Any,
+    ) -> Simulation:
+        """The motion from the start to the time `until` [s]; see `freebody.study.simulate.simulate` for all options."""
+        from freebody.study.simulate import simulate
+
+        return simulate(self, until, tolerance=tolerance, values=values, events=events, **options)

@@ -1,0 +1,71 @@
+"""What a run of the engine comes to: how it ended, and the states on its way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.numeric.engine.layout import Floats
+
+
+class Status(StrEnum):
+    """How a motion ended."""
+
+    FINISHED = "finished"
+    EVENT = "event"  # a terminal event
+    UNREACHABLE = "unreachable"  # a driver, or a loop, cannot go on
+    SINGULAR = "singular"  # a dead point: accelerations grow without bound
+    NOT_FINITE = "not finite"  # a load or a measure has no finite value
+    STEP_TOO_SMALL = "step too small"
+    STIFF = "stiff"
+    TOO_LONG = "too long"
+    INTERRUPTED = "interrupted"
+
+    @property
+    def is_complete(self) -> bool:
+        """True if the motion went as far as was asked."""
+        return self in (Status.FINISHED, Status.EVENT)
+
+
+@dataclass(frozen=True)
+class Happening:
+    """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
+    begins) or "zero" (zero all along, said once)."""
+
+    time: float
+    name: str
+    kind: str
+    is_terminal: bool = False
+
+
+@dataclass(frozen=True)
+class Course:
+    """A motion in arrays. The last body is the fixed one. SI units, angles in rad."""
+
+    status: Status
+    message: str
+    times: Floats  # (n_times,), strictly increasing
+    poses: Floats  # (n_times, n_bodies + 1, 3)
+    velocities: Floats
+    accelerations: Floats
+    multipliers: Floats  # (n_times, n_held), in the order of the model
+    unique: NDArray[np.bool_]  # (n_times, n_held)
+    work: Floats  # (n_times,): by loads without a potential and by drivers, since the start [J]
+    happenings: tuple[Happening, ...]
+    n_steps: int
+    n_evaluations: int
+    n_rejected: int
+    n_regularised: int
+    wall_time: float
+    place_gap: float  # the largest violation of a held position [m or rad]
+    motion_gap: float
+    last_step: float
+    method: str
+    near: Floats  # bearings at the end, from which a continued motion counts on
+
+    @property
+    def t_end(self) -> float:
+        return float(self.times[-1])

@@ -1,0 +1,384 @@
+"""The accelerations and multipliers of one instant.
+
+With J the gradients of the held rows, M the masses and Q the generalized forces of the loads,
+
+    M a = Q + J^T lambda,    J a = target'' - bias        =>        (J M^-1 J^T) lambda = target'' - bias - J M^-1 Q.
+
+The Schur complement J M^-1 J^T is positive semidefinite and as sparse as the mechanism; it is factored into L D L^T in
+an order found once. A row whose pivot vanishes says what rows before it said (a redundant connection): it is left out, its
+multiplier is zero. A pivot that nearly vanishes belongs to a pose near a singular one: there 1e-10 of the diagonal is
+added and the solution refined (proximal point iteration). A body without mass is given a little, which the same iteration
+takes back.
+Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 8; Rockafellar, SIAM J. Control Optim.
+14 (1976) 877; Davis, Direct Methods for Sparse Linear Systems, 2006, ch. 4.
+"""
+
+# pyright: basic
+
+import math
+
+from freebody.numeric.engine.jit import kernel, part
+from freebody.numeric.engine.measures_planar import measure
+from freebody.numeric.engine.tape import play, sweep
+
+VANISHED = 1e-13  # a pivot below this part of its diagonal is none
+PIVOT_CUT = 1e-8  # a smaller pivot, relative to its diagonal, calls for regularisation
+REGULARISATION = 1e-10
+N_REFINED = 3
+N_MASSLESS = 30
+
+# columns of `Room.rows`: value, rate, second derivative without acceleration, partial time derivative, weight in a tape
+VALUE, RATE, BIAS, DRIFT, WEIGHT = range(5)
+# columns of `Room.held`: the target and its derivatives, gaps of place and of motion, the right side
+GOAL, GOAL_RATE, GOAL_BIAS, PLACE, MOTION, RIGHT = range(6)
+# what `Room.info` holds
+SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT = range(5)
+
+
+@kernel
+def kinematics(L, S, q, v, t):
+    """Values, gradients and biases of all rows, and the targets of those that are held."""
+    for b in range(len(q)):
+        S.cos[b] = math.cos(q[b, 2])
+        S.sin[b] = math.sin(q[b, 2])
+    G = S.gradient
+    measure(
+        L.kinds,
+        L.starts,
+        L.measure_bodies,
+        L.measure_numbers,
+        q,
+        v,
+        S.cos,
+        S.sin,
+        S.near,
+        S.value,
+        S.bias,
+        S.bearing,
+        G,
+    )
+    for r in range(len(L.term_ptr) - 1):
+        x, b = L.row_constant[r], 0.0
+        for k in range(L.term_ptr[r], L.term_ptr[r + 1]):
+            x += L.term_coefficient[k] * S.value[L.term_measure[k]]
+            b += L.term_coefficient[k] * S.bias[L.term_measure[k]]
+        S.rows[r, VALUE], S.rows[r, BIAS] = x, b
+    for k in range(len(L.cleared)):
+        o = L.cleared[k]
+        G[o] = G[o + 1] = G[o + 2] = 0.0
+    for k in range(len(L.mix)):
+        o, i, c = L.mix[k, 0], L.mix[k, 1], L.mix_coefficient[k]
+        G[o] += c * G[i]
+        G[o + 1] += c * G[i + 1]
+        G[o + 2] += c * G[i + 2]
+    for k in range(len(L.rated)):
+        S.rows[L.rated[k], RATE] = along(L, S, L.rated[k], v)
+    products(L, S, v)
+    composed(L, S, t)
+    for k in range(len(L.held)):
+        tape = L.held[k, 1]
+        if tape >= 0:
+            begin, end = L.tape_ptr[tape], L.tape_ptr[tape + 1]
+            play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
+            S.held[k, GOAL] = S.registers[end - 1, 0]
+            S.held[k, GOAL_RATE] = S.registers[end - 1, 1]
+            S.held[k, GOAL_BIAS] = S.registers[end - 1, 2]
+
+
+@part
+def along(L, S, r, v):
+    """gradient . v of a row."""
+    total = 0.0
+    for k in range(L.slot_ptr[r], L.slot_ptr[r + 1]):
+        b, o = L.slots[k, 0], L.slots[k, 1]
+        total += S.gradient[o] * v[b, 0] + S.gradient[o + 1] * v[b, 1] + S.gradient[o + 2] * v[b, 2]
+    return total
+
+
+@part
+def products(L, S, v):
+    """Rows  sum of c(pose) dm/dt:  gradient c grad m, bias c bias m + c' m'."""
+    for k in range(len(L.product)):
+        S.rows[L.product[k, 0], BIAS] = 0.0
+    for k in range(len(L.product)):
+        r, c, m = L.product[k, 0], L.product[k, 1], L.product[k, 2]
+        S.rows[r, BIAS] += S.rows[c, VALUE] * S.rows[m, BIAS] + S.rows[c, RATE] * S.rows[m, RATE]
+        S.product_weight[k] = S.rows[c, VALUE]
+    for k in range(len(L.product_mix)):
+        o, w, i = L.product_mix[k, 0], S.product_weight[L.product_mix[k, 1]], L.product_mix[k, 2]
+        for j in range(3):
+            S.gradient[o + j] += w * S.gradient[i + j]
+    for k in range(len(L.product)):
+        r = L.product[k, 0]
+        S.rows[r, RATE] = along(L, S, r, v)
+
+
+@part
+def composed(L, S, t):
+    """Rows that are expressions in other rows and time."""
+    at = 0
+    for k in range(len(L.composed)):
+        r, tape = L.composed[k, 0], L.composed[k, 1]
+        begin, end = L.tape_ptr[tape], L.tape_ptr[tape + 1]
+        play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
+        S.rows[r, VALUE] = S.registers[end - 1, 0]
+        S.rows[r, BIAS] = S.registers[end - 1, 2]
+        S.rows[r, DRIFT] = S.registers[end - 1, 1]
+        first = at
+        while at < len(L.composed_mix) and L.composed_mix[at, 1] == k:
+            S.rows[L.composed_mix[at, 3], WEIGHT] = 0.0
+            at += 1
+        sweep(begin, end, L.tape, L.tape_number, S.registers, S.rows)
+        last = -1
+        for i in range(first, at):
+            o, source, row = L.composed_mix[i, 0], L.composed_mix[i, 2], L.composed_mix[i, 3]
+            w = S.rows[row, WEIGHT]
+            if row != last:
+                S.rows[r, DRIFT] -= w * S.rows[row, RATE]
+                last = row
+            if source >= 0:
+                for j in range(3):
+                    S.gradient[o + j] += w * S.gradient[source + j]
+        S.rows[r, RATE] = S.registers[end - 1, 1]
+
+
+@part
+def law_of(L, S, p, t):
+    """The generalized force of a load."""
+    tape, r = L.push[p, 1], L.push[p, 0]
+    if tape < 0:
+        return L.push_law[p, 0] + L.push_law[p, 1] * S.rows[r, VALUE] + L.push_law[p, 2] * S.rows[r, RATE]
+    begin, end = L.tape_ptr[tape], L.tape_ptr[tape + 1]
+    play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
+    return S.registers[end - 1, 0]
+
+
+@part
+def loads(L, S, t):
+    """Generalized forces of all loads; the power of those without a potential."""
+    F = S.force
+    for b in range(len(F)):
+        F[b, 0], F[b, 1], F[b, 2] = L.constant_force[b, 0], L.constant_force[b, 1], L.constant_force[b, 2]
+    power = 0.0
+    for p in range(len(L.push)):
+        law, r = law_of(L, S, p, t), L.push[p, 0]
+        if L.push[p, 2]:
+            power += law * (S.rows[r, RATE] - S.rows[r, DRIFT])
+        for k in range(L.slot_ptr[r], L.slot_ptr[r + 1]):
+            b, o = L.slots[k, 0], L.slots[k, 1]
+            F[b, 0] += law * S.gradient[o]
+            F[b, 1] += law * S.gradient[o + 1]
+            F[b, 2] += law * S.gradient[o + 2]
+    S.info[POWER_OF_LOADS] = power
+
+
+# -- the linear system ------------------------------------------------------------------------
+@kernel
+def assemble(slots, inverse_mass, ptr, entries, left, right, G, W, A):
+    """J M^-1 J^T, where its factor will stand."""
+    for k in range(len(slots)):
+        b, o = slots[k, 0], slots[k, 1]
+        W[3 * k] = G[o] * inverse_mass[b, 0]
+        W[3 * k + 1] = G[o + 1] * inverse_mass[b, 1]
+        W[3 * k + 2] = G[o + 2] * inverse_mass[b, 2]
+    for e in range(len(entries)):
+        total = 0.0
+        for k in range(ptr[e], ptr[e + 1]):
+            i, o = left[k], right[k]
+            total += W[i] * G[o] + W[i + 1] * G[o + 1] + W[i + 2] * G[o + 2]
+        A[entries[e]] = total
+
+
+@kernel
+def factor(ptr, target, regularisation, A, diagonal):
+    """A becomes its L D L^T, a part of the diagonal added, column by column; 1/D stands on the diagonal. Returns the
+    smallest pivot by its diagonal, and how many rows are left out."""
+    smallest, n_left_out = 1.0, 0
+    n = len(ptr) - 1
+    for j in range(n):
+        diagonal[j] = A[ptr[j]]
+        A[ptr[j]] *= 1.0 + regularisation
+    p = 0
+    for j in range(n):
+        begin, end = ptr[j], ptr[j + 1]
+        pivot, size = A[begin], diagonal[j]
+        ratio = pivot / size if size > 0.0 else 0.0
+        if ratio < VANISHED:
+            n_left_out += 1
+            inverse = 0.0
+        else:
+            inverse = 1.0 / pivot
+            if not ratio >= smallest:
+                smallest = ratio
+        A[begin] = inverse
+        for i in range(begin + 1, end):
+            scaled = A[i] * inverse
+            for k in range(begin + 1, i + 1):
+                A[target[p]] -= scaled * A[k]
+                p += 1
+        for i in range(begin + 1, end):
+            A[i] *= inverse
+    return smallest, n_left_out
+
+
+@kernel
+def back_solve(ptr, rows, A, x):
+    """x becomes (L D L^T)^-1 x."""
+    n = len(ptr) - 1
+    for j in range(n):
+        xj = x[j]
+        for i in range(ptr[j] + 1, ptr[j + 1]):
+            x[rows[i]] -= A[i] * xj
+    for j in range(n - 1, -1, -1):
+        xj = x[j] * A[ptr[j]]
+        for i in range(ptr[j] + 1, ptr[j + 1]):
+            xj -= A[i] * x[rows[i]]
+        x[j] = xj
+
+
+@part
+def factored(L, S):
+    """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs."""
+    assemble(
+        L.held_slots, L.inverse_mass, L.pair_ptr, L.pair_entry, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
+    smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, S.schur, S.diagonal)
+    S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
+    S.info[IS_REGULARISED] = 0.0
+    if not smallest < PIVOT_CUT:
+        return 1
+    S.info[IS_REGULARISED] = 1.0
+    assemble(
+        L.held_slots, L.inverse_mass, L.pair_ptr, L.pair_entry, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
+    factor(L.column_ptr, L.target, REGULARISATION, S.schur, S.diagonal)
+    return N_REFINED
+
+
+@kernel
+def push_along(ptr, slots, W, x, out):
+    """out += M^-1 J^T x."""
+    for r in range(len(ptr) - 1):
+        xr = x[r]
+        for k in range(ptr[r], ptr[r + 1]):
+            b = slots[k, 0]
+            out[b, 0] += W[3 * k] * xr
+            out[b, 1] += W[3 * k + 1] * xr
+            out[b, 2] += W[3 * k + 2] * xr
+
+
+@part
+def held_along(L, S, r, v):
+    """gradient . v of a held row."""
+    G, total = S.gradient, 0.0
+    for k in range(L.held_ptr[r], L.held_ptr[r + 1]):
+        b, o = L.held_slots[k, 0], L.held_slots[k, 1]
+        total += G[o] * v[b, 0] + G[o + 1] * v[b, 1] + G[o + 2] * v[b, 2]
+    return total
+
+
+@part
+def solve(L, S, n_passes):
+    """Accelerations and multipliers from a factor and the forces."""
+    a, F, n_held = S.acceleration, S.force, len(L.held)
+    for r in range(n_held):
+        S.multiplier[r] = 0.0
+        order = 2 if L.held[r, 2] else 1
+        goal = S.held[r, GOAL + order] if L.held[r, 1] >= 0 else 0.0
+        S.held[r, RIGHT] = goal - S.rows[L.held[r, 0], BIAS]
+    has_gap = L.has_gap[0] > 0
+    if not has_gap:
+        for b in range(len(a)):
+            a[b, 0] = a[b, 1] = a[b, 2] = 0.0
+    last = math.inf
+    total = N_MASSLESS if has_gap else n_passes
+    for n in range(total):
+        change = 0.0
+        for b in range(len(a)):
+            for i in range(3):
+                new = L.inverse_mass[b, i] * (F[b, i] + L.mass_gap[b, i] * a[b, i])
+                if has_gap:
+                    change = max(change, abs(new - a[b, i]))
+                a[b, i] = new
+        if n > 0:
+            push_along(L.held_ptr, L.held_slots, S.weighted, S.multiplier, a)
+        for r in range(n_held):
+            S.step[r] = S.held[r, RIGHT] - held_along(L, S, r, a)
+        back_solve(L.column_ptr, L.column_row, S.schur, S.step)
+        push_along(L.held_ptr, L.held_slots, S.weighted, S.step, a)
+        for r in range(n_held):
+            S.multiplier[r] += S.step[r]
+        if has_gap and n >= n_passes:
+            size = 0.0
+            for r in range(n_held):
+                size = max(size, abs(S.step[r]))
+            if size >= 0.5 * last or size == 0.0:
+                break
+            last = size
+    S.info[RESIDUAL] = last if has_gap else 0.0
+
+
+@kernel
+def respond(L, S, t):
+    """Forces, accelerations and multipliers, where the kinematics are known."""
+    loads(L, S, t)
+    solve(L, S, factored(L, S))
+
+
+@part
+def accelerations(L, S, q, v, t):
+    """Everything at one instant: rows, forces, accelerations, multipliers."""
+    kinematics(L, S, q, v, t)
+    respond(L, S, t)
+
+
+@part
+def power(L, S):
+    """Power of the loads without a potential and of the held rows that move."""
+    total = S.info[POWER_OF_LOADS]
+    for r in range(len(L.held)):
+        if L.held[r, 3]:
+            row = L.held[r, 0]
+            if L.held[r, 2]:
+                rate = (S.held[r, GOAL_RATE] if L.held[r, 1] >= 0 else 0.0) - S.rows[row, DRIFT]
+            else:
+                rate = S.held[r, GOAL] if L.held[r, 1] >= 0 else 0.0
+            total += S.multiplier[r] * rate
+    return total
+
+
+# -- what is held -----------------------------------------------------------------------------
+@part
+def gaps(L, S, v):
+    """Fills `gaps` with what is missing to the targets, of positions and of velocities; returns the largest ones in
+    parts of their size."""
+    place, motion = 0.0, 0.0
+    for r in range(len(L.held)):
+        row, has_target = L.held[r, 0], L.held[r, 1] >= 0
+        if L.held[r, 2]:
+            S.held[r, PLACE] = (S.held[r, GOAL] if has_target else 0.0) - S.rows[row, VALUE]
+            S.held[r, MOTION] = (
+                (S.held[r, GOAL_RATE] if has_target else 0.0) - S.rows[row, DRIFT] - held_along(L, S, r, v)
+            )
+        else:
+            S.held[r, PLACE] = 0.0
+            S.held[r, MOTION] = (S.held[r, GOAL] if has_target else 0.0) - held_along(L, S, r, v)
+        x, y = abs(S.held[r, PLACE]) * L.held_scale[r], abs(S.held[r, MOTION]) * L.held_scale[r]
+        if not x <= place:
+            place = x
+        if not y <= motion:
+            motion = y
+    return place, motion
+
+
+@part
+def closed(L, S, q, v):
+    """Moves q and v by the least, in the metric of the masses, that closes the gaps to first order."""
+    for r in range(len(L.held)):
+        S.step[r] = S.held[r, PLACE]
+    back_solve(L.column_ptr, L.column_row, S.schur, S.step)
+    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, q)
+    for r in range(len(L.held)):
+        S.step[r] = S.held[r, MOTION]
+    back_solve(L.column_ptr, L.column_row, S.schur, S.step)
+    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, v)

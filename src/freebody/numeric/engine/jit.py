@@ -1,0 +1,76 @@
+"""How kernels are compiled: once, with explicit signatures, kept on disk; with NUMBA_DISABLE_JIT=1 not at all.
+
+Kernels own no memory and return none, so they are compiled without reference counting: that alone is a third of the
+compile time, and microseconds in every call. What is kept on disk is filed under the digest of all kernel sources, since
+a change in one of them changes every entry that contains it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+# fused multiply-add is allowed: it is the same on every run on one type of processor
+_OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True, "_nrt": False}
+
+
+def kernel(function: F) -> F:
+    """A function that entries call: compiled with them."""
+    return numba.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **_OPTIONS)(function)
+
+
+def part(function: F) -> F:
+    """A piece of one kernel, put into it before types are inferred: cheap to compile where it is used once."""
+    return numba.njit(inline="always", **_OPTIONS)(function)
+
+
+def entry(*arguments: Any) -> Callable[[F], F]:
+    """A function called from Python; its argument types are those of the given examples."""
+
+    def compiled(function: F) -> F:
+        if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+            return function
+        signature = tuple(numba.typeof(a) for a in arguments)
+        config: Any = numba.config
+        before, config.CACHE_DIR = config.CACHE_DIR, str(_folder())
+        try:
+            return numba.njit(signature, cache=True, **_OPTIONS)(function)
+        finally:
+            config.CACHE_DIR = before
+
+    return compiled
+
+
+def is_compiled() -> bool:
+    """True if the kernels have been compiled before (or are not compiled at all)."""
+    return bool(numba.config.DISABLE_JIT) or any(_folder().rglob("*.nbc"))  # type: ignore[attr-defined]
+
+
+@cache
+def _folder() -> Path:
+    """Where this version's kernels are kept: beside other caches of the user, else in a temporary folder."""
+    digest = hashlib.sha256()
+    for source in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(source.read_bytes())
+    name = f"freebody-kernels-{digest.hexdigest()[:16]}"
+    home = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
+    for parent in (Path(home) if home else Path.home() / ".cache", Path(tempfile.gettempdir())):
+        folder = parent / name
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            probe = folder / f"probe-{os.getpid()}"
+            probe.touch()
+            probe.unlink()
+        except OSError:
+            continue
+        return folder
+    return Path(tempfile.mkdtemp(prefix=name))

@@ -1,0 +1,159 @@
+"""The arrays of a packed system (`Layout`), and the room in which one evaluation works (`Room`).
+
+Bodies are 0 ... n - 1; body n stands for everything fixed: its inverse masses are zero, it never moves. The pose q
+and the velocities v are (n + 1, 3): x, y of the mass centre [m] and the angle [rad]. A particle has no inverse moment
+of inertia and so does not turn.
+
+    measures   in arrays by kind (`measures_planar.KINDS`)
+    rows       linear combinations of measures; then products coefficient * d(measure)/dt; then expressions in rows
+    held       rows with a target, in the order of elimination
+    pushes     rows with a law
+
+The gradient of a row is a list of slots: a body, and where its three entries begin in `gradient`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.numeric.engine.measures_planar import fill
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Floats2 = NDArray[np.float64]  # two-dimensional
+Ints2 = NDArray[np.int32]
+T = TypeVar("T", bound=NamedTuple)
+
+
+class Layout(NamedTuple):
+    """A system in arrays. All of it is constant during a motion."""
+
+    inverse_mass: Floats2  # (n + 1, 3)
+    mass_gap: Floats2  # (n + 1, 3): by how much the mass used is more than that of a body without any
+    has_gap: Ints  # (1,)
+    constant_force: Floats2  # (n + 1, 3): loads that never change
+
+    kinds: Ints
+    starts: Ints
+    measure_bodies: Ints2
+    measure_numbers: Floats2
+
+    term_ptr: Ints
+    term_measure: Ints
+    term_coefficient: Floats
+    row_constant: Floats
+    slot_ptr: Ints  # for every row
+    slots: Ints2  # (n, 2): body, entries
+    mix: Ints2  # (n, 2): gradient entries [0] += coefficient * entries [1]
+    mix_coefficient: Floats
+    cleared: Ints  # gradient entries that `mix` adds up
+    rated: Ints  # rows whose rate is needed
+
+    product: Ints2  # (n, 3): row, coefficient row, measure row
+    product_mix: Ints2  # (n, 3): entries, product, entries of the measure row
+
+    composed: Ints2  # (n, 2): row, tape
+    composed_mix: Ints2  # (n, 4): entries, composed, entries of the input row, input row
+
+    tape_ptr: Ints
+    tape: Ints2  # (n, 3): operation and what it takes
+    tape_number: Floats
+
+    held: Ints2  # (n, 4): row, tape of its target (-1: zero), is of positions (not of velocities), does work
+    held_scale: Floats  # 1/size: makes gaps relative
+    held_ptr: Ints
+    held_slots: Ints2  # (n, 2): body, entries
+
+    push: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
+    push_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
+
+    pair_ptr: Ints  # entries of the Schur complement, each a sum over pairs of slots
+    pair_entry: Ints
+    pair_a: Ints
+    pair_b: Ints
+    column_ptr: Ints  # columns of L, the diagonal first
+    column_row: Ints
+    target: Ints
+
+
+class Room(NamedTuple):
+    """Where one evaluation works."""
+
+    cos: Floats
+    sin: Floats
+    value: Floats  # of measures
+    bias: Floats
+    bearing: Floats
+    near: Floats  # bearings are counted on from these
+    gradient: Floats
+    rows: Floats2  # (n, 5): see `dynamics`
+    registers: Floats2  # (n, 4): value, two derivatives, weight
+    product_weight: Floats
+    held: Floats2  # (n, 6): see `dynamics`
+    force: Floats2  # (n + 1, 3)
+    weighted: Floats  # slots of held rows times inverse masses
+    schur: Floats
+    diagonal: Floats
+    step: Floats
+    multiplier: Floats
+    acceleration: Floats2  # (n + 1, 3)
+    info: Floats  # smallest pivot, regularised?, work power
+
+
+def room_for(layout: Layout) -> Room:
+    """Empty room for a layout, its constant gradients filled in."""
+    n = len(layout.inverse_mass)
+    n_measures, n_rows, n_held = len(layout.measure_numbers), len(layout.row_constant), len(layout.held)
+    n_entries = int(
+        max(
+            [
+                0,
+                *(layout.slots[:, 1] + 3).tolist(),
+                *(
+                    int(layout.starts[k] + 9 * (layout.kinds[k + 1] - layout.kinds[k]))
+                    for k in range(len(layout.starts))
+                ),
+            ]
+        )
+    )
+
+    def floats(*shape: int) -> Any:
+        return np.zeros(shape)
+
+    room = Room(
+        cos=np.ones(n),
+        sin=floats(n),
+        value=floats(n_measures),
+        bias=floats(n_measures),
+        bearing=floats(n_measures),
+        near=floats(n_measures),
+        gradient=floats(n_entries),
+        rows=floats(n_rows, 5),
+        registers=floats(max(1, len(layout.tape)), 4),
+        product_weight=floats(len(layout.product)),
+        held=floats(n_held, 6),
+        force=floats(n, 3),
+        weighted=floats(3 * len(layout.held_slots)),
+        schur=floats(int(layout.column_ptr[-1])),
+        diagonal=floats(n_held),
+        step=floats(n_held),
+        multiplier=floats(n_held),
+        acceleration=floats(n, 3),
+        info=floats(8),
+    )
+    fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)
+    return room
+
+
+def example_of(kind: type[T]) -> T:
+    """Arrays of the types of a bundle, by which entries are compiled."""
+    empty: dict[str, Any] = {
+        "Floats": np.zeros(1),
+        "Floats2": np.zeros((1, 1)),
+        "Ints": np.zeros(1, np.int32),
+        "Ints2": np.zeros((1, 1), np.int32),
+    }
+    return kind(**{name: empty[annotation.__forward_arg__] for name, annotation in kind.__annotations__.items()})

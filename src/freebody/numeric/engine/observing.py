@@ -1,0 +1,28 @@
+"""Rows along a motion: values, rates and accelerations of what is watched."""
+
+# pyright: basic
+
+import numpy as np
+
+from freebody.numeric.engine.dynamics import BIAS, DRIFT, VALUE, along, kinematics
+from freebody.numeric.engine.jit import entry
+from freebody.numeric.engine.layout import Layout, Room, example_of
+
+_L, _S = example_of(Layout), example_of(Room)
+_TABLE, _LIST = np.zeros((1, 1)), np.zeros(1)
+
+
+@entry(_L, _S, _LIST, _TABLE, _TABLE, _TABLE, _TABLE, _TABLE)
+def observe(L, S, times, states, accelerations_of, values, rates, seconds):
+    """(n_times, n_rows) values, rates and second derivatives of all rows along states y = (q, v, ...)."""
+    n = accelerations_of.shape[1]
+    for k in range(len(times)):
+        q, v = states[k, :n].reshape((n // 3, 3)), states[k, n : 2 * n].reshape((n // 3, 3))
+        kinematics(L, S, q, v, times[k])
+        for j in range(len(S.near)):
+            S.near[j] = S.bearing[j]
+        a = accelerations_of[k].reshape((n // 3, 3))
+        for r in range(values.shape[1]):
+            values[k, r] = S.rows[r, VALUE]
+            rates[k, r] = along(L, S, r, v) + S.rows[r, DRIFT]
+            seconds[k, r] = along(L, S, r, a) + S.rows[r, BIAS]

@@ -1,0 +1,455 @@
+"""Explicit steps with projection: one loop for every tableau.
+
+The state is y = (q, v, W): positions and velocities of all bodies (the fixed one last), and the work done by loads
+without a potential and by drivers. A step advances y' = (v, a, P); then q moves to the nearest pose, in the metric of the
+masses, that holds what is held, and v loses what does not. Errors count by the size of the system: positions in parts of
+its length, angles in radians, velocities in parts of the largest speed met so far (in lengths or radians a second).
+Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 1993, sec. II.4 to II.6; Hairer & Wanner,
+II, 1996, sec. IV.2 (stiffness) and VII.2 (projection).
+"""
+
+# pyright: basic
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from freebody.numeric.engine.dynamics import (
+    IS_REGULARISED,
+    N_LEFT_OUT,
+    SMALLEST_PIVOT,
+    accelerations,
+    closed,
+    factored,
+    gaps,
+    kinematics,
+    power,
+    respond,
+)
+from freebody.numeric.engine.jit import entry, kernel, part
+from freebody.numeric.engine.layout import Floats, Floats2, Ints, Layout, Room, example_of
+from freebody.numeric.engine.tableaus import Tableau
+
+# -- what a run is about ----------------------------------------------------------------------
+N_CLOCK = 16
+(
+    NOW,
+    STEP,
+    END,
+    TOLERANCE,
+    LENGTH,
+    SPEED,
+    LONGEST,
+    PLACE_GAP,
+    MOTION_GAP,
+    BEFORE,
+    DONE_STEP,
+    BEST_PIVOT,
+    LOWEST_PIVOT,
+    ALLOWED,
+    MOVED,
+) = range(15)
+N_COUNT = 12
+(
+    STEPS,
+    EVALUATIONS,
+    REJECTED,
+    OUTPUTS,
+    REGULARISED,
+    IS_WATCHED,
+    STIFF,
+    NOT_STIFF,
+    DENSE_READY,
+    TROUBLE,
+    IS_CAREFUL,
+    LEFT_OUT,
+) = range(12)
+
+# what `advance` returns
+REACHED, PAUSED, LOOK, TOO_SMALL, STIFF_FOUND = 0, 1, 2, 3, 4
+# what was in the way of the last step (`TROUBLE`)
+NOTHING, ERROR_LARGE, NOT_FINITE, NOT_HELD = 0, 1, 2, 3
+
+Y, OLD, NEW, STAGE, HELD, FIRST = range(6)  # rows of `Run.states`
+
+EPSILON = 2.220446049250313e-16
+N_PROJECTIONS = 8
+CAREFUL_PIVOT = 1e-2  # below this part of the best pivot met so far, stages are projected too
+MOST_ALLOWED = 1e5  # errors of a step, by the tolerance, that are accepted there if nothing else helps
+NEAR_PIVOT = 1e-5  # below this part of it, no step should end
+N_OTHER_STEPS = 24  # how often a slightly shorter step is tried to get past a singular pose
+
+
+class Run(NamedTuple):
+    """A motion under way."""
+
+    clock: Floats
+    count: Ints
+    states: (
+        Floats2  # (6, n_y): the state, that before the last step, the new one, a stage, that as it is held, the start
+    )
+    slopes: Floats2  # (stages, len(y)); the first is that of y
+    dense: Floats2  # (terms, len(y)) of the last step
+    unit: Floats  # size of every entry of q: a length or a radian
+    multiplier: Floats  # at y
+    out_t: Floats
+    out_y: Floats2
+    out_a: Floats2
+    out_multiplier: Floats2
+
+
+@kernel
+def slope(L, S, y, t, out):
+    n = (len(y) - 1) // 2
+    q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
+    accelerations(L, S, q, v, t)
+    store_slope(L, S, y, out)
+
+
+@part
+def store_slope(L, S, y, out):
+    n = (len(y) - 1) // 2
+    for i in range(n):
+        out[i] = y[n + i]
+    for b in range(n // 3):
+        for i in range(3):
+            out[n + 3 * b + i] = S.acceleration[b, i]
+    out[2 * n] = power(L, S)
+
+
+@kernel
+def project(L, S, R, y, t):
+    """Closes the gaps of a state; True if that succeeds. Kinematics are those of the state then."""
+    n = (len(y) - 1) // 2
+    q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
+    size = 1.0
+    for i in range(n):
+        size = max(size, abs(y[i]) / R.unit[i])
+    place_enough = 3e-14 + 4.0 * EPSILON * size
+    motion_enough = 1e-13 * R.clock[SPEED] + 1e-15
+    if R.count[IS_CAREFUL] > 0:
+        place_enough, motion_enough = EPSILON * size, 2.0 * EPSILON * R.clock[SPEED]
+    last_place, last_motion = math.inf, math.inf
+    for attempt in range(N_PROJECTIONS):
+        kinematics(L, S, q, v, t)
+        place, motion = gaps(L, S, v)
+        if not (place < math.inf and motion < math.inf):
+            return False
+        enough = place <= place_enough and motion <= motion_enough
+        stuck = place >= 0.5 * last_place and motion >= 0.5 * last_motion
+        if enough or stuck:
+            if place > 1e-10 * size or motion > 1e-8 * R.clock[SPEED] + 1e-9:
+                return False
+            R.clock[PLACE_GAP], R.clock[MOTION_GAP] = place, motion
+            return True
+        if place > 1e4 * last_place and attempt > 1:
+            return False
+        last_place, last_motion = place, motion
+        factored(L, S)
+        closed(L, S, q, v)
+    return False
+
+
+@part
+def is_near_singular(S, R):
+    """True if rows nearly depend on each other that do not do so always."""
+    return S.info[SMALLEST_PIVOT] < NEAR_PIVOT * R.clock[BEST_PIVOT] or S.info[N_LEFT_OUT] > R.count[LEFT_OUT]
+
+
+@kernel
+def slope_held(L, S, R, y, t, out):
+    """The slope of a stage. Near a singular pose it is that of the nearest state that holds what is held: stages are off
+    by a low power of the step, and there that would be enlarged by the inverse of the smallest pivot."""
+    R.count[EVALUATIONS] += 1
+    if R.count[IS_CAREFUL] > 0:
+        for i in range(len(y)):
+            R.states[HELD, i] = y[i]
+        if project(L, S, R, R.states[HELD], t):
+            respond(L, S, t)
+            store_slope(L, S, R.states[HELD], out)
+            R.clock[LOWEST_PIVOT] = min(R.clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
+            return
+    slope(L, S, y, t, out)
+    R.clock[LOWEST_PIVOT] = min(R.clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
+
+
+@part
+def error_of(T, R, h):
+    """The estimated error of a step, 1 where it is what is allowed; NaN if it is not finite."""
+    n = (len(R.states[Y]) - 1) // 2
+    n_slopes = T.error.shape[1]
+    fastest = 0.0
+    for i in range(n):
+        fastest = max(fastest, abs(R.slopes[0, n + i]) / R.unit[i])
+    speed = max(R.clock[SPEED], h * fastest)
+    moved = min(1.0, max(R.clock[MOVED], h * speed))
+    first, second = 0.0, 0.0
+    for i in range(2 * n):
+        e1, e2 = 0.0, 0.0
+        for j in range(n_slopes):
+            e1 += T.error[0, j] * R.slopes[j, i]
+            e2 += T.error[1, j] * R.slopes[j, i]
+        scale = R.clock[TOLERANCE] * (R.unit[i] * moved if i < n else R.unit[i - n] * speed)
+        scale += 4.0 * EPSILON * abs(R.states[Y][i])
+        if scale > 0.0:
+            e1, e2 = abs(e1) / scale, abs(e2) / scale
+            if not e1 <= first:
+                first = e1
+            if not e2 <= second:
+                second = e2
+    if second > 0.0:
+        return h * first * first / math.sqrt(first * first + 0.01 * second * second)
+    return h * first
+
+
+@part
+def stages(L, S, T, R, t, h):
+    """Slopes at the stages of a step, and the new value."""
+    n_stages, n_y = T.sizes[0], len(R.states[Y])
+    for s in range(1, n_stages + 1):
+        out = R.states[STAGE] if s < n_stages else R.states[NEW]
+        if s == n_stages:
+            for i in range(n_y):
+                R.states[OLD][i] = R.states[STAGE][i]  # the last stage is needed to see stiffness
+        for i in range(n_y):
+            out[i] = 0.0
+        for j in range(s):
+            a = T.a[s, j]
+            if a != 0.0:
+                for i in range(n_y):
+                    out[i] += a * R.slopes[j, i]
+        for i in range(n_y):
+            out[i] = R.states[Y][i] + h * out[i]
+        if s < n_stages:
+            slope_held(L, S, R, out, t + T.c[s] * h, R.slopes[s])
+
+
+@kernel
+def interpolant(L, S, T, R):
+    """The terms of the dense output of the last step."""
+    if R.count[DENSE_READY] > 0:
+        return
+    n_stages, n_extra, n_y = T.sizes[0], T.sizes[1], len(R.states[Y])
+    t, h = R.clock[BEFORE], R.clock[DONE_STEP]
+    for s in range(n_stages + 1, n_stages + 1 + n_extra):
+        for i in range(n_y):
+            R.states[STAGE][i] = 0.0
+        for j in range(s):
+            a = T.a[s, j]
+            if a != 0.0:
+                for i in range(n_y):
+                    R.states[STAGE][i] += a * R.slopes[j, i]
+        for i in range(n_y):
+            R.states[STAGE][i] = R.states[OLD][i] + h * R.states[STAGE][i]
+        slope_held(L, S, R, R.states[STAGE], t + T.c[s] * h, R.slopes[s])
+    for i in range(n_y):
+        change = R.states[Y][i] - R.states[OLD][i]
+        R.dense[0, i] = change
+        R.dense[1, i] = h * R.slopes[0, i] - change
+        R.dense[2, i] = 2.0 * change - h * (R.slopes[0, i] + R.slopes[n_stages, i])
+    for k in range(len(T.dense)):
+        for i in range(n_y):
+            R.dense[3 + k, i] = 0.0
+        for j in range(n_stages + 1 + n_extra):
+            d = T.dense[k, j]
+            if d != 0.0:
+                for i in range(n_y):
+                    R.dense[3 + k, i] += h * d * R.slopes[j, i]
+    R.count[DENSE_READY] = 1
+
+
+@kernel
+def between(R, s, out):
+    """The state at the part s of the last step, by its dense output."""
+    for i in range(len(out)):
+        out[i] = 0.0
+    for k in range(len(R.dense) - 1, -1, -1):
+        factor = s if k % 2 == 0 else 1.0 - s
+        for i in range(len(out)):
+            out[i] = (out[i] + R.dense[k, i]) * factor
+    for i in range(len(out)):
+        out[i] += R.states[OLD][i]
+
+
+@part
+def store_outputs(L, S, T, R):
+    """Fills the output times that the last step passed."""
+    k = R.count[OUTPUTS]
+    while k < len(R.out_t) and R.out_t[k] <= R.clock[NOW]:
+        t, y = R.out_t[k], R.out_y[k]
+        if t >= R.clock[NOW]:
+            for i in range(len(y)):
+                y[i] = R.states[Y][i]
+        else:
+            interpolant(L, S, T, R)
+            between(R, (t - R.clock[BEFORE]) / R.clock[DONE_STEP], y)
+        held = R.clock[PLACE_GAP], R.clock[MOTION_GAP]
+        project(L, S, R, y, t)
+        R.clock[PLACE_GAP], R.clock[MOTION_GAP] = max(held[0], R.clock[PLACE_GAP]), max(held[1], R.clock[MOTION_GAP])
+        respond(L, S, t)
+        for b in range(len(S.acceleration)):
+            for i in range(3):
+                R.out_a[k, 3 * b + i] = S.acceleration[b, i]
+        for r in range(len(S.multiplier)):
+            R.out_multiplier[k, r] = S.multiplier[r]
+        k += 1
+    R.count[OUTPUTS] = k
+
+
+@part
+def look_for_stiffness(T, R, h):
+    """Counts steps whose size seems to be bounded by stability: h |df/dy| between the last stage and the new value."""
+    n_stages = T.sizes[0]
+    n = (len(R.states[Y]) - 1) // 2
+    above, below = 0.0, 0.0
+    for i in range(n):
+        u = R.unit[i]
+        d = (R.slopes[n_stages, n + i] - R.slopes[n_stages - 1, n + i]) / u
+        e = (R.states[NEW][n + i] - R.states[OLD][n + i]) / u
+        above += d * d
+        below += e * e
+        x = (R.states[NEW][i] - R.states[OLD][i]) / u
+        below += x * x / (h * h)
+    bound = 6.1 if T.sizes[2] >= 8 else 3.25
+    if below > 0.0 and h * math.sqrt(above / below) > bound:
+        R.count[NOT_STIFF] = 0
+        R.count[STIFF] += 1
+    else:
+        R.count[NOT_STIFF] += 1
+        if R.count[NOT_STIFF] >= 6:
+            R.count[STIFF] = 0
+
+
+@part
+def accept(S, R, h):
+    """The new value becomes the state."""
+    n = (len(R.states[Y]) - 1) // 2
+    speed = R.clock[SPEED]
+    for i in range(len(R.states[Y])):
+        R.states[OLD][i] = R.states[Y][i]
+        R.states[Y][i] = R.states[NEW][i]
+    moved = R.clock[MOVED]
+    for i in range(n):
+        speed = max(speed, abs(R.states[Y][n + i]) / R.unit[i])
+        moved = max(moved, abs(R.states[Y][i] - R.states[FIRST][i]) / R.unit[i])
+    R.clock[SPEED], R.clock[MOVED] = speed, moved
+    for k in range(len(S.near)):
+        S.near[k] = S.bearing[k]
+    for r in range(len(S.multiplier)):
+        R.multiplier[r] = S.multiplier[r]
+    R.clock[BEFORE] = R.clock[NOW]
+    R.clock[DONE_STEP] = h
+    R.count[STEPS] += 1
+    R.count[DENSE_READY] = 0
+
+
+_L, _S, _T, _R = (example_of(kind) for kind in (Layout, Room, Tableau, Run))
+_INT, _FLOAT, _STATE = 1, 1.0, np.zeros(1)
+
+
+@entry(_L, _S, _T, _R, _INT)
+def advance(L, S, T, R, max_steps):
+    """Makes steps to the end time, or max_steps of them, or one if the run is watched."""
+    n_stages, order, is_adaptive, needs_new = T.sizes[0], T.sizes[2], T.sizes[3] > 0, T.sizes[4] > 0
+    n_y = len(R.states[Y])
+    for _ in range(max_steps):
+        t = R.clock[NOW]
+        left = R.clock[END] - t
+        if left <= 0.0:
+            return REACHED
+        h = min(R.clock[STEP], R.clock[LONGEST])
+        was_rejected, n_others, allowed, wanted = False, 0, 1.0, h
+        while True:
+            if h < 16.0 * EPSILON * max(abs(t), abs(R.clock[END])):
+                return TOO_SMALL
+            is_last = h >= left * (1.0 - 1e-12)
+            if is_last:
+                h = left
+            elif 2.0 * h > left and is_adaptive:
+                h = 0.5 * left  # two equal steps instead of one and a tiny one
+            R.clock[LOWEST_PIVOT] = 1.0
+            stages(L, S, T, R, t, h)
+            error = error_of(T, R, h) if is_adaptive and not needs_new else 0.0
+            is_held = error <= allowed and project(L, S, R, R.states[NEW], t + h)
+            if is_held:
+                respond(L, S, t + h)
+                store_slope(L, S, R.states[NEW], R.slopes[n_stages])
+                R.count[EVALUATIONS] += 1
+                if needs_new:
+                    error = error_of(T, R, h)
+                for i in range(n_y):
+                    if not abs(R.slopes[n_stages, i]) < math.inf:
+                        error = math.nan
+            is_near = is_held and is_near_singular(S, R)
+            if (
+                is_held
+                and error <= allowed
+                and not (is_near and n_others < N_OTHER_STEPS and is_adaptive and not is_last)
+            ):
+                break
+            R.count[REJECTED] += 1
+            passes = is_near or R.clock[LOWEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT]
+            if is_adaptive and passes and n_others < N_OTHER_STEPS:
+                # stages next to a singular pose spoil a step; a slightly different one misses it, a short one does not
+                n_others += 1
+                was_rejected = True
+                if R.count[IS_CAREFUL] > 0 or is_near:
+                    h *= 0.93
+                R.count[IS_CAREFUL] = 1
+                if n_others == N_OTHER_STEPS and allowed < MOST_ALLOWED:
+                    n_others, allowed, h = 0, 10.0 * allowed, wanted
+                continue
+            if not is_adaptive:
+                R.count[TROUBLE] = NOT_HELD if error == 0.0 else NOT_FINITE
+                return TOO_SMALL
+            was_rejected = True
+            if error > allowed:
+                R.count[TROUBLE] = ERROR_LARGE
+                h *= max(0.2, 0.9 * error ** (-1.0 / order)) if error < math.inf else 0.2
+            else:
+                R.count[TROUBLE] = NOT_HELD if error <= allowed else NOT_FINITE
+                h *= 0.25
+        R.clock[ALLOWED] = max(R.clock[ALLOWED], allowed)
+        if S.info[IS_REGULARISED] > 0.0:
+            R.count[REGULARISED] += 1
+        R.clock[BEST_PIVOT] = max(R.clock[BEST_PIVOT], S.info[SMALLEST_PIVOT])
+        R.count[LEFT_OUT] = min(R.count[LEFT_OUT], int(S.info[N_LEFT_OUT]))
+        R.count[IS_CAREFUL] = 1 if S.info[SMALLEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT] else 0
+        if is_adaptive:
+            look_for_stiffness(T, R, h)
+            growth = 5.0 if error == 0.0 else min(5.0, 0.9 * error ** (-1.0 / order))
+            if was_rejected:
+                growth = min(1.0, growth)
+            if not (is_last and growth * h < R.clock[STEP]):
+                R.clock[STEP] = h * max(0.2, growth)
+        accept(S, R, h)
+        R.clock[NOW] = R.clock[END] if is_last else t + h
+        if R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]:
+            store_outputs(L, S, T, R)
+        if R.count[IS_WATCHED] > 0:
+            interpolant(L, S, T, R)
+        for i in range(n_y):
+            R.slopes[0, i] = R.slopes[n_stages, i]
+        if R.count[IS_WATCHED] > 0:
+            return LOOK
+        if R.count[STIFF] >= 15:
+            return STIFF_FOUND
+    return REACHED if R.clock[NOW] >= R.clock[END] else PAUSED
+
+
+@entry(_L, _S, _R, _FLOAT, _STATE, _FLOAT, _STATE, _INT)
+def visit(L, S, R, s, y, t, out, n_times):
+    """The slope of a state: that at the part s of the last step, or, for s < 0, of y as it is. Its rows, accelerations
+    and multipliers stand in `S`. The gaps of the state are closed before; with n_times > 0 they are not, and the slope
+    is found that many times. False if the gaps cannot be closed."""
+    n = (len(y) - 1) // 2
+    if s >= 0.0:
+        between(R, s, y)
+    if n_times == 0 and not project(L, S, R, y, t):
+        return False
+    for _ in range(max(1, n_times)):
+        slope(L, S, y, t, out)
+    return True

@@ -1,0 +1,88 @@
+"""Why a motion cannot go on, in the user's names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.language.expression import free_symbols
+from freebody.numeric.engine import stepping
+from freebody.numeric.engine.course import Status
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine, Run
+
+SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
+SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
+
+
+def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
+    """Status and message for a step that became too small."""
+    t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
+    out = np.zeros(engine.n_y)
+    y = run.states[0].copy()
+    stepping.visit(engine.layout, engine.room, run, -1.0, y, t, out, 1)
+    if trouble == stepping.NOT_FINITE:
+        name = _without_value(engine, run, y, out, t)
+        if name:
+            return Status.NOT_FINITE, f"{name} has no finite value beyond t = {t:.6g} s; change its law or stop before"
+    rows, ratio = _dependent(engine)
+    held = engine.numbers.system.held
+    names = list(dict.fromkeys(held[k].connection for k in rows))
+    if rows and ratio < SINGULAR:
+        drivers = [held[k].name for k in rows if held[k].target is not None and "t" in free_symbols(held[k].target)]
+        listed = ", ".join(names)
+        if drivers:
+            return Status.UNREACHABLE, (
+                f"{', '.join(drivers)} cannot be driven beyond t = {t:.9g} s: {listed} reach the limit of what they allow "
+                "there. Drive within that limit, or change a length"
+            )
+        return Status.SINGULAR, (
+            f"at t = {t:.9g} s the mechanism reaches a dead point: {listed} hold the same thing there, and its motion "
+            "beyond is not determined"
+        )
+    if trouble == stepping.NOT_HELD:
+        return Status.UNREACHABLE, f"beyond t = {t:.9g} s no pose holds {', '.join(names) or 'what is held'}"
+    return Status.STEP_TOO_SMALL, (
+        f"the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that jumps or "
+        "grows without limit?). Loosen the tolerance, or smooth the load"
+    )
+
+
+def _dependent(engine: Engine) -> tuple[list[int], float]:
+    """The held rows of the combination that is nearest to vanishing, and how near it is."""
+    J = engine.jacobian()
+    if not len(J) or not np.isfinite(J).all():
+        return [], 1.0
+    A = (J * np.sqrt(engine.layout.inverse_mass)).reshape(len(J), -1)
+    sizes = np.linalg.norm(A, axis=1)
+    A = A / np.where(sizes > 0.0, sizes, 1.0)[:, None]
+    U, singular, _ = np.linalg.svd(A, full_matrices=True)
+    kept = np.flatnonzero(singular > 1e-12 * singular[0])  # rows that are redundant everywhere do not count
+    k = int(kept[-1])
+    share = np.abs(U[:, k])
+    return [int(i) for i in np.flatnonzero(share > SHARE * share.max())], float(singular[k] / singular[0])
+
+
+def _without_value(engine: Engine, run: Run, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
+    """The first load or held measure that is not finite in states a little ahead."""
+    system = engine.numbers.system
+    for h in (0.0, *(float(run.clock[stepping.STEP]) * 10.0**k for k in range(9))):
+        ahead = y + h * out
+        stepping.visit(engine.layout, engine.room, run, -1.0, ahead, t + h, np.zeros(engine.n_y), 1)
+        rows = engine.room.rows
+        for p, (row, tape, _works) in enumerate(engine.layout.push):
+            at = engine.layout.push_law[p]
+            law = (
+                at[0] + at[1] * rows[row, 0] + at[2] * rows[row, 1] if tape < 0 else engine.tape_value(int(tape), t + h)
+            )
+            if not np.isfinite(law) or not np.isfinite(rows[row, 0]):
+                return engine.push_names[p]
+        for k, place in enumerate(engine.place_of):
+            row, tape = engine.layout.held[place, 0], engine.layout.held[place, 1]
+            if not np.isfinite(rows[row, [0, 2]]).all() or (
+                tape >= 0 and not np.isfinite(engine.room.held[place, :3]).all()
+            ):
+                return system.held[k].name
+    return ""

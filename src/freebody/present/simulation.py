@@ -1,0 +1,103 @@
+"""A simulation's summary for the terminal, and its progress."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from freebody.study.simulate import Progress, Simulation
+
+PATIENCE = 0.5  # seconds before a bar appears
+
+
+def simulation_lines(result: Simulation) -> Iterator[str]:
+    """Status, cost, violations, energy balance, events and final values."""
+    course, summary = result.course, result.summary()
+    yield result.system.title or "simulation"
+    yield f"  status        {result.status}" + (f": {result.message}" if result.message else "")
+    yield (
+        f"  time          {result.t_end:.6g} s in {course.n_steps} steps, {course.n_evaluations} evaluations, "
+        f"{course.wall_time:.3g} s by the clock ({course.method}, tolerance {result.tolerance:g})"
+    )
+    yield (
+        f"  constraints   at most {summary['max_position_violation']:.1e} m and "
+        f"{summary['max_velocity_violation']:.1e} m/s violated"
+    )
+    yield (
+        f"  energy        change minus work of loads: {summary['energy_error']:.1e} J, "
+        f"{summary['energy_error_relative']:.1e} of what was exchanged"
+    )
+    non_unique = [r.name for k, r in enumerate(result.system.held) if not course.unique[:, k].all()]
+    if non_unique:
+        yield f"  not unique    {', '.join(non_unique)}: connections hold the same thing more than once"
+    if result.trusted_until is not None:
+        is_all = result.trusted_until >= result.t_end
+        yield (
+            "  trust         to the end"
+            if is_all
+            else f"  trust         two tolerances part at {result.trusted_until:.4g} s"
+        )
+    if result.events:
+        yield "  events"
+        for event in result.events:
+            yield f"    {event.time:<14.9g} s  {event.name} ({event.kind})"
+    final = summary["final"]["measures"]
+    if final:
+        from freebody.language.units import unit_of
+
+        yield f"  at {result.t_end:.6g} s"
+        for name, value in final.items():
+            yield f"    {name:<12} = {value:.9g} {unit_of(result.system.measures[name].dimension)}"
+
+
+@contextmanager
+def progress_bar(until: float) -> Iterator[Progress]:
+    """Shows simulated time and rate on the error stream if a run takes longer than `PATIENCE`."""
+    import time
+
+    from rich.console import Console
+    from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bar
+
+    began = time.perf_counter()
+    bar: Any = Bar(
+        TextColumn("{task.completed:8.4g} of {task.total:g} s"),
+        BarColumn(),
+        TextColumn("{task.fields[rate]:.3g} s/s"),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    )
+    task = bar.add_task("", total=until, rate=0.0)
+    shown = False
+
+    def update(now: float, _steps: int) -> None:
+        nonlocal shown
+        spent = time.perf_counter() - began
+        if not shown and spent > PATIENCE:
+            bar.start()
+            shown = True
+        if shown:
+            bar.update(task, completed=now, rate=now / spent)
+
+    try:
+        yield update
+    finally:
+        if shown:
+            bar.stop()
+
+
+@contextmanager
+def told_compiling() -> Iterator[None]:
+    """Says that kernels are compiled when that is done for the first time."""
+    from rich.console import Console
+
+    from freebody.numeric.engine.jit import is_compiled
+
+    if is_compiled():
+        yield
+        return
+    with Console(stderr=True).status("compiling kernels, once (about 15 s)"):
+        yield

@@ -1,0 +1,128 @@
+"""A simulation as an xarray dataset: everything along the motion, with units and long names.
+
+    time                                       [s]
+    body_position (time, body, axis)           of mass centres, ground components [m]; body_velocity, body_acceleration
+    body_angle (time, body)                    [rad]; body_angular_velocity, body_angular_acceleration
+    <measure>, <measure>_rate, <measure>_acceleration      every named measure
+    <connection>.<component>                   every reaction, positive as it is named (a tension pulls, a contact pushes)
+    <load>.force                               every load that acts along one measure (springs and dampers: pulling)
+    kinetic_energy, potential_energy, work     [J]
+
+A reaction that is not unique, because connections hold the same thing more than once, is NaN, and its attribute
+`non_unique` says so.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray
+
+from freebody.language.expression import evaluate
+from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric.jets import Array
+from freebody.numeric.potential import ARRAY_FUNCTIONS
+from freebody.study.observed import observed
+
+if TYPE_CHECKING:
+    from freebody.study.simulate import Simulation
+
+_FIXED_NAMES = ("position", "angle", "velocity", "angular_velocity", "acceleration", "angular_acceleration")
+
+
+def dataset_of(result: Simulation) -> xarray.Dataset:
+    """The dataset of a simulation."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    course, system = result.course, result.system
+    bodies = [b.name for b in system.moving]
+    data: dict[str, Any] = {}
+    arrays = (course.poses, course.velocities, course.accelerations)
+    for order, array in enumerate(arrays):
+        per = ("", "/s", "/s^2")[order]
+        place, turn = _FIXED_NAMES[2 * order], _FIXED_NAMES[2 * order + 1]
+        data[f"body_{place}"] = (
+            ("time", "body", "axis"),
+            array[:, :-1, :2],
+            _named("m" + per, f"{place} of the mass centre"),
+        )
+        data[f"body_{turn}"] = (("time", "body"), array[:, :-1, 2], _named("rad" + per, turn.replace("_", " ")))
+    for name, (value, rate, acceleration) in result.series.items():
+        unit = unit_of(system.measures[name].dimension)
+        data[name] = ("time", value, _named(unit, name))
+        data[f"{name}_rate"] = ("time", rate, _named(f"{unit}/s", f"rate of {name}"))
+        data[f"{name}_acceleration"] = ("time", acceleration, _named(f"{unit}/s^2", f"second derivative of {name}"))
+    data |= _reactions(result)
+    data |= _loads(result)
+    energy = result.energy
+    for name, values, what in (
+        ("kinetic_energy", energy.kinetic, "kinetic energy"),
+        ("potential_energy", energy.potential, "potential energy of constant loads and linear springs"),
+        ("work", energy.work, "work of all other loads and of drivers since the start"),
+    ):
+        data[name] = ("time", values, _named("J", what))
+    try:
+        made_by = f"freebody {version('freebody')}"
+    except PackageNotFoundError:
+        made_by = "freebody"
+    summary = result.summary()
+    attributes = {key: summary[key] for key in ("title", "status", "message", "method", "tolerance", "energy_error")}
+    attributes |= {
+        "measures": list(system.measures),
+        "events": json.dumps(summary["events"]),
+        "source": made_by,
+        "convention": "x right, y up, angles counter-clockwise; SI units, angles in rad",
+    }
+    coordinates = {
+        "time": ("time", course.times, _named("s", "time")),
+        "body": bodies,
+        "axis": ["x", "y"],
+    }
+    return xarray.Dataset(data, coords=coordinates, attrs=attributes)
+
+
+def _named(unit: str, long_name: str) -> dict[str, str]:
+    return {"units": unit, "long_name": long_name}
+
+
+def _reactions(result: Simulation) -> dict[str, Any]:
+    data: dict[str, Any] = {}
+    for k, row in enumerate(result.system.held):
+        unique = result.course.unique[:, k]
+        values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
+        unit = "N" if row.measure.dimension == LENGTH else "N m" if row.measure.dimension == DIMENSIONLESS else "SI"
+        attributes = _named(unit, f"{row.reaction} of {row.connection}")
+        if not unique.all():
+            attributes["non_unique"] = (
+                "connections hold the same thing more than once: this reaction has no unique value"
+            )
+        data[row.name] = ("time", values, attributes)
+    return data
+
+
+def _loads(result: Simulation) -> dict[str, Any]:
+    """Loads that act along one measure, by their laws."""
+    system = result.system
+    single = [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
+    measures = {f"{p.name}@": p.measure for p in single}
+    measures |= {name: m for p in single for name, m in p.measures}
+    found = observed(result, measures)
+    data: dict[str, Any] = {}
+    for push in single:
+        law = system.loads[push.load].pulling_sign * _law(result, push, found)
+        unit = "N m" if push.measure.dimension == DIMENSIONLESS else "N"
+        data[f"{push.load}.force"] = ("time", law, _named(unit, f"force of {push.load}"))
+    return data
+
+
+def _law(result: Simulation, push: Push, found: dict[str, tuple[Array, Array, Array]]) -> Array:
+    value, rate, _ = found[f"{push.name}@"]
+    names: dict[str, Any] = {**result.simulator.numbers.values, "t": result.course.times, RATE.name: rate}
+    if not isinstance(push.measure, RateMeasure):
+        names[VALUE.name] = value - result.simulator.reference.start_value(push.measure)
+    for name, _measure in push.measures:
+        names[name], names[f"rate({name})"] = found[name][0], found[name][1]
+    return np.broadcast_to(evaluate(push.law, names, ARRAY_FUNCTIONS), value.shape).copy()

@@ -1,0 +1,85 @@
+"""The energy balance of a motion: what the bodies gained is what loads and drivers gave.
+
+    (T + V)(t) - (T + V)(0) = W(t)
+
+T is the kinetic energy, V the potential of constant loads and of linear springs, and W the work, integrated with the
+motion, of all other loads and of held measures that are driven. Ideal reactions do no work, so the error of the balance
+measures the whole integration.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.language.expression import differentiate, free_symbols, substitute
+from freebody.language.expression.tree import ZERO
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric.jets import Array
+
+if TYPE_CHECKING:
+    from freebody.study.simulate import Simulation, Simulator
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Energies at the output times [J]."""
+
+    kinetic: Array
+    potential: Array
+    work: Array
+    typical: float  # the constant loads times the length of the system [J]: less than 1e-6 of it is none
+
+    @property
+    def error(self) -> float:
+        """The largest error of the balance [J]."""
+        total = self.kinetic + self.potential
+        return float(np.abs(total - total[0] - (self.work - self.work[0])).max())
+
+    @property
+    def relative_error(self) -> float:
+        """The error by the largest energy that was exchanged."""
+        exchanged = max(float(np.ptp(self.kinetic)), float(np.ptp(self.potential)), float(np.ptp(self.work)))
+        largest = max(exchanged, float(self.kinetic.max(initial=0.0)), 1e-6 * self.typical)
+        return self.error / largest if largest > 0.0 else 0.0
+
+
+def energy_balance(result: Simulation) -> EnergyBalance:
+    """Energies along a motion."""
+    course, simulator = result.course, result.simulator
+    kinetic = np.zeros(len(course.times))
+    for k, body in enumerate(result.system.moving):
+        v = course.velocities[:, k]
+        m = simulator.reference.number(body.mass)
+        kinetic += 0.5 * m * (v[:, 0] ** 2 + v[:, 1] ** 2)
+        if body.turns:
+            kinetic += 0.5 * simulator.reference.number(body.inertia) * v[:, 2] ** 2
+    from freebody.study.observed import observed
+
+    stored = {
+        push.name: (push, law) for push in result.system.pushes if (law := stored_law(simulator, push)) is not None
+    }
+    found = observed(result, {name: push.measure for name, (push, _law) in stored.items()})
+    potential = np.zeros_like(kinetic)
+    for name, (push, (c0, c1)) in stored.items():
+        assert not isinstance(push.measure, RateMeasure)
+        x = found[name][0] - simulator.reference.start_value(push.measure)
+        potential -= c0 * x + 0.5 * c1 * x * x
+    typical = float(np.abs(simulator.engine.layout.constant_force[:, :2]).sum()) * simulator.numbers.length
+    return EnergyBalance(kinetic, potential, course.work, typical)
+
+
+def stored_law(simulator: Simulator, push: Push) -> tuple[float, float] | None:
+    """(c0, c1) of a load whose law is c0 + c1 value: its energy is stored. None for others."""
+    if isinstance(push.measure, RateMeasure):
+        return None
+    law, known = push.law, simulator.numbers.values.keys() | {"pi"}
+    if free_symbols(law) - known - {VALUE.name, RATE.name} or not differentiate(law, RATE.name) == ZERO:
+        return None
+    slope = differentiate(law, VALUE.name)
+    if free_symbols(slope) & {VALUE.name, RATE.name}:
+        return None
+    number = simulator.reference.number
+    return number(substitute(law, {VALUE.name: ZERO})), number(slope)

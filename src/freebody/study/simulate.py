@@ -1,0 +1,353 @@
+"""The motion of a system in time: assembled, run by the engine, and given back with what it can be trusted for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, InputError
+from freebody.language.expression import free_symbols
+from freebody.measures.base import Measure
+from freebody.numeric.engine.course import Course, Happening, Status
+from freebody.numeric.engine.engine import METHODS, Engine, Watch
+from freebody.numeric.jets import Array
+from freebody.numeric.numbers import Numbers
+from freebody.numeric.reference import Reference
+from freebody.study.energy import EnergyBalance, energy_balance
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[float, int], None]
+N_OUTPUTS = 1001
+PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
+
+
+class Simulator:
+    """A system with a number for every parameter, assembled at its start and packed for the engine."""
+
+    def __init__(self, system: System, values: Mapping[str, float] | None = None, events: Sequence[str] = ()) -> None:
+        """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
+        "theta' = 0"; one that begins with "stop when" ends the motion. Raises CannotAnswer naming parameters without a
+        value, or what contradicts itself at the start."""
+        self.system = system
+        self.reference = Reference(system, values)
+        q = self.reference.assemble()
+        v = self.reference.velocities(q)
+        self.numbers = numbers_of(self.reference)
+        self.engine = Engine(self.numbers, [*_watches(self, events), *_pulls(system)])
+        self.start = self.state_of(q, v)
+        self.value_at_start = self.reference.snapshot(q, v).value
+        self.engine.align(self.start, 0.0, self.value_at_start)
+        self._near = self.engine.room.near.copy()
+
+    def state_of(self, q: Array, v: Array) -> Array:
+        """The engine's state for positions and velocities of the reference route."""
+        poses = np.zeros((self.engine.n_bodies, 3))
+        velocities = np.zeros_like(poses)
+        for k, body in enumerate(self.system.moving):
+            for i, c in enumerate(self.reference.columns(body.name)):
+                poses[k, i], velocities[k, i] = q[c], v[c]
+            if not body.turns:
+                poses[k, 2] = self.reference.pose(q, body.name)[2]
+        return self.engine.state(poses, velocities)
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Independent velocities at the start."""
+        from freebody.numeric.engine import dynamics
+
+        self.engine.evaluate(self.start, 0.0)
+        n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
+        return n_free - len(self.system.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])
+
+    def run(
+        self,
+        until: float,
+        *,
+        tolerance: float = 1e-9,
+        method: str = "auto",
+        step: float | None = None,
+        outputs: Array | None = None,
+        max_seconds: float = math.inf,
+        progress: Progress | None = None,
+        state: Array | None = None,
+        start: float = 0.0,
+        near: Array | None = None,
+    ) -> Course:
+        """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
+        self.engine.room.near[:] = self._near if near is None else near
+        chosen = "dop853" if method == "auto" else method
+        y = (self.start if state is None else state).copy()
+        course = self.engine.run(
+            y,
+            until,
+            start=start,
+            tolerance=tolerance,
+            method=chosen,
+            step=step or 0.0,
+            outputs=outputs,
+            max_seconds=max_seconds,
+            progress=progress,
+        )
+        return course
+
+    def time_accelerations(self, n_calls: int) -> float:
+        """Seconds for one evaluation of all accelerations and multipliers, within the compiled loop."""
+        import time
+
+        began = time.perf_counter()
+        self.engine.evaluate(self.start, 0.0, n_calls)
+        return (time.perf_counter() - began) / n_calls
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """The result of a simulation. SI units, angles in rad."""
+
+    system: System
+    simulator: Simulator
+    course: Course
+    tolerance: float
+    trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
+
+    @property
+    def status(self) -> Status:
+        return self.course.status
+
+    @property
+    def message(self) -> str:
+        return self.course.message
+
+    @property
+    def events(self) -> tuple[Happening, ...]:
+        return self.course.happenings
+
+    @property
+    def t_end(self) -> float:
+        return self.course.t_end
+
+    @cached_property
+    def energy(self) -> EnergyBalance:
+        """Kinetic and potential energy, and the work of all other loads, at the output times."""
+        return energy_balance(self)
+
+    @cached_property
+    def series(self) -> dict[str, tuple[Array, Array, Array]]:
+        """Value, rate and second derivative of every named measure at the output times."""
+        from freebody.study.observed import observed
+
+        return observed(self, dict(self.system.measures))
+
+    @cached_property
+    def dataset(self) -> xarray.Dataset:
+        """Everything along the motion, with units and long names; see `study.dataset`."""
+        from freebody.study.dataset import dataset_of
+
+        return dataset_of(self)
+
+    def continued(self, until: float, **options: Any) -> Simulation:
+        """The motion from here on to a later time; the same arguments as `simulate`."""
+        if not until > self.t_end:
+            raise InputError(f"the motion is at t = {self.t_end:.6g} s already; continue to a later time")
+        return simulate(self.system, until, from_result=self, **{"tolerance": self.tolerance, **options})
+
+    def summary(self) -> dict[str, Any]:
+        """The document that `freebody simulate --json` prints."""
+        course, energy = self.course, self.energy
+        final: dict[str, Any] = {
+            "measures": {name: float(values[-1]) for name, (values, _r, _a) in self.series.items()},
+            "poses": {b.name: [float(x) for x in course.poses[-1, k]] for k, b in enumerate(self.system.moving)},
+        }
+        return {
+            "title": self.system.title,
+            "status": str(self.status),
+            "message": self.message,
+            "t_end": self.t_end,
+            "steps": course.n_steps,
+            "evaluations": course.n_evaluations,
+            "wall_time": course.wall_time,
+            "max_position_violation": course.place_gap * self.simulator.numbers.length,
+            "max_velocity_violation": course.motion_gap * self.simulator.numbers.length,
+            "energy_error": energy.error,
+            "energy_error_relative": energy.relative_error,
+            "method": course.method,
+            "tolerance": self.tolerance,
+            "trusted_until": self.trusted_until,
+            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in self.events],
+            "final": final,
+        }
+
+    def plot(self, *names: str, path: str | Path | None = None, dark: bool = False) -> Any:
+        """A figure of the named measures (all of them without names); saved if a path is given."""
+        from freebody.present.plots import plot, save
+
+        figure = plot(self.dataset, names, events=[(e.time, e.name) for e in self.events], dark=dark)
+        if path is not None:
+            save(figure, Path(path))
+        return figure
+
+    def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
+        """Writes an animation: a player (.html), .gif or .mp4."""
+        from freebody.present.animation import write_animation
+        from freebody.present.scene import Scene
+
+        scene = Scene.of(self.system, self.simulator.reference.number)
+        poses = self.course.poses[:, :-1]
+        write_animation(scene, self.course.times, poses, Path(path), title=self.system.title, speed=speed)
+        return Path(path)
+
+
+def simulate(
+    system: System,
+    until: float,
+    *,
+    tolerance: float = 1e-9,
+    method: str = "auto",
+    step: float | None = None,
+    values: Mapping[str, float] | None = None,
+    events: Sequence[str] = (),
+    every: float | None = None,
+    max_seconds: float = math.inf,
+    progress: Progress | None = None,
+    verify: bool = False,
+    from_result: Simulation | None = None,
+) -> Simulation:
+    """The motion of a system from its start to the time `until` [s].
+
+    tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of order 8,
+    an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control [s]. values:
+    of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of the whole if
+    nothing is said. verify: a second run, a hundred times as exact, tells from when on they part.
+
+    Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
+    later is a status of the result, which keeps the motion up to there.
+    """
+    _check(until, tolerance, method, step, every)
+    simulator = Simulator(system, values, events) if from_result is None else from_result.simulator
+    start = 0.0 if from_result is None else from_result.t_end
+    state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
+    if simulator.degrees_of_freedom == 0 and not _is_driven(system):
+        until_reached, message = 0.0, "no motion: 0 degrees of freedom; the reactions at rest are given"
+        course = simulator.run(1e-9, tolerance=tolerance, outputs=np.array([0.0]))
+        course = replace(_first_instant(course), message=message)
+        return Simulation(system, simulator, course, tolerance)
+    span = until - start
+    n = N_OUTPUTS if every is None else max(2, int(round(span / every)) + 1)
+    outputs = (
+        np.linspace(start, until, n) if every is None else np.unique(np.append(start + every * np.arange(n), until))
+    )
+    outputs = outputs[outputs <= until]
+    course = simulator.run(
+        until,
+        tolerance=tolerance,
+        method=method,
+        step=step,
+        outputs=outputs,
+        max_seconds=max_seconds,
+        progress=progress,
+        state=state,
+        start=start,
+        near=near,
+    )
+    trusted = None
+    if verify:
+        finer = simulator.run(
+            until, tolerance=tolerance * 1e-2, method=method, outputs=outputs, state=state, start=start, near=near
+        )
+        trusted = _trusted_until(simulator, course, finer)
+    return Simulation(system, simulator, course, tolerance, trusted)
+
+
+def numbers_of(reference: Reference) -> Numbers:
+    """What the engine needs to know, from the reference route."""
+    frame = reference.frame
+    fixed = {name: (float(p[0]), float(p[1]), float(p[2])) for name, p in frame.fixed.items()}
+    return Numbers(
+        reference.system, frame.values, reference.sizes.length, fixed, reference.number, reference.start_value
+    )
+
+
+def _check(until: float, tolerance: float, method: str, step: float | None, every: float | None) -> None:
+    if not (math.isfinite(until) and until > 0.0):
+        raise InputError(f"the motion must last for a positive time, not {until:g} s")
+    if not 1e-14 <= tolerance <= 1e-1:
+        raise InputError(f"the tolerance must be between 1e-14 and 0.1, not {tolerance:g}")
+    if method not in ("auto", *METHODS):
+        raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}")
+    for name, value in (("step", step), ("every", every)):
+        if value is not None and not value > 0.0:
+            raise InputError(f"{name} must be positive, not {value:g} s")
+
+
+def _is_driven(system: System) -> bool:
+    return any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
+
+
+def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
+    """Events in words. Raises ModelError if one cannot be read."""
+    from freebody.measures.geometry import GROUND  # noqa: F401
+
+    found: list[Watch] = []
+    for text in events:
+        stops = text.strip().lower().startswith("stop when")
+        words = text.strip()[len("stop when") :].strip() if stops else text.strip()
+        question = simulator.system.question(f"time when {words}")
+        event = question.event
+        if event is None:
+            raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")
+        value = simulator.reference.number(event.value)
+        size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
+        found.append(Watch(words, event.measure, event.order, value, is_terminal=stops, size=size))
+    return found
+
+
+def _size(simulator: Simulator, measure: Measure) -> float:
+    from freebody.language.units import LENGTH
+
+    return simulator.numbers.length if measure.dimension == LENGTH else 1.0
+
+
+def _pulls(system: System) -> list[Watch]:
+    """Ideal strings and contacts cannot push: their reaction changing sign is an event."""
+    return [
+        Watch(
+            f"{row.name} would have to {'push' if row.reaction == 'tension' else 'pull'}",
+            held=k,
+            sign=row.sign,
+            direction=-1,
+        )
+        for k, row in enumerate(system.held)
+        if row.unilateral
+    ]
+
+
+def _last_state(result: Simulation) -> Array:
+    course, engine = result.course, result.simulator.engine
+    y = engine.state(course.poses[-1, :-1], course.velocities[-1, :-1])
+    y[-1] = course.work[-1]
+    return y
+
+
+def _first_instant(course: Course) -> Course:
+    arrays = ("times", "poses", "velocities", "accelerations", "multipliers", "unique", "work")
+    return replace(course, **{name: getattr(course, name)[:1] for name in arrays})
+
+
+def _trusted_until(simulator: Simulator, course: Course, finer: Course) -> float:
+    """The first output time at which two runs have parted, or the end."""
+    times, first, second = np.intersect1d(course.times, finer.times, return_indices=True)
+    unit = simulator.engine.unit.reshape(-1, 3)
+    gaps = (np.abs(course.poses[first] - finer.poses[second]) / unit).max(axis=(1, 2))
+    parted = np.flatnonzero(gaps > PARTED)
+    return float(times[parted[0]] if len(parted) else times[-1])
+
+
+__all__ = ["METHODS", "CannotAnswer", "Simulation", "Simulator", "simulate"]
