@@ -25,6 +25,7 @@ from freebody.model.elements import Held, RateMeasure
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.linearised import frequencies, linearised
+from freebody.numeric.numbers import Numbers
 from freebody.numeric.placing import Equation, Fit, Placing
 from freebody.numeric.sizes import Sizes, typical_length
 from freebody.numeric.snapshot import Snapshot
@@ -214,6 +215,27 @@ class Reference:
         if origin is None:
             raise CannotAnswer("only changes of this measure mean something, and it has no value at the start")
         return origin
+
+    # -- for the engine -----------------------------------------------------------------------
+    def numbers(self) -> Numbers:
+        """What the engine needs to know."""
+        fixed = {name: (float(p[0]), float(p[1]), float(p[2])) for name, p in self.frame.fixed.items()}
+        return Numbers(self.system, self.frame.values, self.sizes.length, fixed, self.number, self.start_value)
+
+    def by_body(self, q: Array, v: Array) -> tuple[Array, Array]:
+        """(n_bodies, 3) poses and velocities; a body that does not turn keeps its angle."""
+        poses = np.zeros((len(self.frame.columns), 3))
+        velocities = np.zeros_like(poses)
+        for k, (name, columns) in enumerate(self.frame.columns.items()):
+            n = len(columns)
+            poses[k, :n], velocities[k, :n] = q[list(columns)], v[list(columns)]
+            if n < 3:
+                poses[k, 2] = self.pose(q, name)[2]
+        return poses, velocities
+
+    def by_column(self, array: Array) -> Array:
+        """The coordinates, from an array (n_bodies, 3) of all bodies."""
+        return np.concatenate([array[k, : len(c)] for k, c in enumerate(self.frame.columns.values())] or [np.zeros(0)])
 
     # -- numbers and names --------------------------------------------------------------------
     def number(self, expr: Expr, t: float = 0.0) -> float:

@@ -34,16 +34,16 @@ class Snapshot:
     def __init__(self, reference: Reference, geometry: JetGeometry, q: Array, v: Array, t: float) -> None:
         self.reference = reference
         self.q, self.v, self.t = q, v, t
-        self._geometry = geometry
+        self.geometry = geometry
 
     @property
     def branches(self) -> Mapping[Branch, float]:
         """The angles of lines met so far, by which later ones are counted on."""
-        return self._geometry.angles
+        return self.geometry.angles
 
     @cached_property
     def _dynamics(self) -> Dynamics:
-        return dynamics(self.reference, self._geometry)
+        return dynamics(self.reference, self.geometry)
 
     @property
     def accelerations(self) -> Array:
@@ -70,7 +70,7 @@ class Snapshot:
         return float(jet.row(len(self.q)) @ self.accelerations) + jet.bias
 
     def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[float, float, float]:
-        frame, g, q = self.reference.frame, self._geometry, self.q
+        frame, g, q = self.reference.frame, self.geometry, self.q
         if body in frame.fixed:
             # it feels the reaction too: for the derivative it may move
             q = np.append(q, frame.fixed[body])
@@ -80,12 +80,16 @@ class Snapshot:
         x, y, *theta = (float(row[k]) for k in frame.columns[body])
         return x, y, theta[0] if theta else 0.0
 
-    def multiplier(self, row: Held) -> float:
+    def place_of(self, row: Held) -> int:
+        """Where a row stands among the held ones. Raises CannotAnswer if it is not held."""
         rows = self.reference.system.held
         found = next((k for k, other in enumerate(rows) if other is row), None)
         if found is None and row not in rows:
             raise CannotAnswer(f"{row.name} is not held in this system")
-        k = rows.index(row) if found is None else found
+        return rows.index(row) if found is None else found
+
+    def multiplier(self, row: Held) -> float:
+        rows, k = self.reference.system.held, self.place_of(row)
         empty = self._dynamics.split.left_null
         if float(np.linalg.norm(empty[k])) > UNIQUE:
             shared = np.abs(empty @ empty[k]) > UNIQUE
@@ -97,7 +101,7 @@ class Snapshot:
         return float(self._dynamics.multipliers[k])
 
     def law(self, push: Push) -> float:
-        return law(self.reference, self._geometry, push)
+        return law(self.reference, self.geometry, push)
 
     def potential(self, push: Push) -> float:
         """[J]"""
@@ -110,4 +114,4 @@ class Snapshot:
         return math.sqrt(value)
 
     def _jet(self, measure: Measure | RateMeasure) -> Jet:
-        return self.reference.jet(self._geometry, measure)
+        return self.reference.jet(self.geometry, measure)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 import random
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +20,9 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.symbolic.sample import Sample
 from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine
 
 SEED = 7
 _TRIES = 12
@@ -35,6 +39,18 @@ class Draw:
     def start(self) -> Snapshot:
         """The start, with its velocities."""
         return self.reference.snapshot(self.q, self.reference.velocities(self.q))
+
+    def seen(self, snapshot: Snapshot) -> Snapshot:
+        """The same instant, with accelerations and multipliers by the engine."""
+        from freebody.study.witness import Seen
+
+        return Seen(snapshot, self._engine)
+
+    @cached_property
+    def _engine(self) -> Engine:
+        from freebody.numeric.engine.engine import Engine
+
+        return Engine(self.reference.numbers())
 
     def sample(self, snapshot: Snapshot | None = None, *, is_start: bool = True) -> Sample:
         """The same numbers for the symbolic route."""

@@ -3,14 +3,13 @@ numeric route, which shares only the statements of the measures. A disagreement 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import pairwise
+from collections.abc import Sequence
 
 import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.model.question import Event, Power, Quantity, When, Work
-from freebody.numeric.reference import Snapshot, Trajectory
+from freebody.numeric.reference import Snapshot
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
@@ -21,6 +20,7 @@ from freebody.symbolic.field import Ratio
 INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
 MIN_DRAWS = 5
+N_PANELS = 16
 SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
 
@@ -103,7 +103,7 @@ def at_instants(
     witness = Witness(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
     for k, draw in enumerate(setup.draws):
         snapshot = draw.start() if at_start else setup.anywhere[k]
-        numeric = quantity_value(quantity, setup.system, snapshot)
+        numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
         exact = element_at(setup, x, draw, snapshot)
         witness.compare(draw, exact, numeric)
     return witness.evidence()
@@ -136,35 +136,32 @@ def along_motion(
             if not expected > 0:
                 continue
             until = 1.5 * expected
-        target = draw.reference.number(event.value)
-        found = draw.reference.integrate(start, until, _watch(event, target))
-        assert found.event_time is not None
-        assert found.event is not None
-        witness.compare(draw, numbers, _at_event(setup, quantity, found))
+        witness.compare(draw, numbers, _at_event(setup, quantity, draw, start, until, event))
     return witness.evidence()
 
 
-def _at_event(setup: Setup, quantity: Quantity, found: Trajectory) -> object:
-    assert found.event_time is not None
-    assert found.event is not None
+def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: Event) -> object:
+    from freebody.study.witness import motion_to
+
+    found = motion_to(draw.reference, start, until, event)
     if isinstance(quantity, When):
-        return found.event_time
+        return found.time
     if isinstance(quantity, Work):
-        return _work(setup, quantity, found.snapshots)
+        return _work(setup, quantity, draw, start, found.time, event)
     return quantity_value(quantity, setup.system, found.event)
 
 
-def _work(setup: Setup, quantity: Work, snapshots: Sequence[Snapshot]) -> float:
-    """The integral of the power over time, by Gauss-Legendre points on the motion between the steps."""
-    nodes, weights = np.polynomial.legendre.leggauss(4)
-    total = 0.0
-    for before, after in pairwise(snapshots):
-        half = (after.t - before.t) / 2
-        for node, weight in zip(nodes, weights, strict=True):
-            t = before.t + half * (1 + float(node))
-            there = before.reference.integrate(before, t).snapshots[-1]
-            total += half * float(weight) * float(quantity_value(Power(quantity.of), setup.system, there))
-    return total
+def _work(setup: Setup, quantity: Work, draw: Draw, start: Snapshot, end: float, event: Event) -> float:
+    """The integral of the power over time, by Gauss-Legendre points in panels."""
+    from freebody.study.witness import motion_to
+
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    half = 0.5 * (end - start.t) / N_PANELS
+    centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)
+    times = (centers[:, None] + half * nodes).ravel()
+    found = motion_to(draw.reference, start, end + half, event, times)
+    power = [float(quantity_value(Power(quantity.of), setup.system, s)) for s in found.links[: len(times)]]
+    return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 
 def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tuple[float, ...]:
@@ -173,17 +170,10 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     draw = setup.draws[0]
     start = draw.start()
     if event is None:
-        values = _tuple(quantity_value(quantity, setup.system, start))
+        values = _tuple(quantity_value(quantity, setup.system, draw.seen(start)))
     else:
-        found = draw.reference.integrate(start, 60.0, _watch(event, draw.reference.number(event.value)))
-        values = _tuple(_at_event(setup, quantity, found))
+        values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
     return values[0] if len(values) == 1 else values
-
-
-def _watch(event: Event, target: float) -> Callable[[Snapshot], float]:
-    if event.order == 0:
-        return lambda s: s.value(event.measure) - target
-    return lambda s: s.rate(event.measure) - target
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:
@@ -229,7 +219,7 @@ def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio
             if (measure := setup.model.measure_of(c)) is not None
         ]
         q = draw.reference.pose_near(draw.q, wanted)
-        still = draw.reference.snapshot(q, np.zeros_like(q))
+        still = draw.seen(draw.reference.snapshot(q, np.zeros_like(q)))
         gap = float(np.abs(still.accelerations).max(initial=0.0))
         witness.compare(draw, (1.0,), (1.0 + gap,))
     return witness.evidence()

@@ -17,7 +17,6 @@ from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import METHODS, Engine, Watch
 from freebody.numeric.jets import Array
-from freebody.numeric.numbers import Numbers
 from freebody.numeric.reference import Reference
 from freebody.study.energy import EnergyBalance, energy_balance
 from freebody.system.system import System
@@ -41,23 +40,12 @@ class Simulator:
         self.reference = Reference(system, values)
         q = self.reference.assemble()
         v = self.reference.velocities(q)
-        self.numbers = numbers_of(self.reference)
+        self.numbers = self.reference.numbers()
         self.engine = Engine(self.numbers, [*_watches(self, events), *_pulls(system)])
-        self.start = self.state_of(q, v)
+        self.start = self.engine.state(*self.reference.by_body(q, v))
         self.value_at_start = self.reference.snapshot(q, v).value
         self.engine.align(self.start, 0.0, self.value_at_start)
         self._near = self.engine.room.near.copy()
-
-    def state_of(self, q: Array, v: Array) -> Array:
-        """The engine's state for positions and velocities of the reference route."""
-        poses = np.zeros((self.engine.n_bodies, 3))
-        velocities = np.zeros_like(poses)
-        for k, body in enumerate(self.system.moving):
-            for i, c in enumerate(self.reference.columns(body.name)):
-                poses[k, i], velocities[k, i] = q[c], v[c]
-            if not body.turns:
-                poses[k, 2] = self.reference.pose(q, body.name)[2]
-        return self.engine.state(poses, velocities)
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -84,14 +72,13 @@ class Simulator:
     ) -> Course:
         """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
         self.engine.room.near[:] = self._near if near is None else near
-        chosen = "dop853" if method == "auto" else method
         y = (self.start if state is None else state).copy()
         course = self.engine.run(
             y,
             until,
             start=start,
             tolerance=tolerance,
-            method=chosen,
+            method=method,
             step=step or 0.0,
             outputs=outputs,
             max_seconds=max_seconds,
@@ -264,15 +251,6 @@ def simulate(
         )
         trusted = _trusted_until(simulator, course, finer)
     return Simulation(system, simulator, course, tolerance, trusted)
-
-
-def numbers_of(reference: Reference) -> Numbers:
-    """What the engine needs to know, from the reference route."""
-    frame = reference.frame
-    fixed = {name: (float(p[0]), float(p[1]), float(p[2])) for name, p in frame.fixed.items()}
-    return Numbers(
-        reference.system, frame.values, reference.sizes.length, fixed, reference.number, reference.start_value
-    )
 
 
 def _check(until: float, tolerance: float, method: str, step: float | None, every: float | None) -> None:

@@ -410,8 +410,9 @@ class Reader:
         kept = [row for row in rows if not row.if_needed]
         always = tuple(kept)
         for row in rows:
-            repeated = any(row.measure == other.measure for other in kept)
-            if row.if_needed and not repeated and not is_distance_kept(self.names.bodies, always, row.measure):
+            if not row.if_needed or any(row.measure == other.measure for other in kept):
+                continue
+            if not is_distance_kept(self.names.bodies, always, row.measure):
                 kept.append(row)
         order = {id(row): k for k, row in enumerate(rows)}
         return sorted(kept, key=lambda row: order[id(row)]), offered

@@ -12,9 +12,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import RATE, VALUE, RateMeasure
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.course import Course, Happening, Status
+from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
@@ -23,7 +24,8 @@ from freebody.numeric.engine.tableaus import CLASSICAL, DOP853, DOPRI5, Tableau
 from freebody.numeric.engine.tape import play
 from freebody.numeric.numbers import Numbers
 
-METHODS: Mapping[str, Tableau] = {"dop853": DOP853, "dopri5": DOPRI5, "rk4": CLASSICAL}
+# methods by name; the implicit one borrows the room of a tableau
+METHODS: Mapping[str, Tableau] = {"dop853": DOP853, "dopri5": DOPRI5, "radau5": CLASSICAL, "rk4": CLASSICAL}
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
 
@@ -127,7 +129,7 @@ class Engine(Packed):
             if watch.measure is not None:
                 packing.watch(watch.measure)
         super().__init__(numbers, packing)
-        self.push_names = packing.push_names
+        self.pushes = packing.pushes
         self.watched_rows = [-1 if w.measure is None else self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
@@ -136,7 +138,7 @@ class Engine(Packed):
         """Accelerations (n_bodies + 1, 3) and multipliers (n_held,) of a state as it is. Raises CannotAnswer if they
         are not finite."""
         out = np.zeros(self.n_y)
-        stepping.visit(self.layout, self.room, self._idle, -1.0, y, t, out, n_times)
+        stepping.visit(self.layout, self.room, self.idle, -1.0, y, t, out, n_times)
         multipliers = self.room.multiplier[self.place_of]
         if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
             raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
@@ -149,8 +151,28 @@ class Engine(Packed):
         play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
         return float(S.registers[end - 1, 0])
 
+    def gradient_of(self, row: int) -> Floats:
+        """(3 (n_bodies + 1),) gradient of a row at the instant looked at last."""
+        g = np.zeros((self.n_bodies + 1, 3))
+        for body, o in self.layout.slots[self.layout.slot_ptr[row] : self.layout.slot_ptr[row + 1]]:
+            g[body] += self.room.gradient[o : o + 3]
+        return g.ravel()
+
+    def law_names(self, p: int, t: float) -> dict[str, float]:
+        """What the law of a load sees at the instant looked at last."""
+        push, rows = self.pushes[p], self.room.rows
+        own = rows[self.layout.push[p, 0]]
+        names = {**self.numbers.values, "t": t, RATE.name: float(own[dynamics.RATE])}
+        if not isinstance(push.measure, RateMeasure):
+            names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(push.measure)
+        for name, measure in push.measures:
+            other = rows[self.rows[measure]]
+            names[name], names[f"rate({name})"] = float(other[dynamics.VALUE]), float(other[dynamics.RATE])
+        return names
+
     @property
-    def _idle(self) -> Run:
+    def idle(self) -> Run:
+        """A run that is not under way, for looking at single states."""
         return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
 
     def jacobian(self) -> Floats:
@@ -233,9 +255,10 @@ class Motion:
         longest: float,
         outputs: Floats,
     ) -> None:
-        self.engine, self.method = engine, method
+        self.engine = engine
+        self.is_automatic, self.method = method == "auto", "dop853" if method == "auto" else method
         self.start, self.until = start, until
-        self.tableau = METHODS[method]
+        self.tableau = METHODS[self.method]
         self.run = engine.new_run(y, self.tableau, outputs)
         clock = self.run.clock
         clock[stepping.END], clock[stepping.TOLERANCE], clock[stepping.LENGTH] = until, tolerance, engine.numbers.length
@@ -243,16 +266,18 @@ class Motion:
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches))
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Happening] = []
-        self.worst = [0.0, 0.0]
+        self.implicit: Implicit | None = None
 
     # -- the loop -----------------------------------------------------------------------------
     def course(self, began: float, max_seconds: float, max_steps: int, progress: Progress | None) -> Course:
         clock, count = self.run.clock, self.run.count
-        status, message = Status.FINISHED, ""
+        status, message, note = Status.FINISHED, "", ""
         if not self._begin():
             status, message = Status.UNREACHABLE, "the start does not hold what is held"
         else:
             size = 64
+            if self.method == "radau5":
+                self.implicit = Implicit(self, float(clock[stepping.STEP]))
             try:
                 while clock[stepping.NOW] < self.until:
                     if time.perf_counter() - began > max_seconds or count[stepping.STEPS] >= max_steps:
@@ -273,15 +298,25 @@ class Motion:
                         status, message = self._trouble()
                         break
                     if result == stepping.STIFF_FOUND:
-                        status = Status.STIFF
-                        message = f"the motion is stiff from t = {clock[stepping.NOW]:.6g} s; use an implicit method"
-                        break
+                        count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
+                        stiff = f"stiff from t = {clock[stepping.NOW]:.6g} s"
+                        if self.is_automatic:
+                            self.implicit = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
+                            self.method, note = "dop853, then radau5", f"{stiff}, where the method changed to radau5"
+                        else:
+                            note = f"{stiff}: radau5 takes fewer steps"
             except KeyboardInterrupt:
                 status, message = Status.INTERRUPTED, f"interrupted at t = {clock[stepping.NOW]:.6g} s"
-        return self._collected(status, message, time.perf_counter() - began)
+        return self._collected(status, "; ".join(part for part in (message, note) if part), time.perf_counter() - began)
 
     def _advance(self, n: int) -> int:
         e = self.engine
+        if self.implicit is not None:
+            for _ in range(min(n, 64)):
+                result = self.implicit.advance()
+                if result != stepping.PAUSED:
+                    return result
+            return stepping.PAUSED
         return int(stepping.advance(e.layout, e.room, self.tableau, self.run, n))
 
     def _begin(self) -> bool:
@@ -303,7 +338,7 @@ class Motion:
         fastest = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
         hardest = float((np.abs(run.slopes[0][n : 2 * n]) / e.unit).max(initial=0.0))
         rate = fastest + math.sqrt(hardest)
-        order, is_adaptive = int(self.tableau.sizes[2]), bool(self.tableau.sizes[3])
+        order, is_adaptive = int(self.tableau.sizes[2]), self.method != "rk4"
         h = self.until - self.start
         if is_adaptive and rate > 0.0:
             h = min(h, 0.1 / rate * (clock[stepping.TOLERANCE] * 1e6) ** (1.0 / order))
@@ -351,6 +386,9 @@ class Motion:
         """The state after a step of the given length from where the last step began, what is watched there, and its
         rates; None if there is no such step."""
         e, run = self.engine, self.run
+        if self.implicit is not None:
+            after = self.implicit.state_after(h)
+            return None if after is None else self._seen(after, float(run.clock[stepping.BEFORE]) + h)
         own = e.new_run(run.states[1], self.tableau, np.zeros(0))
         own.clock[:] = run.clock
         stepping.visit(e.layout, e.room, own, -1.0, own.states[0], float(run.clock[stepping.BEFORE]), own.slopes[0], 1)
@@ -362,8 +400,11 @@ class Motion:
         e.room.near[:] = near
         if result not in (stepping.REACHED, stepping.PAUSED) or own.clock[stepping.NOW] < own.clock[stepping.END]:
             return None
-        state = own.states[0].copy()
-        values = self.values_at(-1.0, state, float(own.clock[stepping.NOW]))
+        return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
+
+    def _seen(self, state: Floats, t: float) -> tuple[Floats, list[float], list[float]]:
+        e = self.engine
+        values = self.values_at(-1.0, state, t)
         rates = [0.0 if row < 0 else float(e.room.rows[row, dynamics.RATE]) for row in e.watched_rows]
         return state, values, rates
 

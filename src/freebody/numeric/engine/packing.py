@@ -57,6 +57,7 @@ class Packing:
         default_factory=lambda: [{} for _ in KINDS]
     )
     _base: dict[_Base, int] = field(default_factory=dict)
+    _bases: list[_Base] = field(default_factory=list)
     _other: list[_Composed | _Product] = field(default_factory=list)
     _by_measure: dict[Any, tuple[str, int]] = field(default_factory=dict)
     _held: list[tuple[tuple[str, int], Expr | None, Held]] = field(default_factory=list)
@@ -181,7 +182,10 @@ class Packing:
         return "other", len(self._other) - 1
 
     def _enter(self, base: _Base) -> int:
-        return self._base.setdefault(base, len(self._base))
+        if base not in self._base:
+            self._base[base] = len(self._bases)
+            self._bases.append(base)
+        return self._base[base]
 
     def _base_row(self, measure: Measure) -> int:
         linear = self._linear(measure)
@@ -224,9 +228,9 @@ class Packing:
         return [item for item in found if item[3] is None or item[3] != 0.0]
 
     @property
-    def push_names(self) -> list[str]:
-        """What the loads are called that are not constant forces."""
-        return [push.name for _where, push, _linear, _works in self._pushes]
+    def pushes(self) -> list[Push]:
+        """The loads that are not constant forces."""
+        return [push for _where, push, _linear, _works in self._pushes]
 
     # -- held rows and loads ------------------------------------------------------------------
     def hold(self, held: Held) -> None:
@@ -241,7 +245,7 @@ class Packing:
         elif "t" not in free_symbols(target):
             offset, target = self.numbers.number(target), None
         if offset and row[0] == "base":
-            base = list(self._base)[row[1]]
+            base = self._bases[row[1]]
             row = "base", self._enter(_Base(base.constant - offset, base.terms))
         elif offset:
             composed = self._other[row[1]]
@@ -325,7 +329,7 @@ class Packing:
             return [(b, begin + 3 * j) for j, b in enumerate(bodies) if b != self.n_bodies]
 
         rows = _Rows(n_entries)
-        bases = list(self._base)
+        bases = self._bases
         for base in bases:
             pieces = [(b, o, c) for k, c in base.terms for b, o in slots_of_measure(k)]
             rows.add_base(pieces)

@@ -1,0 +1,211 @@
+"""Implicit steps for stiff motions: Radau IIA of order 5, by SciPy, with projection after each step.
+
+Newton's method needs the derivatives of the accelerations. Those that make a motion stiff, of the loads, are analytic:
+with N = 1 - M^-1 J^T (J M^-1 J^T)^+ J and the slopes of each law,
+
+    da = N M^-1 (sum of (dlaw/dx grad x + ...) grad m) dq + ...
+
+and what remains, with the laws frozen, is smooth and taken by differences. Source: Hairer & Wanner, Solving Ordinary
+Differential Equations II, 2nd ed. 1996, sec. IV.8.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, evaluate
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.layout import Floats, Layout
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine, Motion
+
+_DIFFERENCE = 1e-7
+_MIN_RTOL = 1e-12
+
+
+class Implicit:
+    """Steps of one motion, from its present state."""
+
+    def __init__(self, motion: Motion, step: float = 0.0) -> None:
+        self._motion, self._engine = motion, motion.engine
+        self._slopes = Slopes(self._engine)
+        run = motion.run
+        self._solver = self._new(run.states[stepping.Y], float(run.clock[stepping.NOW]), motion.until, step or None)
+
+    def _new(self, y: Floats, t: float, until: float, first: float | None) -> Any:
+        from scipy.integrate import Radau
+
+        e, clock = self._engine, self._motion.run.clock
+        tolerance, n = float(clock[stepping.TOLERANCE]), 3 * (e.n_bodies + 1)
+        out = np.zeros(e.n_y)
+
+        def rhs(at: float, state: Floats) -> Floats:
+            self._motion.run.count[stepping.EVALUATIONS] += 1
+            stepping.visit(e.layout, e.room, self._motion.run, -1.0, state, at, out, 1)
+            return out.copy()
+
+        fastest = float((np.abs(rhs(t, y)[n : 2 * n]) / e.unit).max(initial=0.0))
+        speed = max(float(clock[stepping.SPEED]), min(math.sqrt(fastest), fastest * (until - t)))
+        allowed = tolerance * np.concatenate((e.unit, e.unit * speed, [math.inf]))
+        if first is not None:
+            first = min(first, until - t)
+        return Radau(
+            rhs, t, y.copy(), until, first_step=first, rtol=_MIN_RTOL, atol=allowed, jac=lambda at, s: self._slopes.at(s, at)
+        )
+
+    def advance(self) -> int:
+        """Makes one step; returns what `stepping.advance` does."""
+        run, e = self._motion.run, self._engine
+        if run.clock[stepping.NOW] >= self._motion.until:
+            return stepping.REACHED
+        solver = self._solver
+        before, y_before = float(solver.t), solver.y.copy()
+        with np.errstate(all="ignore"):
+            try:
+                solver.step()
+            except (ValueError, np.linalg.LinAlgError):
+                run.count[stepping.TROUBLE] = stepping.NOT_FINITE
+                return stepping.TOO_SMALL
+        if solver.status == "failed":
+            run.count[stepping.TROUBLE] = stepping.ERROR_LARGE
+            return stepping.TOO_SMALL
+        t, h = float(solver.t), float(solver.t) - before
+        Q = solver.dense_output().Q
+        run.states[stepping.OLD] = y_before
+        run.dense[2] = -Q[:, 2]
+        run.dense[1] = -Q[:, 2] - Q[:, 1]
+        run.dense[0] = Q[:, 0] + Q[:, 1] + Q[:, 2]
+        y, slope = solver.y.copy(), np.zeros(e.n_y)
+        if not stepping.visit(e.layout, e.room, run, -1.0, y, t, slope, 0):
+            run.count[stepping.TROUBLE] = stepping.NOT_HELD
+            return stepping.TOO_SMALL
+        solver.y, solver.f = y, slope
+        run.states[stepping.Y], run.slopes[0] = y, slope
+        run.multiplier[:] = e.room.multiplier
+        e.room.near[:] = e.room.bearing
+        n = 3 * (e.n_bodies + 1)
+        run.clock[stepping.SPEED] = max(
+            float(run.clock[stepping.SPEED]), float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
+        )
+        run.clock[stepping.BEFORE], run.clock[stepping.DONE_STEP] = before, h
+        run.clock[stepping.NOW] = self._motion.until if solver.status == "finished" else t
+        run.clock[stepping.STEP] = float(solver.h_abs)
+        run.count[stepping.STEPS] += 1
+        if e.room.info[dynamics.IS_REGULARISED] > 0.0:
+            run.count[stepping.REGULARISED] += 1
+        self._store_outputs()
+        return stepping.LOOK if e.watches else stepping.PAUSED
+
+    def _store_outputs(self) -> None:
+        run, e = self._motion.run, self._engine
+        k, out = int(run.count[stepping.OUTPUTS]), np.zeros(e.n_y)
+        while k < len(run.out_t) and run.out_t[k] <= run.clock[stepping.NOW]:
+            t = float(run.out_t[k])
+            s = min(1.0, (t - float(run.clock[stepping.BEFORE])) / float(run.clock[stepping.DONE_STEP]))
+            if s == 1.0:
+                run.out_y[k] = run.states[stepping.Y]
+                s = -1.0
+            stepping.visit(e.layout, e.room, run, s, run.out_y[k], t, out, 0)
+            run.out_a[k], run.out_multiplier[k] = e.room.acceleration.ravel(), e.room.multiplier
+            k += 1
+        run.count[stepping.OUTPUTS] = k
+
+    def state_after(self, h: float) -> Floats | None:
+        """The state a time h after the begin of the last step, by steps of their own."""
+        run = self._motion.run
+        begin = float(run.clock[stepping.BEFORE])
+        solver = self._new(run.states[stepping.OLD], begin, begin + h, h)
+        while solver.status == "running":
+            solver.step()
+        return solver.y.copy() if solver.status == "finished" else None
+
+
+class Slopes:
+    """Derivatives of the slope y' by the state y."""
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+        self._laws = [_derivatives(push) for push in engine.pushes]
+
+    def at(self, y: Floats, t: float) -> Floats:
+        """(n_y, n_y)."""
+        e = self._engine
+        n = 3 * (e.n_bodies + 1)
+        base, other, idle = np.zeros(e.n_y), np.zeros(e.n_y), e.idle
+        stepping.visit(e.layout, e.room, idle, -1.0, y, t, base, 1)
+        jacobian = np.zeros((e.n_y, e.n_y))
+        jacobian[:n, n : 2 * n] = np.eye(n)
+        stiff = self._stiff(y, t)
+        laws = self._law_values(t)
+        frozen = _frozen(e.layout, laws)
+        stepping.visit(frozen, e.room, idle, -1.0, y, t, base, 1)
+        moving = np.flatnonzero(e.layout.inverse_mass.ravel() > 0.0)
+        for i in (*moving, *(moving + n)):
+            unit = e.unit[i % n]
+            size = unit if i < n else unit * max(1e-3, abs(float(y[i]) / unit))
+            ahead = y.copy()
+            ahead[i] += _DIFFERENCE * size
+            stepping.visit(frozen, e.room, idle, -1.0, ahead, t, other, 1)
+            jacobian[n:, i] = (other - base)[n:] / (_DIFFERENCE * size)
+        jacobian[n : 2 * n] += stiff
+        return np.where(np.isfinite(jacobian), jacobian, 0.0)
+
+    def _law_values(self, t: float) -> list[float]:
+        e = self._engine
+        values: list[float] = []
+        for p, (row, tape, _works) in enumerate(e.layout.push):
+            c, x = e.layout.push_law[p], e.room.rows[row]
+            linear = c[0] + c[1] * x[dynamics.VALUE] + c[2] * x[dynamics.RATE]
+            values.append(float(linear) if tape < 0 else e.tape_value(int(tape), t))
+        return values
+
+    def _stiff(self, y: Floats, t: float) -> Floats:
+        """(n, n_y) accelerations by the slopes of the laws, at the instant looked at last."""
+        e = self._engine
+        n = 3 * (e.n_bodies + 1)
+        stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
+        for p, (row, tape, _works) in enumerate(e.layout.push):
+            g = e.gradient_of(int(row))
+            if tape < 0:
+                stiffness += e.layout.push_law[p, 1] * np.outer(g, g)
+                damping += e.layout.push_law[p, 2] * np.outer(g, g)
+                continue
+            names = e.law_names(p, t)
+            for expr, other, is_rate in self._laws[p]:
+                try:
+                    slope = float(evaluate(expr, names, FLOAT_FUNCTIONS))
+                except (ArithmeticError, ValueError):
+                    continue
+                h = g if other is None else e.gradient_of(e.rows[other])
+                (damping if is_rate else stiffness)[:] += slope * np.outer(g, h)
+        inverse = e.layout.inverse_mass.ravel()
+        J = e.jacobian().reshape(-1, n)
+        A = (J * inverse) @ J.T
+        free = np.diag(inverse)
+        if len(J):
+            free = free - (inverse[:, None] * J.T) @ np.linalg.pinv(A, rcond=1e-12, hermitian=True) @ (J * inverse)
+        result = np.zeros((n, e.n_y))
+        result[:, :n], result[:, n : 2 * n] = free @ stiffness, free @ damping
+        return result
+
+
+def _derivatives(push: Push) -> list[tuple[Expr, Any, bool]]:
+    """Of a law: the derivative, the measure by which it is taken (None: its own), and whether by its rate."""
+    found: list[tuple[Expr, Any, bool]] = []
+    if not isinstance(push.measure, RateMeasure):
+        found.append((differentiate(push.law, VALUE.name), None, False))
+    found.append((differentiate(push.law, RATE.name), None, True))
+    found += [(differentiate(push.law, name), measure, False) for name, measure in push.measures]
+    return found
+
+
+def _frozen(layout: Layout, laws: list[float]) -> Layout:
+    push, law = layout.push.copy(), np.zeros_like(layout.push_law)
+    push[:, 1] = -1
+    law[:, 0] = laws
+    return layout._replace(push=push, push_law=law)

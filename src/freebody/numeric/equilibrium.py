@@ -1,0 +1,321 @@
+"""Rests of a system: poses in which the loads do no work on any motion that the connections allow.
+
+With J the gradients of the held measures, N a basis of the free directions (J N = 0) and Q the generalized forces of
+the loads at rest, virtual power says
+
+    r(q) = N^T Q = 0,        and then  Q + J^T lambda = 0  gives the reactions.
+
+Along the free directions  dr = -K dz,  K = -N^T [dQ/dq + lambda . Hess f] N  (geometric stiffness included). Roots
+are found by damped Newton steps on |r|, each followed by a move onto the connections; minima of the potential, where
+there is one, by Newton steps that go downhill; and all rests on the way by tours: the system is led along a free
+coordinate for a full turn each way, and wherever |r| is least on the tour a search starts. With one degree of freedom a
+tour runs through the whole branch. Time stands still at 0.
+Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, sec. 10.5 (static equilibrium);
+Nocedal & Wright, Numerical Optimization, 2nd ed. 2006, ch. 3 and 10 (line search, Levenberg-Marquardt).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.numeric.instant import each_force, law
+from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.placing import ACCEPTED, Equation
+from freebody.numeric.potential import potential
+from freebody.numeric.small_motion import Instant
+from freebody.numeric.split import Split, stack
+from freebody.numeric.tours import toured
+
+if TYPE_CHECKING:
+    from freebody.numeric.reference import Reference
+
+SAME = 1e-5  # poses nearer than this, by the size of the system, are one
+FAR = 1e3  # beyond so many sizes from where it began a search is given up
+_N_TOURS, _N_SEARCHES, _N_ITERATIONS = 40, 150, 80
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A pose, and the angles of lines by which it is counted on."""
+
+    q: Array
+    branches: Mapping[Branch, float]
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The loads of a system at rest in a pose."""
+
+    pose: Pose
+    split: Split
+    forces: Array  # Q
+    multipliers: Array
+    residual: Array  # r, in the metric of the masses
+    scale: float  # what all loads come to, had they not cancelled, in the same metric
+    J: Array
+
+    @property
+    def error(self) -> float:
+        return float(np.linalg.norm(self.residual))
+
+
+class Statics:
+    """The search for rests of one system, from its start pose."""
+
+    def __init__(self, reference: Reference) -> None:
+        """Raises CannotAnswer if the start cannot be assembled, or a driver moves at t = 0."""
+        self.reference = reference
+        q = reference.assemble()
+        self.start = Pose(q, reference.geometry(q, np.zeros_like(q), 0.0).angles)
+        self._equations = reference.held_where(q, 0.0)
+        self._check_drivers()
+        self._searches = 0
+
+    def geometry(self, pose: Pose) -> JetGeometry:
+        """What measures see of the system at rest; time stands still."""
+        return self.instant(pose).geometry(self.reference, pose.q, np.zeros_like(pose.q))
+
+    def instant(self, pose: Pose) -> Instant:
+        return Instant(pose.q, np.zeros_like(pose.q), 0.0, pose.branches, frozen=True)
+
+    def _check_drivers(self) -> None:
+        g = self.reference.geometry(self.start.q, np.zeros_like(self.start.q), 0.0, self.start.branches)
+        for row in self.reference.system.held:
+            gap = self.reference.gap(row, g)
+            if abs(gap.rate) > 1e-9 * max(self.reference.sizes.length, 1e-9):
+                raise CannotAnswer(
+                    f"there is no equilibrium, because {row.connection} moves at t = 0 (at {abs(gap.rate):.6g} in "
+                    "SI units). Give it a value that does not change, or ask for the motion instead"
+                )
+
+    # -- one pose -----------------------------------------------------------------------------
+    def balance(self, pose: Pose) -> Balance:
+        """The loads and reactions in a pose. Raises CannotAnswer where a load has no value."""
+        reference, n = self.reference, len(pose.q)
+        g = self.geometry(pose)
+        J = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
+        loads = list(each_force(reference, g))
+        D, Q = reference.sizes.small_moves, sum(loads, np.zeros(n))
+        split = Split(J, D)
+        scale = sum(float(np.linalg.norm(D * load)) for load in loads)
+        return Balance(pose, split, Q, split.multipliers(-Q), split.null.T @ Q, scale, J)
+
+    def stiffness(self, here: Balance) -> Array:
+        """K along the columns of N, by differences: good enough to search by."""
+        reference, n, N = self.reference, len(here.pose.q), here.split.null
+
+        def pull(q: Array) -> Array:
+            g = self.geometry(Pose(q, here.pose.branches))
+            rows = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
+            return sum(each_force(reference, g), rows.T @ here.multipliers)
+
+        K = np.zeros((N.shape[1], N.shape[1]))
+        for k, direction in enumerate(N.T):
+            h = 1e-4 / float(reference.sizes.relative(direction).max())
+            change = pull(here.pose.q + h * direction) - pull(here.pose.q - h * direction)
+            K[:, k] = -(N.T @ change) / (2.0 * h)
+        return K
+
+    def moved(self, pose: Pose, step: Array) -> Pose | None:
+        """The pose nearest to a step away that holds everything."""
+        fit = self.reference.placing.fit(pose.q + step, self._equations, 0.0, pose.branches)
+        if fit is None or fit.error > ACCEPTED:
+            return None
+        return Pose(fit.q, fit.branches)
+
+    def at_measures(self, pose: Pose, wanted: Sequence[tuple[str, Measure, float]]) -> Pose:
+        """The pose nearest to one with given values of measures, led there in steps where it is far. Raises
+        CannotAnswer if there is none in reach."""
+        g = self.geometry(pose)
+        begin = [self.reference.jet(g, measure, name).value for name, measure, _ in wanted]
+        for n_parts in (1, 4, 16):
+            here: Pose | None = pose
+            for part in range(1, n_parts + 1):
+                equations = [
+                    Equation.of(name, measure, Jet(x0 + (x - x0) * part / n_parts))
+                    for (name, measure, x), x0 in zip(wanted, begin, strict=True)
+                ]
+                fit = self.reference.placing.fit(here.q, self._equations + equations, 0.0, here.branches)
+                here = None if fit is None or fit.error > ACCEPTED else Pose(fit.q, fit.branches)
+                if here is None:
+                    break
+            if here is not None:
+                return here
+        given = ", ".join(f"{name} = {x:.6g}" for name, _measure, x in wanted)
+        raise CannotAnswer(f"no pose in reach of the start has {given} (in SI units); guess another one")
+
+    def try_balance(self, pose: Pose | None) -> Balance | None:
+        if pose is None:
+            return None
+        try:
+            here = self.balance(pose)
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None
+        return here if np.isfinite(here.error) else None
+
+    # -- searches -----------------------------------------------------------------------------
+    def rest_near(self, pose: Pose) -> Balance | None:
+        """The rest to which damped Newton steps from a pose lead; None if they end elsewhere."""
+        self._searches += 1
+        here = self.try_balance(pose)
+        damping, ratio = 1e-8, 0.0
+        for _ in range(_N_ITERATIONS):
+            if here is None or not len(here.residual) or self._is_far(here.pose, pose):
+                break
+            if here.error == 0.0:
+                break
+            try:
+                K = self.stiffness(here)
+            except (CannotAnswer, ArithmeticError, ValueError):
+                return None
+            size = float(np.linalg.norm(K)) or 1.0
+            step = here.split.null @ np.linalg.solve(
+                K.T @ K + (damping * size) ** 2 * np.eye(len(K)) + 1e-300 * np.eye(len(K)), K.T @ here.residual
+            )
+            step = step * min(1.0, 0.5 / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            there = self._best(here, step, (1.0, 2.0, 3.0) if ratio > 0.1 else (1.0,))
+            if there is not None and there.error < here.error:
+                small = float(self.reference.sizes.relative(step).max()) < 1e-13
+                ratio, here, damping = there.error / here.error, there, max(0.1 * damping, 1e-10)
+                if small:
+                    break
+            elif damping >= 1e4:
+                break
+            else:
+                damping = max(10.0 * damping, 1e-4)
+                ratio = 0.0
+        return here if here is not None and self.is_rest(here) else None
+
+    def _best(self, here: Balance, step: Array, factors: Sequence[float]) -> Balance | None:
+        """The best of some multiples of a step: where a rest is a multiple root, Newton's own is too short."""
+        tried = [self.try_balance(self.moved(here.pose, factor * step)) for factor in factors]
+        found = [b for b in tried if b is not None and len(b.residual) == len(here.residual)]
+        return min(found, key=lambda b: b.error, default=None)
+
+    def is_rest(self, here: Balance) -> bool:
+        """Whether the loads balance, by what they come to and what they would come to a little way off."""
+        if not len(here.residual):
+            return True
+        K, N = self.stiffness(here), here.split.null
+        off = 1e-3 / float(self.reference.sizes.relative(N).max())
+        return here.error <= 1e-9 * (here.scale + off * float(np.linalg.norm(K)))
+
+    def lowest_near(self, pose: Pose) -> Balance | None:
+        """The rest to which the way downhill leads; None without a potential, or if there is none in reach."""
+        self._searches += 1
+        here, height = self.try_balance(pose), self._potential(pose)
+        for _ in range(_N_ITERATIONS):
+            if here is None or height is None or not len(here.residual) or self._is_far(here.pose, pose):
+                return None
+            if here.error <= 1e-6 * here.scale:
+                break
+            try:
+                K = self.stiffness(here)
+            except (CannotAnswer, ArithmeticError, ValueError):
+                return None
+            values, vectors = np.linalg.eigh((K + K.T) / 2.0)
+            steep = np.maximum(np.abs(values), 1e-6 * float(np.abs(values).max()) or 1.0)
+            step = here.split.null @ (vectors @ ((vectors.T @ here.residual) / steep))
+            step = step * min(1.0, 0.5 / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            slope = float(here.forces @ step)
+            for part in (1.0, 0.5, 0.25, 0.1, 0.01):
+                lower = self.moved(here.pose, part * step)
+                level = None if lower is None else self._potential(lower)
+                if lower is not None and level is not None and level <= height - 1e-4 * part * slope:
+                    here, height = self.try_balance(lower), level
+                    break
+            else:
+                break
+        return None if here is None else self.rest_near(here.pose)
+
+    def _potential(self, pose: Pose) -> float | None:
+        g = self.geometry(pose)
+        try:
+            pushes = self.reference.system.pushes
+            return sum(potential(self.reference, p, lambda m: self.reference.jet(g, m).value) for p in pushes)
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None
+
+    def _is_far(self, pose: Pose, start: Pose) -> bool:
+        return float(self.reference.sizes.relative(pose.q - start.q).max(initial=0.0)) > FAR
+
+    # -- all rests ----------------------------------------------------------------------------
+    def rests(self) -> list[Balance]:
+        """All rests that searches from the start and along tours from it and from every rest lead to."""
+        found: list[Balance] = []
+        here = self.balance(self.start)
+        if not len(here.residual):
+            return [here]
+        self._keep(found, self.rest_near(self.start))
+        self._keep(found, self.lowest_near(self.start))
+        waiting, n_tours = [self.start], 0
+        known = 0
+        while waiting and n_tours < _N_TOURS and self._searches < _N_SEARCHES:
+            pose = waiting.pop(0)
+            for k in range(len(here.residual)):
+                n_tours += 1
+                for start in toured(self, pose, k):
+                    self._keep(found, self.rest_near(start))
+            if len(here.residual) == 1 and n_tours:
+                break  # the tour has seen the whole branch
+            waiting += [b.pose for b in found[known:]]
+            known = len(found)
+        for seed in range(6 if len(here.residual) > 1 or not found else 0):
+            start = self._wandered(seed)
+            if start is not None:
+                self._keep(found, self.rest_near(start))
+                self._keep(found, self.lowest_near(start))
+        return found
+
+    def _wandered(self, seed: int) -> Pose | None:
+        try:
+            q, _v = self.reference.wander(self.start.q, np.random.default_rng(seed), (0.3, 1.0, 3.0)[seed % 3])
+        except CannotAnswer:
+            return None
+        return self.moved(Pose(q, self.start.branches), np.zeros_like(q))
+
+    def _keep(self, found: list[Balance], rest: Balance | None) -> None:
+        """Adds a rest that is not there yet; of two that are the same the less wound one is kept."""
+        if rest is None:
+            return
+        for k, other in enumerate(found):
+            if self.is_same(rest, other):
+                if self._winding(rest) < self._winding(other) - 1e-3:
+                    found[k] = rest
+                return
+        found.append(rest)
+
+    def _winding(self, b: Balance) -> float:
+        """All turns away from the angle zero, of those turning to the left a little less."""
+        return float(np.abs(b.pose.q[self._turning] - 0.01).sum())
+
+    @cached_property
+    def _turning(self) -> NDArray[np.intp]:
+        """Where angles stand in q."""
+        return np.array([c[2] for c in self.reference.frame.columns.values() if len(c) == 3], dtype=np.intp)
+
+    def apart(self, a: Pose, b: Pose) -> float:
+        """How far two poses are apart, full turns counted out, by the size of the system."""
+        difference = a.q - b.q
+        angles = difference[self._turning]
+        difference[self._turning] = angles - math.tau * np.round(angles / math.tau)
+        return float(self.reference.sizes.relative(difference).max(initial=0.0))
+
+    def is_same(self, a: Balance, b: Balance) -> bool:
+        """Whether two poses are one: turns counted out, if the loads do not count them."""
+        if self.apart(a.pose, b.pose) > SAME:
+            return False
+        laws = [
+            np.array([law(self.reference, g, push) for push in self.reference.system.pushes])
+            for g in (self.geometry(a.pose), self.geometry(b.pose))
+        ]
+        return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + 1e-9)

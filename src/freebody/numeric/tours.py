@@ -1,0 +1,111 @@
+"""Tours: a system at rest is led along one free coordinate, both ways, to see where its loads might balance.
+
+The coordinate grows by even steps, the others stay, and everything held is held. A tour ends where it closes, where
+nothing goes further, or after a full turn (as many sizes for a coordinate that does not turn). With one degree of
+freedom it runs through the whole branch: where the load along the way changes sign, or is least, there may be a rest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.numeric.jets import Array
+from freebody.numeric.small_motion import Coordinate, coordinates
+from freebody.numeric.split import stack
+
+if TYPE_CHECKING:
+    from freebody.numeric.equilibrium import Balance, Pose, Statics
+
+_STEP, _FINE_STEP = 0.25, 0.1  # in sizes or radians; the second with one degree of freedom
+_N_BEND = 1e4  # condition number at which coordinates are none any more
+
+
+@dataclass(frozen=True)
+class _Stop:
+    """One pose of a tour, and the load along the way there."""
+
+    balance: Balance
+    along: float
+
+
+def toured(statics: Statics, pose: Pose, k: int) -> Iterator[Pose]:
+    """Poses along the k-th free coordinate from which to search for a rest."""
+    first = statics.try_balance(pose)
+    if first is None or k >= len(first.residual):
+        return
+    way = _Way(statics, first, k)
+    ahead = list(way.stops(1.0))
+    behind = [] if way.has_closed else list(way.stops(-1.0))
+    line = [_Stop(stop.balance, -stop.along) for stop in reversed(behind[1:])] + ahead
+    rests = [stop.balance.error <= 1e-9 * stop.balance.scale for stop in line]
+    for i, here in enumerate(line):
+        neighbours = [j for j in (i - 1, i + 1) if 0 <= j < len(line)]
+        if rests[i]:
+            if i == 0 or not rests[i - 1]:
+                yield here.balance.pose
+            continue
+        errors = [line[j].balance.error for j in neighbours]
+        turns = any(
+            line[j].along * here.along <= 0.0 and here.balance.error <= line[j].balance.error for j in neighbours
+        )
+        if turns or (len(errors) == 2 and here.balance.error <= min(errors)):
+            yield here.balance.pose
+
+
+class _Way:
+    """The way along one coordinate from a pose."""
+
+    def __init__(self, statics: Statics, first: Balance, k: int) -> None:
+        self._statics, self._first, self._k = statics, first, k
+        self._single = len(first.residual) == 1
+        self._marks: list[Coordinate] = coordinates(statics.reference, statics.geometry(first.pose), first.split.null)
+        self.has_closed = False
+
+    def stops(self, sense: float) -> Iterator[_Stop]:
+        """The poses in one sense, the first one included."""
+        sizes = self._statics.reference.sizes
+        size = _FINE_STEP if self._single else _STEP
+        here, heading = self._first, sense * self._unit(self._first, self._first.split.null[:, self._k])
+        for i in range(int(1.25 * math.tau / size)):
+            heading = heading / float(sizes.relative(heading).max())
+            yield _Stop(here, float(here.forces @ heading))
+            there = self._next(here, size * heading)
+            if there is None:
+                return
+            step = float(sizes.relative(there.pose.q - here.pose.q).max())
+            if i > 2 and self._statics.apart(there.pose, self._first.pose) < 0.6 * step:
+                self.has_closed = True
+                yield _Stop(there, float(there.forces @ heading))
+                return
+            D = sizes.small_moves
+            carried = there.split.null @ (there.split.null.T @ ((there.pose.q - here.pose.q) / D**2))
+            if float(sizes.relative(carried).max(initial=0.0)) < 1e-3 * step:
+                return
+            heading = self._unit(there, carried) * (1.0 if self._single else sense)
+            if float((heading / D) @ (carried / D)) < 0.0:
+                heading = carried
+            here = there
+
+    def _next(self, here: Balance, step: Array) -> Balance | None:
+        for part in (1.0, 0.3, 0.1):
+            there = self._statics.try_balance(self._statics.moved(here.pose, part * step))
+            if there is not None and len(there.residual):
+                return there
+        return None
+
+    def _unit(self, here: Balance, carried: Array) -> Array:
+        """The direction in which the coordinate grows and the others rest; where these are no coordinates any
+        more, the direction carried along."""
+        N, reference, n = here.split.null, self._statics.reference, len(here.pose.q)
+        if N.shape[1] == 1 or N.shape[1] != len(self._marks):
+            return carried
+        g = self._statics.geometry(here.pose)
+        T = stack([mark.jet(reference, g, np.zeros(n)).row(n) for mark in self._marks], n) @ N
+        if np.linalg.cond(T) > _N_BEND:
+            return carried
+        return N @ np.linalg.inv(T)[:, self._k]

@@ -1,0 +1,93 @@
+"""What the engine says of a draw: the second opinion behind every closed form.
+
+Positions, velocities and measures are those of a snapshot; accelerations and multipliers come from the compiled engine.
+Where rows depend on each other, the dense solution of the reference route says which multipliers are unique.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.model.elements import Held
+from freebody.model.question import Event
+from freebody.numeric.engine import dynamics
+from freebody.numeric.engine.course import Status
+from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+
+N_LINKS = 33  # snapshots along a motion, by which angles are counted on
+TOLERANCE = 1e-11
+
+
+class Seen(Snapshot):
+    """A snapshot whose accelerations and multipliers the engine finds."""
+
+    def __init__(self, snapshot: Snapshot, engine: Engine) -> None:
+        super().__init__(snapshot.reference, snapshot.geometry, snapshot.q, snapshot.v, snapshot.t)
+        self._engine = engine
+
+    @cached_property
+    def _solved(self) -> tuple[Array, Array, bool]:
+        """Accelerations by coordinate, multipliers, and whether all rows are independent."""
+        y = self._engine.state(*self.reference.by_body(self.q, self.v))
+        self._engine.align(y, self.t, self.value)
+        accelerations, multipliers = self._engine.evaluate(y, self.t)
+        info = self._engine.room.info
+        is_plain = (
+            info[dynamics.IS_REGULARISED] == 0.0
+            and info[dynamics.N_LEFT_OUT] == 0.0
+            and not self._engine.layout.has_gap[0]
+        )
+        return self.reference.by_column(accelerations), multipliers, is_plain
+
+    @property
+    def accelerations(self) -> Array:
+        found, _multipliers, is_plain = self._solved
+        if not is_plain:
+            _ = self._dynamics  # refuses what contradicts itself, or can move without inertia
+        return found
+
+    def multiplier(self, row: Held) -> float:
+        _accelerations, multipliers, is_plain = self._solved
+        value = float(multipliers[self.place_of(row)])
+        if is_plain:
+            return value
+        dense = super().multiplier(row)  # refuses one that is not unique
+        return dense if self._engine.room.info[dynamics.IS_REGULARISED] > 0.0 else value
+
+
+@dataclass(frozen=True)
+class Found:
+    """The event of a motion, and the states before it."""
+
+    time: float
+    event: Seen
+    links: tuple[Seen, ...]
+
+
+def motion_to(reference: Reference, start: Snapshot, until: float, event: Event, times: Array | None = None) -> Found:
+    """The motion from a start to the first time at which a measure, or its rate, has the value of the event. times:
+    where states are wanted before. Raises CannotAnswer if the event does not happen until `until`."""
+    target = reference.number(event.value)
+    size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
+    watch = Watch("event", event.measure, event.order, target, is_terminal=True, size=size)
+    engine = Engine(reference.numbers(), [watch])
+    y = engine.state(*reference.by_body(start.q, start.v))
+    engine.align(y, start.t, start.value)
+    outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
+    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_seconds=60.0)
+    if course.status is not Status.EVENT:
+        why = course.message if course.status is not Status.FINISHED else ""
+        raise CannotAnswer(f"the event does not happen until t = {until:.6g} s" + (f": {why}" if why else ""))
+    links: list[Seen] = []
+    near = start
+    for k, t in enumerate(course.times):
+        q, v = reference.by_column(course.poses[k]), reference.by_column(course.velocities[k])
+        near = Seen(reference.snapshot(q, v, float(t), near), engine)
+        links.append(near)
+    return Found(course.happenings[-1].time, links[-1], tuple(links))
