@@ -23,13 +23,13 @@ _STEPS = (5e-3, 5e-4, 5e-5, 5e-6)
 _EPSILON = 2.3e-16
 
 
-def derivative(f: Callable[[float], Array]) -> Array:
-    """df/ds at s = 0, where s = 1 is a move by the size of the system (a radian). Raises CannotAnswer if f has
-    none there."""
+def derivative(f: Callable[[float], Array], scale: Array) -> Array:
+    """df/ds at s = 0, where s = 1 is a move by the size of the system (a radian). `scale` is what the terms of f come
+    to, by which it is rounded. Raises CannotAnswer if f has no derivative there."""
     before: tuple[Array, Array] | None = None
     for h in _STEPS:
         try:
-            slope, gap = _slope(f, h)
+            slope, gap = _slope(f, h, scale)
         except (CannotAnswer, ArithmeticError, ValueError):
             before = None  # the stencil reaches where f has no value
             continue
@@ -44,7 +44,7 @@ def derivative(f: Callable[[float], Array]) -> Array:
     )
 
 
-def _slope(f: Callable[[float], Array], h: float) -> tuple[Array, Array]:
+def _slope(f: Callable[[float], Array], h: float, scale: Array) -> tuple[Array, Array]:
     """The derivative at a step, and by how much f is not smooth there (zero: by no more than rounding)."""
     here = f(0.0)
     ahead = [f(k * h) for k in (1, 2, 3, 4)]
@@ -52,12 +52,12 @@ def _slope(f: Callable[[float], Array], h: float) -> tuple[Array, Array]:
     odd = [a - b for a, b in zip(ahead, behind, strict=True)]
     slope = sum((c * d for c, d in zip(_ORDER_8, odd, strict=True)), np.zeros_like(here)) / h
     lower = sum((c * d for c, d in zip(_ORDER_6, odd, strict=True)), np.zeros_like(here)) / h
-    size = np.max(np.abs([here, *ahead, *behind]), axis=0)
+    rounded = 200.0 * _EPSILON * np.max(np.abs([scale, here, *ahead, *behind]), axis=0) / h
     steepest = np.max(np.abs([d / (2.0 * k) for k, d in enumerate(odd, 1)]), axis=0) / h
     gap = np.abs(slope - lower)
-    gap[gap <= 1e-8 * steepest + 200.0 * _EPSILON * size / h] = 0.0
+    gap[gap <= 1e-8 * steepest + rounded] = 0.0
     # the even part of a smooth function grows with h^2
     even = [a + b - 2.0 * here for a, b in zip(ahead[:2], behind[:2], strict=True)]
     bend = np.abs(4.0 * even[0] - even[1]) / h
-    bend[bend <= 0.02 * np.abs(even[1]) / h + 200.0 * _EPSILON * size / h + 1e-3 * h * steepest] = 0.0
+    bend[bend <= 0.02 * np.abs(even[1]) / h + rounded + 1e-3 * h * steepest] = 0.0
     return slope, np.maximum(gap, bend)

@@ -20,7 +20,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -167,20 +167,20 @@ class Statics:
         """The rest to which damped Newton steps from a pose lead; None if they end elsewhere."""
         self._searches += 1
         here = self.try_balance(pose)
-        damping, ratio = 1e-8, 0.0
+        damping, ratio, errors = 1e-8, 0.0, list[float]()
         for _ in range(_N_ITERATIONS):
             if here is None or not len(here.residual) or self._is_far(here.pose, pose):
                 break
-            if here.error == 0.0:
+            errors.append(here.error)
+            if here.error == 0.0 or (len(errors) > 8 and here.error > 0.9 * errors[-8]):
                 break
             try:
                 K = self.stiffness(here)
             except (CannotAnswer, ArithmeticError, ValueError):
                 return None
             size = float(np.linalg.norm(K)) or 1.0
-            step = here.split.null @ np.linalg.solve(
-                K.T @ K + (damping * size) ** 2 * np.eye(len(K)) + 1e-300 * np.eye(len(K)), K.T @ here.residual
-            )
+            damped = np.vstack((K, damping * size * np.eye(len(K))))
+            step = here.split.null @ _least_squares(damped, np.append(here.residual, np.zeros(len(K))))
             step = step * min(1.0, 0.5 / max(float(self.reference.sizes.relative(step).max()), 1e-300))
             there = self._best(here, step, (1.0, 2.0, 3.0) if ratio > 0.1 else (1.0,))
             if there is not None and there.error < here.error:
@@ -206,7 +206,7 @@ class Statics:
         if not len(here.residual):
             return True
         K, N = self.stiffness(here), here.split.null
-        off = 1e-3 / float(self.reference.sizes.relative(N).max())
+        off = 1e-3 / max(float(self.reference.sizes.relative(direction).max()) for direction in N.T)
         return here.error <= 1e-9 * (here.scale + off * float(np.linalg.norm(K)))
 
     def lowest_near(self, pose: Pose) -> Balance | None:
@@ -269,7 +269,7 @@ class Statics:
                 break  # the tour has seen the whole branch
             waiting += [b.pose for b in found[known:]]
             known = len(found)
-        for seed in range(6 if len(here.residual) > 1 or not found else 0):
+        for seed in range(6 if len(here.residual) > 1 else 0):
             start = self._wandered(seed)
             if start is not None:
                 self._keep(found, self.rest_near(start))
@@ -319,3 +319,8 @@ class Statics:
             for g in (self.geometry(a.pose), self.geometry(b.pose))
         ]
         return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + 1e-9)
+
+
+def _least_squares(A: Array, b: Array) -> Array:
+    found: Any = np.linalg.lstsq(A, b, rcond=1e-14)
+    return found[0]

@@ -146,7 +146,7 @@ class SmallMotion:
         self.unit_speeds = self.split.null @ np.linalg.inv(self._G @ self.split.null)
         self.orthonormal = self._G @ self.split.null  # speeds of the directions orthonormal in the metric
         self._rest(g)
-        self._disturb()
+        self._disturb(self._scale(g))
 
     def _rest(self, g: JetGeometry) -> None:
         """Accelerations and multipliers at the state; at rest the loads only balance."""
@@ -178,16 +178,33 @@ class SmallMotion:
             [[j.rate for j in jets], [float(j.row(n) @ self._a) + j.bias for j in jets], push], dtype=np.float64
         )
 
-    def _along(self, f: _Function, dq: Array, dv: Array) -> Array:
+    def _scale(self, g: JetGeometry) -> Array:
+        """What the terms of `_parts` come to, by the kind of the term."""
+        reference, n, unit = self.reference, len(self.at.q), self.reference.sizes.unit_moves
+        jets = [reference.gap(row, g) for row in reference.system.held]
+        jets += [c.jet(reference, g, self.at.v) for c in self.positions]
+        rows = np.abs(stack([jet.row(n) for jet in jets], n))
+        rates = rows @ (np.abs(self.at.v) + unit)
+        accelerations = rows @ (np.abs(self._a) + unit * (1.0 + self._pace) ** 2)
+        loads = sum((np.abs(load) for load in each_force(reference, g)), np.abs(reference.masses * self._a))
+        loads = loads + np.abs(self._multipliers) @ rows[: len(self._multipliers)]
+        return np.concatenate((rates, accelerations, float((loads * unit).max(initial=0.0)) / unit))
+
+    @property
+    def _pace(self) -> float:
+        """Sizes in a second."""
+        return float(self.reference.sizes.relative(self.at.v).max(initial=0.0))
+
+    def _along(self, f: _Function, dq: Array, dv: Array, scale: Array) -> Array:
         """The derivative of f(q, v) along a disturbance."""
         q, v, relative = self.at.q, self.at.v, self.reference.sizes.relative
-        pace = max(1.0, float(relative(v).max(initial=0.0)))
+        pace = max(1.0, self._pace)
         size = max(float(relative(dq).max(initial=0.0)), float(relative(dv).max(initial=0.0)) / pace)
         if size == 0.0:
             return np.zeros_like(f(q, v))
-        return size * derivative(lambda s: f(q + (s / size) * dq, v + (s / size) * dv))
+        return size * derivative(lambda s: f(q + (s / size) * dq, v + (s / size) * dv), scale)
 
-    def _disturb(self) -> None:
+    def _disturb(self, scale: Array) -> None:
         n_rows, n_z, n_u, n = len(self.reference.system.held), len(self.positions), len(self.speeds), len(self.at.q)
         which = [self.positions.index(c) for c in self.speeds]
         zero = np.zeros(n)
@@ -196,23 +213,25 @@ class SmallMotion:
         parts: list[Array] = []
         for k in range(n_z + n_u):
             if k < n_z:
-                moved = self._along(self._parts, dq[:, k], zero)
+                moved = self._along(self._parts, dq[:, k], zero, scale)
                 rates, marks = moved[:n_rows], moved[n_rows : n_rows + n_z]
                 dv[:, k] = self._solved(-rates, -marks[which])
                 dz[:, k] = marks + self._G_places @ dv[:, k]
                 if np.abs(dv[:, k]).max(initial=0.0) > 0.0:
-                    moved = self._along(self._parts, dq[:, k], dv[:, k])
+                    moved = self._along(self._parts, dq[:, k], dv[:, k], scale)
             else:
                 dv[:, k] = self.unit_speeds[:, k - n_z]
                 dz[:, k] = self._G_places @ dv[:, k]
-                moved = self._along(self._parts, zero, dv[:, k])
+                moved = self._along(self._parts, zero, dv[:, k], scale)
             parts.append(moved[n_rows + n_z :])
         self.dq, self.dv, self.dz = dq, dv, dz
         moved = np.array(parts, dtype=np.float64).reshape(n_z + n_u, n_rows + n_z + n).T
         self._of_gaps, self._of_marks = moved[:n_rows], moved[n_rows : n_rows + n_z][which]
         M, N = self.reference.masses, self.unit_speeds
         self.M = N.T @ (M[:, None] * N)
-        least = self.split.least(-self._of_gaps) if n_rows else np.zeros((n, n_z + n_u))
+        least = np.zeros((n, n_z + n_u))
+        for k in range(n_z + n_u if n_rows else 0):
+            least[:, k] = self.split.least(-self._of_gaps[:, k])
         push = N.T @ (moved[n_rows + n_z :] - M[:, None] * least)
         push = push + self.M @ (self._G @ least + self._of_marks)
         self.K, self.C = -push[:, :n_z], -push[:, n_z:]
@@ -257,7 +276,7 @@ class SmallMotion:
         row = reference.jet(self.at.geometry(reference, self.at.q, self.at.v), measure).row(n)
         if order == 0:
             return row @ self.dq, np.zeros(len(self.speeds))
-        moved = np.array([self._along(shown, self.dq[:, k], self.dv[:, k]) for k in range(self.order)])
+        moved = np.array([self._along(shown, self.dq[:, k], self.dv[:, k], np.zeros(2)) for k in range(self.order)])
         if order == 1:
             return moved[:, 0], np.zeros(len(self.speeds))
         turned = self.A[len(self.positions) :]

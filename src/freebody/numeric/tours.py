@@ -53,7 +53,7 @@ def toured(statics: Statics, pose: Pose, k: int) -> Iterator[Pose]:
         turns = any(
             line[j].along * here.along <= 0.0 and here.balance.error <= line[j].balance.error for j in neighbours
         )
-        if turns or (len(errors) == 2 and here.balance.error <= min(errors)):
+        if turns or (len(errors) == 2 and here.balance.error < (1.0 - 1e-6) * min(errors)):
             yield here.balance.pose
 
 

@@ -99,10 +99,11 @@ def along(L, S, r, v):
 def products(L, S, v):
     """Rows  sum of c(pose) dm/dt:  gradient c grad m, bias c bias m + c' m'."""
     for k in range(len(L.product)):
-        S.rows[L.product[k, 0], BIAS] = 0.0
+        S.rows[L.product[k, 0], BIAS] = S.rows[L.product[k, 0], DRIFT] = 0.0
     for k in range(len(L.product)):
         r, c, m = L.product[k, 0], L.product[k, 1], L.product[k, 2]
         S.rows[r, BIAS] += S.rows[c, VALUE] * S.rows[m, BIAS] + S.rows[c, RATE] * S.rows[m, RATE]
+        S.rows[r, DRIFT] += S.rows[c, VALUE] * S.rows[m, DRIFT]
         S.product_weight[k] = S.rows[c, VALUE]
     for k in range(len(L.product_mix)):
         o, w, i = L.product_mix[k, 0], S.product_weight[L.product_mix[k, 1]], L.product_mix[k, 2]
@@ -110,7 +111,7 @@ def products(L, S, v):
             S.gradient[o + j] += w * S.gradient[i + j]
     for k in range(len(L.product)):
         r = L.product[k, 0]
-        S.rows[r, RATE] = along(L, S, r, v)
+        S.rows[r, RATE] = along(L, S, r, v) + S.rows[r, DRIFT]
 
 
 @part
@@ -342,7 +343,7 @@ def power(L, S):
             if L.held[r, 2]:
                 rate = (S.held[r, GOAL_RATE] if L.held[r, 1] >= 0 else 0.0) - S.rows[row, DRIFT]
             else:
-                rate = S.held[r, GOAL] if L.held[r, 1] >= 0 else 0.0
+                rate = (S.held[r, GOAL] if L.held[r, 1] >= 0 else 0.0) - S.rows[row, DRIFT]
             total += S.multiplier[r] * rate
     return total
 
@@ -362,7 +363,7 @@ def gaps(L, S, v):
             )
         else:
             S.held[r, PLACE] = 0.0
-            S.held[r, MOTION] = (S.held[r, GOAL] if has_target else 0.0) - held_along(L, S, r, v)
+            S.held[r, MOTION] = (S.held[r, GOAL] if has_target else 0.0) - S.rows[row, DRIFT] - held_along(L, S, r, v)
         x, y = abs(S.held[r, PLACE]) * L.held_scale[r], abs(S.held[r, MOTION]) * L.held_scale[r]
         if not x <= place:
             place = x

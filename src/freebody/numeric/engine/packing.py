@@ -43,9 +43,9 @@ class _Composed:
 
 @dataclass
 class _Product:
-    """Sum of c(pose) dm/dt, both c and m base rows."""
+    """Sum of c(pose) dm/dt, both c and m rows of their own."""
 
-    terms: list[tuple[int, int]]
+    terms: list[tuple[tuple[str, int], tuple[str, int]]]
 
 
 @dataclass
@@ -170,7 +170,7 @@ class Packing:
 
     def _new_row(self, measure: Measure | RateMeasure) -> tuple[str, int]:
         if isinstance(measure, RateMeasure):
-            terms = [(self._coefficient(c), self._base_row(m)) for c, m in measure.terms]
+            terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
             self._other.append(_Product(terms))
             return "other", len(self._other) - 1
         linear = self._linear(measure)
@@ -187,21 +187,15 @@ class Packing:
             self._bases.append(base)
         return self._base[base]
 
-    def _base_row(self, measure: Measure) -> int:
-        linear = self._linear(measure)
-        if linear is None:
-            raise CannotAnswer("a velocity constraint along a measure that is no combination of lengths and angles")
-        return self._enter(linear)
-
-    def _coefficient(self, coefficient: Component | Measure) -> int:
+    def _coefficient(self, coefficient: Component | Measure) -> tuple[str, int]:
         if not isinstance(coefficient, Component):
-            return self._base_row(coefficient)
+            return self.row(coefficient)
         from freebody.measures.displacement import Displacement
         from freebody.measures.geometry import RIGHT, UP, ZERO
 
         d = coefficient.direction
         tip, foot = Point(d.body, d.components), Point(d.body, (ZERO, ZERO))
-        return self._base_row(Displacement(tip, foot, RIGHT if coefficient.axis == "x" else UP))
+        return self.row(Displacement(tip, foot, RIGHT if coefficient.axis == "x" else UP))
 
     def _expression(self, measure: Measure, inputs: dict[str, int]) -> Expr:
         """A measure as an expression in base rows, which are entered in `inputs` under names of their own."""
@@ -339,18 +333,20 @@ class Packing:
         composed: list[tuple[int, int]] = []
         rated: set[int] = set()
         for k, other in enumerate(self._other):
-            r = number["other", k] = len(rows.slots)
-            if isinstance(other, _Product):
-                first = len(products)
-                products += [(r, c, m) for c, m in other.terms]
-                rated |= {x for pair in other.terms for x in pair}
-                rows.add_product([(first + j, m) for j, (_c, m) in enumerate(other.terms)])
-            else:
+            if isinstance(other, _Composed):
+                r = number["other", k] = len(rows.slots)
                 used = sorted(set(other.inputs.values()))
                 rated |= set(used)
                 tape = tapes.write(other.expr, {n: (row, 0.0) for n, row in other.inputs.items()})
                 rows.add_composed(len(composed), used)
                 composed.append((r, tape))
+        for k, other in enumerate(self._other):
+            if isinstance(other, _Product):
+                r = number["other", k] = len(rows.slots)
+                terms = [(number[c], number[m]) for c, m in other.terms]
+                rated |= {x for pair in terms for x in pair}
+                rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
+                products += [(r, c, m) for c, m in terms]
         rated |= {number[where] for where in self._watched}
         pushes = self._written_pushes(tapes, number, rated)
         held = self._written_held(tapes, number)
