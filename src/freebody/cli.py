@@ -187,6 +187,55 @@ def _seconds(text: str, option: str) -> float:
 
 
 @app.command()
+def equilibrium(
+    file: ModelFile,
+    as_json: Json = False,
+    guess: Annotated[
+        list[str] | None,
+        typer.Option("--guess", metavar="NAME=VALUE", help="Search from here; 'theta=20 deg, x=0.1 m'. Repeatable."),
+    ] = None,
+) -> None:
+    """Find the equilibria of a model, their stability and the reactions."""
+    from freebody.study.equilibrium import equilibria
+    from freebody.study.given import guess_of
+    from freebody.system.system import System
+
+    found = equilibria(System.load(file), [guess_of(text) for text in guess or ()])
+    if as_json:
+        _print_json(found.to_plain())
+    else:
+        from freebody.present.statics import equilibrium_lines
+
+        print("\n".join(equilibrium_lines(found)))
+
+
+@app.command()
+def modes(
+    file: ModelFile,
+    as_json: Json = False,
+    at: Annotated[str, typer.Option("--at", help="equilibrium (the nearest one), or start.")] = "equilibrium",
+    guess: Annotated[
+        str | None, typer.Option("--guess", metavar="NAME=VALUE", help="The equilibrium to which this leads.")
+    ] = None,
+) -> None:
+    """Find natural frequencies, damping and mode shapes of small motions."""
+    from freebody.errors import InputError
+    from freebody.study.given import guess_of
+    from freebody.study.modes import modes as modes_of
+    from freebody.system.system import System
+
+    if at not in ("equilibrium", "start"):
+        raise InputError(f"--at is equilibrium or start, not {at}")
+    found = modes_of(System.load(file), at, None if guess is None else guess_of(guess))
+    if as_json:
+        _print_json(found.to_plain())
+    else:
+        from freebody.present.statics import mode_lines
+
+        print("\n".join(mode_lines(found)))
+
+
+@app.command()
 def examples(
     name: Annotated[str | None, typer.Argument(help="An example to copy.")] = None,
     to: Annotated[Path, typer.Option("--to", help="Where to copy it.")] = Path(),

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
+from freebody.numeric.families import is_one_family, soft_directions
 from freebody.numeric.instant import each_force, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, Equation
@@ -284,13 +285,17 @@ class Statics:
         return self.moved(Pose(q, self.start.branches), np.zeros_like(q))
 
     def _keep(self, found: list[Balance], rest: Balance | None) -> None:
-        """Adds a rest that is not there yet; of two that are the same the less wound one is kept."""
+        """Adds a rest that is not there yet; of two that are the same the less wound one is kept, of a family the
+        first."""
         if rest is None:
             return
+        soft = soft_directions(self, rest).shape[1] if found else 0
         for k, other in enumerate(found):
             if self.is_same(rest, other):
                 if self._winding(rest) < self._winding(other) - 1e-3:
                     found[k] = rest
+                return
+            if soft and is_one_family(self, rest, other):
                 return
         found.append(rest)
 
@@ -305,10 +310,14 @@ class Statics:
 
     def apart(self, a: Pose, b: Pose) -> float:
         """How far two poses are apart, full turns counted out, by the size of the system."""
-        difference = a.q - b.q
-        angles = difference[self._turning]
-        difference[self._turning] = angles - math.tau * np.round(angles / math.tau)
-        return float(self.reference.sizes.relative(difference).max(initial=0.0))
+        return float(self.reference.sizes.relative(self.difference(a, b)).max(initial=0.0))
+
+    def difference(self, a: Pose, b: Pose) -> Array:
+        """The move from b to a, full turns counted out."""
+        move = a.q - b.q
+        angles = move[self._turning]
+        move[self._turning] = angles - math.tau * np.round(angles / math.tau)
+        return move
 
     def is_same(self, a: Balance, b: Balance) -> bool:
         """Whether two poses are one: turns counted out, if the loads do not count them."""

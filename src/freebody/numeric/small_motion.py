@@ -159,9 +159,21 @@ class SmallMotion:
             self._a, self._multipliers = here.accelerations, here.multipliers
         D = reference.sizes.small_moves
         loads = sum(float(np.linalg.norm(D * load)) for load in each_force(reference, g))
+        self._far_loads = self._loads_far_off(g)
+        loads += float(np.linalg.norm(D * self._far_loads))
         # one in the metric of the masses is a move by so much of the size
         far = max((float(reference.sizes.relative(x).max()) for x in self.split.null.T), default=0.0)
         self.load_stiffness = loads * far  # [1/s^2], by the masses
+
+    def _loads_far_off(self, g: JetGeometry) -> Array:
+        """What the loads would change by over the size of the system, in no direction in particular."""
+        reference, part, n = self.reference, 1e-3, len(self.at.q)
+        step = part * reference.sizes.unit_moves * np.cos(1.0 + np.arange(n))
+        try:
+            moved = self.at.geometry(reference, self.at.q + step, self.at.v + step)
+            return (forces(reference, moved) - forces(reference, g)) / part
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return np.zeros(n)
 
     # -- the disturbed equations --------------------------------------------------------------
     def _parts(self, q: Array, v: Array) -> Array:
@@ -187,7 +199,7 @@ class SmallMotion:
         rates = rows @ (np.abs(self.at.v) + unit)
         accelerations = rows @ (np.abs(self._a) + unit * (1.0 + self._pace) ** 2)
         loads = sum((np.abs(load) for load in each_force(reference, g)), np.abs(reference.masses * self._a))
-        loads = loads + np.abs(self._multipliers) @ rows[: len(self._multipliers)]
+        loads = loads + np.abs(self._multipliers) @ rows[: len(self._multipliers)] + np.abs(self._far_loads)
         return np.concatenate((rates, accelerations, float((loads * unit).max(initial=0.0)) / unit))
 
     @property

@@ -17,7 +17,7 @@ Source: Meirovitch, Methods of Analytical Dynamics, 1970, ch. 5 and 6; Chetaev, 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -50,6 +50,7 @@ class Stability:
     eigenvalue: complex | None
     of: Literal["stiffness", "state matrix", ""]  # K by the masses [1/s^2], or A [1/s]
     motion: Array | None  # in q, of that eigenvalue
+    soft: tuple[Array, ...] = ()  # motions in q without stiffness
 
 
 def natural_motions(small: SmallMotion) -> list[NaturalMotion]:
@@ -80,13 +81,14 @@ def stability(small: SmallMotion) -> Stability:
         return _by_rates(small, "undecided by the linearisation")
     values, vectors = np.linalg.eigh((K + K.T) / 2.0)
     lowest, motion = float(values[0]), small.split.null @ vectors[:, 0]
+    soft = tuple(small.split.null @ vectors[:, k] for k in range(len(values)) if abs(values[k]) <= small.noise)
     if lowest > small.noise:
         return Stability("stable", lowest, "stiffness", motion)
     if lowest >= -small.noise:
-        return Stability("neutral", 0.0, "stiffness", motion)
+        return Stability("neutral", 0.0, "stiffness", motion, soft)
     if np.abs(C - C.T).max() <= 1e-10 * np.abs(C).max():
-        return Stability("unstable", lowest, "stiffness", motion)
-    return _by_rates(small, "undecided by the linearisation")
+        return Stability("unstable", lowest, "stiffness", motion, soft)
+    return replace(_by_rates(small, "undecided by the linearisation"), soft=soft)
 
 
 def _by_rates(small: SmallMotion, otherwise: Verdict) -> Stability:

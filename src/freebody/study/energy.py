@@ -30,7 +30,7 @@ class EnergyBalance:
     kinetic: Array
     potential: Array
     work: Array
-    typical: float  # the constant loads times the length of the system [J]: less than 1e-6 of it is none
+    typical: float  # the constant loads times the length of the system [J]: less than 1e-4 of it counts as that
 
     @property
     def error(self) -> float:
@@ -42,7 +42,7 @@ class EnergyBalance:
     def relative_error(self) -> float:
         """The error by the largest energy that was exchanged."""
         exchanged = max(float(np.ptp(self.kinetic)), float(np.ptp(self.potential)), float(np.ptp(self.work)))
-        largest = max(exchanged, float(self.kinetic.max(initial=0.0)), 1e-6 * self.typical)
+        largest = max(exchanged, float(self.kinetic.max(initial=0.0)), 1e-4 * self.typical)
         return self.error / largest if largest > 0.0 else 0.0
 
 

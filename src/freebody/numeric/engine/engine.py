@@ -16,6 +16,7 @@ from freebody.model.elements import RATE, VALUE, RateMeasure
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.implicit import Implicit
+from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
@@ -148,8 +149,17 @@ class Engine(Packed):
         """The value of a tape at the instant looked at last."""
         L, S = self.layout, self.room
         begin, end = int(L.tape_ptr[tape]), int(L.tape_ptr[tape + 1])
-        play(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
+        plain(play)(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
         return float(S.registers[end - 1, 0])
+
+    def largest_gaps(self, y: Floats, t: float) -> tuple[float, float]:
+        """How far a state is from what is held, at most: positions and velocities, by the size of the system."""
+        own = self.idle
+        state = y.copy()
+        stepping.visit(self.layout, self.room, own, -1.0, state, t, np.zeros(self.n_y), 0)
+        n = 3 * (self.n_bodies + 1)
+        moved = np.abs(state - y)
+        return float((moved[:n] / self.unit).max()), float((moved[n : 2 * n] / self.unit).max())
 
     def gradient_of(self, row: int) -> Floats:
         """(3 (n_bodies + 1),) gradient of a row at the instant looked at last."""

@@ -55,7 +55,15 @@ class Implicit:
         if first is not None:
             first = min(first, until - t)
         return Radau(
-            rhs, t, y.copy(), until, first_step=first, rtol=_MIN_RTOL, atol=allowed, jac=lambda at, s: self._slopes.at(s, at)
+            rhs,
+            t,
+            y.copy(),
+            until,
+            first_step=first,
+            max_step=float(clock[stepping.LONGEST]),
+            rtol=_MIN_RTOL,
+            atol=allowed,
+            jac=lambda at, s: self._slopes.at(s, at),
         )
 
     def advance(self) -> int:

@@ -24,8 +24,19 @@ _OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "n
 
 
 def kernel(function: F) -> F:
-    """A function that entries call: compiled with them."""
+    """A function that entries call: compiled with them, and without the wrapper by which Python could call it (that costs
+    compile time); from Python use `plain`."""
     return numba.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **_OPTIONS)(function)
+
+
+def leaf(function: F) -> F:
+    """A kernel of a few numbers, which Python can call as well."""
+    return numba.njit(**_OPTIONS)(function)
+
+
+def plain(function: F) -> F:
+    """The Python original of a kernel or a part; what it calls must be leaves."""
+    return getattr(function, "py_func", function)
 
 
 def part(function: F) -> F:

@@ -8,14 +8,14 @@ last register by the rows that it reads. Source: Griewank & Walther, Evaluating 
 
 import math
 
-from freebody.numeric.engine.jit import kernel
+from freebody.numeric.engine.jit import kernel, leaf
 
 CONSTANT, TIME, VALUE, RATE = 0, 1, 2, 3
 ADD, MULTIPLY, DIVIDE, WHOLE_POWER, POWER = 4, 5, 6, 7, 8
 SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SINH, COSH, TANH, ABS, SIGN = range(9, 23)
 
 
-@kernel
+@leaf
 def function_derivatives(op, x):
     """Value and first two derivatives of an elementary function."""
     if op == SIN:
@@ -61,7 +61,7 @@ def function_derivatives(op, x):
     return s, 0.0, 0.0
 
 
-@kernel
+@leaf
 def whole_power(x, n):
     """x^n for a whole n >= 0."""
     result, factor = 1.0, x
@@ -73,7 +73,7 @@ def whole_power(x, n):
     return result
 
 
-@kernel
+@leaf
 def power_derivatives(x, c):
     """Value and first two derivatives of x^c for a constant c."""
     n = int(c)

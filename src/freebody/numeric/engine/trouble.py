@@ -23,7 +23,7 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
     out = np.zeros(engine.n_y)
     y = run.states[0].copy()
     stepping.visit(engine.layout, engine.room, run, -1.0, y, t, out, 1)
-    if trouble == stepping.NOT_FINITE:
+    if trouble in (stepping.NOT_FINITE, stepping.NOT_HELD):
         name = _without_value(engine, run, y, out, t)
         if name:
             return Status.NOT_FINITE, f"{name} has no finite value beyond t = {t:.6g} s; change its law or stop before"

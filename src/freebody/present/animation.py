@@ -1,0 +1,170 @@
+"""A motion as a file that plays: an HTML page, a GIF or an MP4."""
+
+from __future__ import annotations
+
+import importlib
+import math
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.present.drawing import Drawing
+from freebody.present.figures import Array
+from freebody.present.files import written
+from freebody.present.page import moved_note, page
+from freebody.present.scene import Scene
+from freebody.present.stills import frame_axes, paint
+from freebody.present.theme import THEMES
+
+_RATE = 30  # frames a second of shown time
+_GIF_RATE = 25  # GIF counts hundredths of a second
+_N_FRAMES = 3000
+_FEWEST = 120  # of a page, which can be slowed down
+_PIXELS, _DPI = 640, 100
+
+
+def write_animation(
+    scene: Scene, times: Array, poses: Array, path: str | Path, *, title: str, speed: float = 1.0
+) -> Path:
+    """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path.
+
+    times: (n_times,) [s], ascending, a repeated time counts once (its last pose). poses: (n_times, n_moving_bodies,
+    3), x and y of the mass centre [m] and the angle [rad], continuous, in the order of `scene.names`. speed: seconds
+    of motion in a second of showing. Returns the path. Raises InputError if these do not fit together, the suffix is
+    another one, the file cannot be written, or there is no ffmpeg for an MP4."""
+    path = Path(path)
+    times, poses = _checked(scene, times, poses)
+    if not (math.isfinite(speed) and speed > 0):
+        raise InputError(f"the speed of an animation is a positive number, not {speed}")
+    writers: dict[str, Callable[[], None]] = {
+        ".html": lambda: _write_page(scene, times, poses, path, title, speed),
+        ".gif": lambda: _write_gif(scene, times, poses, path, title, speed),
+        ".mp4": lambda: _write_mp4(scene, times, poses, path, title, speed),
+    }
+    suffix = path.suffix.lower()
+    if suffix not in writers:
+        raise InputError(f"{path.name}: an animation is written as {', '.join(writers)}; give one of these suffixes")
+    with written(path):
+        writers[suffix]()
+    return path
+
+
+def resampled(times: Array, poses: Array, n_frames: int) -> tuple[Array, Array]:
+    """(n_frames,), (n_frames, n_bodies, 3): the motion at equally spaced times, by a cubic between the given poses
+    that does not overshoot them. Source: Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300."""
+    from scipy.interpolate import PchipInterpolator
+
+    if len(times) == 1:
+        return times, poses
+    shown: Array = np.linspace(float(times[0]), float(times[-1]), n_frames)
+    cubic: Any = PchipInterpolator(times, poses, axis=0)
+    return shown, np.asarray(cubic(shown), dtype=np.float64)
+
+
+def _checked(scene: Scene, times: Array, poses: Array) -> tuple[Array, Array]:
+    times, poses = np.asarray(times, dtype=np.float64), np.asarray(poses, dtype=np.float64)
+    shape = (len(times), len(scene.names), 3) if times.ndim == 1 else None
+    if shape is None or not len(times) or poses.shape != shape:
+        raise InputError(
+            f"an animation of {len(scene.names)} moving bodies needs times (n_times,) and poses "
+            f"(n_times, {len(scene.names)}, 3), not {times.shape} and {poses.shape}"
+        )
+    if not (np.isfinite(times).all() and np.isfinite(poses).all()):
+        raise InputError("the times and poses of an animation must be finite numbers")
+    if (np.diff(times) < 0).any():
+        raise InputError("the times of an animation must ascend")
+    last = np.append(np.diff(times) > 0, True)
+    return times[last], poses[last]
+
+
+def _n_frames(times: Array, speed: float, rate: int) -> int:
+    return min(_N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
+
+
+def _write_page(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
+    shown, frames = resampled(times, poses, max(_FEWEST + 1, _n_frames(times, speed, _RATE)))
+    path.write_text(page(Drawing.of(scene, frames), shown, title, speed), encoding="utf-8")
+
+
+def _write_gif(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
+    from PIL import Image
+
+    shown, frames = resampled(times, poses, _n_frames(times, speed, _GIF_RATE))
+    pictures = [Image.fromarray(rgb) for rgb in _pictures(Drawing.of(scene, frames), shown, title)]
+    # one palette for all, so that colours do not flicker
+    palette = pictures[len(pictures) // 2].quantize(64, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    small = [p.quantize(palette=palette, dither=Image.Dither.NONE) for p in pictures]
+    small[0].save(path, save_all=True, append_images=small[1:], duration=1000 // _GIF_RATE, loop=0, optimize=False)
+
+
+def _write_mp4(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
+    program = _ffmpeg()
+    matplotlib: Any = importlib.import_module("matplotlib")
+    animation: Any = importlib.import_module("matplotlib.animation")
+    shown, frames = resampled(times, poses, _n_frames(times, speed, _RATE))
+    figure, stages = _stages(Drawing.of(scene, frames), shown, title)
+    with matplotlib.rc_context({"animation.ffmpeg_path": program}):
+        writer = animation.FFMpegWriter(fps=_RATE, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
+        with writer.saving(figure, str(path), _DPI):
+            for _ in stages:
+                writer.grab_frame()
+
+
+def _ffmpeg() -> str:
+    """The program that codes videos: that of imageio-ffmpeg, or one on the PATH."""
+    try:
+        program: str = importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe()
+    except (ImportError, RuntimeError):
+        program = shutil.which("ffmpeg") or ""
+    if not program:
+        raise InputError(
+            'an MP4 needs ffmpeg, and there is none: pip install "freebody[video]", or write .html or .gif instead'
+        )
+    return program
+
+
+# -- frames with Matplotlib -------------------------------------------------------------------
+def _stages(drawing: Drawing, times: Array, title: str) -> tuple[Any, Iterator[None]]:
+    """A figure, and an iterator that brings it to one frame after the other."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    width, height = drawing.high - drawing.low
+    shape = min(1.6, max(0.5, height / width))
+    even = 2 * round(_PIXELS * min(1.3, shape) / 2)  # video codecs want even numbers of pixels
+    figure: Any = Figure(figsize=(_PIXELS / _DPI, (even + 80) / _DPI), dpi=_DPI, layout="constrained")
+    FigureCanvasAgg(figure)
+    theme = THEMES["light"]
+    figure.set_facecolor(theme.paper)
+    axes = figure.add_subplot()
+    frame_axes(drawing, axes, theme)
+    figure.suptitle(title, fontsize=11, color=theme.ink, parse_math=False, wrap=True)
+    note = moved_note(drawing)
+    if note:
+        figure.supxlabel(note, fontsize=7, color=theme.muted, parse_math=False, wrap=True)
+    clock = axes.set_title("", fontsize=9, color=theme.muted, loc="left")
+
+    def stages() -> Iterator[None]:
+        for frame, t in enumerate(times):
+            artists = paint(drawing, frame, axes, theme)
+            clock.set_text(f"t = {t:.2f} s")
+            if frame == 0:
+                figure.draw_without_rendering()
+                figure.set_layout_engine("none")
+            yield
+            for artist in artists:
+                artist.remove()
+
+    return figure, stages()
+
+
+def _pictures(drawing: Drawing, times: Array, title: str) -> Iterator[Any]:
+    """(height, width, 3) bytes of each frame."""
+    figure, stages = _stages(drawing, times, title)
+    for _ in stages:
+        figure.canvas.draw()
+        yield np.asarray(figure.canvas.buffer_rgba())[:, :, :3].copy()

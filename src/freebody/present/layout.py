@@ -1,0 +1,242 @@
+"""Where things stand in the picture, if the model does not say.
+
+A string with leads of constant direction fixes how far bodies travel, not where they hang. Such a body is drawn
+moved, by the same amount at all times, so that its string runs straight off the pulley and stays visible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freebody.present.figures import (
+    GROUND,
+    Array,
+    Figure,
+    Guide,
+    Heading,
+    Node,
+    Place,
+    Rope,
+    angles,
+    positions,
+    turned,
+)
+from freebody.present.scene import Scene
+
+_TO_SYMBOL = 0.02  # size of symbols by that of the picture
+_SHORTEST = 5.0  # a lead, in sizes of symbols
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Poses as they are drawn (n_times, n_bodies, 3), the strings, and the size of symbols [m]."""
+
+    poses: Array
+    ropes: tuple[Rope, ...]
+    symbol: float
+    moved: tuple[str, ...]  # names of the bodies that are not drawn where they are
+
+    @classmethod
+    def of(cls, scene: Scene, poses: Array) -> Layout:
+        """Puts the bodies of a scene where their strings lead them."""
+        settling = _Settling(scene, poses)
+        for _ in scene.joints.ropes:
+            settling.hang()
+        settling.mesh()
+        moved = tuple(n for n, s in zip(scene.names, settling.shifts, strict=True) if np.abs(s).max() > 1e-9)
+        return cls(settling.poses, tuple(settling.ropes), _symbol(scene, settling.poses), moved)
+
+
+class _Settling:
+    """Poses that are being shifted, and which bodies have their places already."""
+
+    def __init__(self, scene: Scene, poses: Array) -> None:
+        self.scene = scene
+        self.poses = poses.copy()
+        self.shifts = np.zeros((len(scene.names), 2))
+        self.group = _groups(scene)
+        self.ropes = [*scene.joints.ropes, *_belts(scene, poses)]
+        self.shortest = _SHORTEST * _symbol(scene, poses)
+        self.settled = {self.group[k] for k in range(len(scene.names)) if not self._is_free(self.group[k])}
+
+    def _is_free(self, group: int) -> bool:
+        """Whether only strings and straight rails say where the bodies of a group are."""
+        members = {k for k, g in enumerate(self.group) if g == group}
+        joints = self.scene.joints
+        if any(f.has_place for f in self.scene.figures if f.turn in members):
+            return False
+        ends = [
+            *((p.first, p.second) for p in joints.pins),
+            *joints.links,
+            *((c.first, c.second) for c in joints.contacts),
+        ]
+        if any({a.body, b.body} & members and GROUND in (a.body, b.body) for a, b in ends):
+            return False
+        rails = [g for g in joints.guides if g.point.body in members and g.along.body == GROUND]
+        return not any(g.turns or g.offset for g in rails) and bool(rails or joints.hanging & members)
+
+    # -- strings ------------------------------------------------------------------------------
+    def hang(self) -> None:
+        """Moves what hangs on a string whose other end has its place, and ends of strings on the ground."""
+        for i, rope in enumerate(self.ropes):
+            for k, heading in enumerate(rope.leads):
+                if heading is None or heading.body != GROUND:
+                    continue
+                a, b = rope.nodes[k], rope.nodes[k + 1]
+                if self._has_place(a) and not self._has_place(b):
+                    self._move(b, self._shift(heading, a, b), heading)
+                elif self._has_place(b) and not self._has_place(a):
+                    self._move(a, -self._shift(heading, a, b), heading)
+                elif self._has_place(a) and self._has_place(b):
+                    rope = self._with_end(rope, k, heading)
+                    self.ropes[i] = rope
+
+    def _has_place(self, node: Node) -> bool:
+        return node.place.body == GROUND or self.group[node.place.body] in self.settled
+
+    def _shift(self, heading: Heading, a: Node, b: Node) -> Array:
+        """(2,) what moves the end of a lead onto its line and makes it long enough, along and across."""
+        e = np.array([heading.x, heading.y])
+        n = np.array([-heading.y, heading.x])
+        lead = positions(self.poses, b.place) - positions(self.poses, a.place) - (b.arm - a.arm) * n
+        wanted = max(self.shortest, 1.5 * max(abs(a.arm), abs(b.arm)))
+        return (wanted - float((lead @ e).min())) * e - float((lead @ n)[0]) * n
+
+    def _move(self, node: Node, shift: Array, heading: Heading) -> None:
+        group = self.group[node.place.body]
+        members = [k for k, g in enumerate(self.group) if g == group]
+        rails = [g for g in self.scene.joints.guides if g.point.body in members]
+        if any(abs(g.along.x * heading.y - g.along.y * heading.x) > 1e-9 for g in rails):
+            return  # it would leave the direction of its rail
+        self.shifts[members] += shift
+        self.poses[:, members, :2] += shift
+        self.settled.add(group)
+
+    def _with_end(self, rope: Rope, k: int, heading: Heading) -> Rope:
+        """The rope with its end on the ground moved onto the line of the lead."""
+        e, n = np.array([heading.x, heading.y]), np.array([-heading.y, heading.x])
+        nodes = list(rope.nodes)
+        for j, other, sign in ((k, k + 1, 1), (k + 1, k, -1)):
+            node = nodes[j]
+            if j not in (0, len(nodes) - 1) or node.place.body != GROUND or node.arm:
+                continue
+            lead = positions(self.poses, nodes[other].place) - positions(self.poses, node.place)
+            across = float((lead @ n)[0]) - nodes[other].arm
+            short = min(0.0, float((sign * (lead @ e)).min()) - self.shortest)
+            x, y = np.array(node.place[1:]) + across * n + sign * short * e
+            nodes[j] = replace(node, place=Place(GROUND, float(x), float(y)))
+            break
+        return replace(rope, nodes=tuple(nodes))
+
+    # -- racks --------------------------------------------------------------------------------
+    def mesh(self) -> None:
+        """Moves a body that slides without a stated place, so that its edge lies where a wheel rolls on it."""
+        for guide in self.scene.joints.guides:
+            rack = guide.along.body
+            if not guide.offset or rack == GROUND or self.group[rack] in self.settled:
+                continue
+            figure = next(f for f in self.scene.figures if f.turn == rack)
+            across = np.array(guide.along.normal()[1:])
+            edge = (figure.outline @ across) * np.sign(guide.offset)
+            center = positions(self.poses, guide.point)[0] - self.poses[0, rack, :2]
+            n = turned(self.poses[0, rack, 2], *across)
+            gap = float(center @ n) - guide.offset - np.sign(guide.offset) * float(edge.max())
+            members = [k for k, g in enumerate(self.group) if g == self.group[rack]]
+            self.shifts[members] += gap * n
+            self.poses[:, members, :2] += gap * n
+            self.settled.add(self.group[rack])
+
+
+def _groups(scene: Scene) -> list[int]:
+    """Which moving bodies keep together by pins, links and contacts: the least index of their group."""
+    group = list(range(len(scene.names)))
+    joints = scene.joints
+    pairs = [(p.first, p.second) for p in joints.pins] + joints.links
+    pairs += [(c.first, c.second) for c in joints.contacts]
+    pairs += [(g.point, Place(g.along.body, 0, 0)) for g in joints.guides if not (g.offset and g.turns)]
+    for a, b in pairs:
+        if GROUND not in (a.body, b.body):
+            low, high = sorted((group[a.body], group[b.body]))
+            group = [low if g == high else g for g in group]
+    return group
+
+
+def _belts(scene: Scene, poses: Array) -> Iterator[Rope]:
+    """A string round every pair of circles that roll alike without touching."""
+    for contact in scene.joints.contacts:
+        apart = positions(poses, contact.second) - positions(poses, contact.first)
+        if not contact.touches(float(np.hypot(*apart[0]))):
+            r1, r2 = contact.radii
+            nodes = Node(contact.first, r1), Node(contact.second, -r2)
+            yield Rope((*nodes, nodes[0]), (None, None), is_closed=True)
+
+
+def _symbol(scene: Scene, poses: Array) -> float:
+    low, high = bounds(scene, poses)
+    return _TO_SYMBOL * (float((high - low).max()) or 1.0)
+
+
+def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
+    """(2,), (2,) [m] lower left and upper right corner of everything on the whole way."""
+    corners: list[Array] = []
+    for figure in scene.figures:
+        center = positions(poses, figure.center)
+        corners += [positions(poses, place) for place in figure.points.values()]
+        corners += [center + (figure.radius or 0.0) * sign for sign in (-1.0, 1.0)]
+    joints = scene.joints
+    ends = [*joints.links, *((s.first, s.second) for s in joints.springs), *((p.first, p.second) for p in joints.pins)]
+    corners += [positions(poses, place) for pair in ends for place in pair]
+    corners += [positions(poses, node.place) for rope in joints.ropes for node in rope.nodes]
+    everything = np.concatenate(corners or [np.zeros((1, 2))])
+    return everything.min(axis=0), everything.max(axis=0)
+
+
+def headings(rope: Rope, poses: Array) -> Array:
+    """(n_times, n_leads) [rad] direction of each lead, continuous in time.
+
+    A lead without a constant direction is the common tangent of two circles, d = l e(a) + rho n(a), so
+    a = angle of d - asin(rho/|d|); inside each other's reach circles have none, and the line of centres is taken."""
+    found: list[Array] = []
+    for a, b, heading in zip(rope.nodes, rope.nodes[1:], rope.leads, strict=False):
+        line = positions(poses, b.place) - positions(poses, a.place)
+        if heading is not None:
+            line = line - (b.arm - a.arm) * turned(angles(poses, heading) + np.pi / 2, 1.0, 0.0)
+            far = np.hypot(line[:, 0], line[:, 1]) > 1e-9
+            found.append(np.where(far, np.arctan2(line[:, 1], line[:, 0]), angles(poses, heading)))
+            continue
+        length = np.hypot(line[:, 0], line[:, 1])
+        share = np.divide(b.arm - a.arm, length, out=np.zeros_like(length), where=length > abs(b.arm - a.arm))
+        found.append(np.arctan2(line[:, 1], line[:, 0]) - np.arcsin(share))
+    return np.unwrap(np.array(found).T, axis=0)
+
+
+def sweep(arm: float, before: Array | float, after: Array | float) -> Array:
+    """[rad] how far a string runs round a circle between two leads, in the sense of its arm. Leads that have swung
+    a little past each other run round by nothing."""
+    sense = np.sign(arm)
+    around = np.mod(sense * (np.asarray(after) - np.asarray(before)), 2 * np.pi)
+    return sense * np.where(around > 1.8 * np.pi, 0.0, around)
+
+
+def travel(guide: Guide, poses: Array) -> tuple[Array, Array]:
+    """(n_times,), (n_times,) [m]: how far a guided point is along its line and to the left of it, by components in the
+    body of the line (from its mass centre)."""
+    at = positions(poses, guide.point)
+    if guide.along.body != GROUND:
+        pose = poses[:, guide.along.body]
+        c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
+        d = at - pose[:, :2]
+        at = np.stack((c * d[:, 0] + s * d[:, 1], -s * d[:, 0] + c * d[:, 1]), axis=-1)
+    along = np.array(guide.along[1:])
+    return at @ along, at @ np.array([-along[1], along[0]])
+
+
+def extent_across(figure: Figure, guide: Guide, poses: Array) -> tuple[float, float]:
+    """[m] how far a body reaches to the right and to the left of its guided point, across the guide at the start."""
+    n = turned(float(angles(poses, guide.along)[0]) + np.pi / 2, 1.0, 0.0)
+    at = positions(poses, guide.point)[0]
+    reach = [float((positions(poses, p)[0] - at) @ n) for p in figure.points.values()]
+    return min(reach, default=0.0), max(reach, default=0.0)

@@ -1,0 +1,230 @@
+"""Draws a scene on its way: which strokes, in which order.
+
+What stands still comes first, then bodies, the larger behind the smaller, then what joins them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from freebody.present.figures import GROUND, Array, Figure, Guide, Heading, Place, Spring, positions, turned
+from freebody.present.layout import Layout, extent_across, headings, travel
+from freebody.present.scene import Scene
+from freebody.present.strokes import Label, Path, Strand, Stretch, Stroke
+from freebody.present.symbols import DASHPOT, ZIGZAG, aside, box, capsule, circle, hatched, support
+
+
+class Pen:
+    """Draws a scene in the order of its layers: what stands still, bodies, what joins them, names."""
+
+    def __init__(self, scene: Scene, layout: Layout) -> None:
+        self.scene = scene
+        self.joints = scene.joints
+        self.poses = layout.poses
+        self.ropes = layout.ropes
+        self.u = layout.symbol
+
+    def strokes(self) -> Iterator[Stroke]:
+        for guide in self.joints.guides:
+            yield from self._guide(guide)
+        yield from self._supports()
+        bodies = sorted(self.scene.figures, key=self._layer)
+        for figure in bodies:
+            if not figure.is_particle:
+                yield from self._body(figure)
+        for a, b in self.joints.links:
+            yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "link")
+        for spring in self.joints.springs:
+            yield from self._spring(spring)
+        lead = 0
+        for rope in self.ropes:
+            yield Strand(rope, lead)
+            lead += len(rope.leads)
+        for figure in bodies:
+            if figure.is_particle:
+                yield from self._body(figure)
+        yield from self._joints()
+
+    def _layer(self, figure: Figure) -> tuple[bool, float]:
+        """Rings first, then the larger bodies behind the smaller ones."""
+        size = figure.radius or float(np.ptp(figure.outline, axis=0).max())
+        return not figure.is_hollow, -size
+
+    # -- ground -------------------------------------------------------------------------------
+    def _guide(self, guide: Guide) -> Iterator[Stroke]:
+        """A hatched rail or surface on the ground, the line of a slot or rack on a body."""
+        s, across = travel(guide, self.poses)
+        figure = self._figure(guide.point.body)
+        is_surface = guide.offset != 0.0
+        reach = max(1.5 * abs(guide.offset), self._half_length(figure, guide), 2 * self.u) + self.u
+        low, high = float(s.min()) - reach, float(s.max()) + reach
+        level, side = float(across[0]) - guide.offset, -1.0 if guide.offset >= 0 else 1.0
+        body = guide.along.body
+        ends = np.array([(low, 0.0), (high, 0.0)])
+        if not is_surface and guide.turns:
+            radius = 0.9 * self.u
+            yield self._on_line(guide, level, capsule((low, 0.0), (high, 0.0), radius), "slot", is_closed=True)
+            return
+        if not is_surface:
+            below, above = extent_across(figure, guide, self.poses) if figure else (0.0, 0.0)
+            level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
+        yield self._on_line(guide, level, ends, "surface")
+        if body == GROUND:
+            yield self._on_line(guide, level, hatched(low, high, side * self.u, self.u), "hatch")
+
+    def _on_line(self, guide: Guide, level: float, points: Array, style: str, *, is_closed: bool = False) -> Path:
+        """A path given along and across a guide's line."""
+        angle, body = guide.along.angle, guide.along.body
+        start = turned(angle + np.pi / 2, 1.0, 0.0) * level
+        return Path(Place(body, *map(float, start)), body, turned(angle, *points.T), style, is_closed)
+
+    def _half_length(self, figure: Figure | None, guide: Guide) -> float:
+        if figure is None or figure.is_particle:
+            return 0.0
+        along = Guide(guide.point, Heading(guide.along.body, guide.along.y, -guide.along.x))
+        low, high = extent_across(figure, along, self.poses)
+        return max(-low, high)
+
+    def _figure(self, body: int) -> Figure | None:
+        return next((f for f in self.scene.figures if f.turn == body != GROUND), None)
+
+    def _supports(self) -> Iterator[Stroke]:
+        """What holds points of the ground: a triangle for pins and links, a hatched line for springs and strings."""
+        stands: dict[Place, list[Place]] = {}
+        for a, b in [*((p.first, p.second) for p in self.joints.pins if not p.clamps), *self.joints.links]:
+            for ground, other in ((a, b), (b, a)):
+                if ground.body == GROUND != other.body:
+                    stands.setdefault(ground, []).append(other)
+        for ground, others in stands.items():
+            up = self._is_below(ground, others)
+            for points, style, is_closed in support(self._support_size(others), upside_down=up):
+                yield Path(ground, GROUND, points, style, is_closed)
+        held = [(s.first, self._bearing(s.first, s.second)) for s in self.joints.springs]
+        held += [(s.second, self._bearing(s.second, s.first)) for s in self.joints.springs]
+        for rope in self.ropes:
+            lead = headings(rope, self.poses)[0]
+            ends = () if rope.is_closed else ((rope.nodes[0], lead[0]), (rope.nodes[-1], lead[-1] + np.pi))
+            held += [(node.place, float(bearing)) for node, bearing in ends if not node.is_drum]
+        clamps = [(a, b) for p in self.joints.pins if p.clamps for a, b in ((p.first, p.second), (p.second, p.first))]
+        held += [(a, self._bearing(a, self._center(b))) for a, b in clamps]
+        for place, bearing in held:
+            if place.body == GROUND and place not in stands:
+                across = bearing + np.pi / 2
+                wall = np.array([(-1.5 * self.u, 0.0), (1.5 * self.u, 0.0)])
+                yield Path(place, GROUND, turned(across, *wall.T), "surface")
+                strokes = hatched(-1.5 * self.u, 1.5 * self.u, 0.8 * self.u, 0.75 * self.u)
+                yield Path(place, GROUND, turned(across, *strokes.T), "hatch")
+
+    def _support_size(self, others: Sequence[Place]) -> float:
+        """A support is not larger than the wheel on it."""
+        figures = [self._figure(p.body) for p in others]
+        return min([self.u, *(0.5 * f.radius for f in figures if f and f.radius)])
+
+    def _center(self, place: Place) -> Place:
+        figure = self._figure(place.body)
+        return figure.mass_center if figure else place
+
+    def _bearing(self, a: Place, b: Place) -> float:
+        x, y = positions(self.poses, b)[0] - positions(self.poses, a)[0]
+        return float(np.arctan2(y, x))
+
+    def _is_below(self, ground: Place, others: Sequence[Place]) -> bool:
+        """Whether what is joined to a point hangs below it most of the time."""
+        heights = [positions(self.poses, self._center(p))[:, 1].mean() - ground.y for p in others]
+        return float(np.mean(heights)) < -0.2 * self.u
+
+    # -- bodies -------------------------------------------------------------------------------
+    def _body(self, figure: Figure) -> Iterator[Stroke]:
+        turn, color = figure.turn, figure.number
+        fill = "dot" if figure.is_particle else "body" if turn != GROUND else "fixed body"
+        if figure.radius is not None:
+            yield from self._wheel(figure, fill)
+            return
+        outline = figure.outline
+        rest = Place(turn, 0.0, 0.0) if turn != GROUND else figure.mass_center
+        if turn == GROUND:
+            outline = outline - np.array(figure.mass_center[1:])
+        size = float(np.ptp(outline, axis=0).max())
+        if size < 1e-9:
+            yield self._dot(figure, fill)
+        elif len(outline) == 2:
+            points = capsule(tuple(outline[0]), tuple(outline[1]), min(0.6 * self.u, 0.15 * size))
+            yield Path(rest, turn, points, fill, True, color)
+        else:
+            yield Path(rest, turn, outline, fill, True, color)
+        if figure.has_mass and turn != GROUND and size > 4 * self.u:
+            yield Path(figure.mass_center, turn, circle(0.22 * self.u), "mass center", True, color)
+
+    def _dot(self, figure: Figure, fill: str) -> Path:
+        """A point mass as a dot, a sliding one as a box along its rail."""
+        rail = next((g for g in self.joints.guides if g.point.body == figure.turn != GROUND and not g.turns), None)
+        if rail is None:
+            radius = 0.7 if figure.is_particle else 1.0
+            return Path(figure.mass_center, figure.turn, circle(radius * self.u), fill, True, figure.number)
+        points = turned(rail.along.angle, *box(1.5 * self.u, 0.8 * self.u).T)
+        return Path(figure.mass_center, rail.along.body, points, fill, True, figure.number)
+
+    def _wheel(self, figure: Figure, fill: str) -> Iterator[Path]:
+        """A rim and a spoke, so that its turning is seen; a ring has its mass outside the circle it rolls on."""
+        place, turn, color, rim = figure.center, figure.turn, figure.number, figure.radius or 0.0
+        edge = "rim" if turn != GROUND else "fixed rim"
+        if figure.is_hollow:
+            width = min(0.12 * rim, 1.2 * self.u)
+            outer, inner = circle(rim + width, 24), circle(rim, 24)[::-1]
+            seam = np.concatenate((outer, outer[:1], inner, inner[:1]))
+            yield Path(place, turn, seam, f"{fill} ring", True, color)
+            yield Path(place, turn, outer, edge, True, color)
+            yield Path(place, turn, circle(rim, 24), edge, True, color)
+            spoke = np.array([(rim, 0.0), (rim + width, 0.0)])
+        else:
+            yield Path(place, turn, circle(rim, 24), fill, True, color)
+            spoke = np.array([(0.0, 0.0), (rim, 0.0)])
+        for hub in figure.hubs:
+            yield Path(place, turn, circle(hub, 24), edge, True, color)
+        if turn != GROUND:
+            yield Path(place, turn, spoke, "spoke", False, color)
+
+    # -- joints -------------------------------------------------------------------------------
+    def _spring(self, spring: Spring) -> Iterator[Stretch]:
+        """A zigzag, a dashpot, or both side by side."""
+        a, b = spring.first, spring.second
+        others = [s for s in self.joints.springs if {s.first, s.second} == {a, b}]
+        n = sum(s.has_spring + s.has_damper for s in others)
+        k = sum(s.has_spring + s.has_damper for s in others[: others.index(spring)])
+        for symbol in [ZIGZAG] * spring.has_spring + [DASHPOT] * spring.has_damper:
+            left = (k - (n - 1) / 2) * 2.4
+            yield from (Stretch(a, b, line * (1.0, self.u), "spring") for line in aside(symbol, left))
+            k += 1
+        if not (spring.has_spring or spring.has_damper):
+            yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
+
+    def _joints(self) -> Iterator[Path]:
+        """A small circle where bodies turn about each other, a square where they do not."""
+        squares = [p.second for p in self.joints.pins if p.clamps]
+        circles = [p.first for p in self.joints.pins if not p.clamps] + [p for link in self.joints.links for p in link]
+        circles += [g.point for g in self.joints.guides if g.turns and not g.offset]
+        dots = {f.mass_center for f in self.scene.figures if f.is_particle}
+        size = 0.4 * self.u
+        for place in dict.fromkeys(squares):
+            yield Path(place, place.body, box(size, size), "joint", True)
+        for place in dict.fromkeys(circles):
+            if place not in dots:
+                yield Path(place, place.body, circle(size), "joint", True)
+
+    # -- names --------------------------------------------------------------------------------
+    def labels(self) -> Iterator[Label]:
+        """The name of each body beside its middle, or beside its rim where something else stands in the middle."""
+        taken: list[Array] = []
+        for figure in self.scene.figures:
+            at = positions(self.poses, figure.mass_center)[0]
+            options = [(1.2, 1.2), (1.2, -1.6), (-1.2, 1.2), (-1.2, -1.6), (1.2, 3.2), (1.2, -3.6)]
+            if figure.radius is not None and (figure.is_hollow or figure.radius < 12 * self.u):
+                r = 0.71 * figure.radius / self.u + 0.6
+                options = [(r, r), (r, -r - 0.8), (-r, r), (-r, -r - 0.8)]
+            spots = [at + self.u * np.array(o) for o in options]
+            free = [min((float(np.abs((s - t) / (6.0, 1.8)).max()) for t in taken), default=9e9) for s in spots]
+            k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
+            taken.append(spots[k])
+            yield Label(figure.mass_center, figure.name, *options[k])

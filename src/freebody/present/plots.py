@@ -1,0 +1,174 @@
+"""Curves over time: one panel for each unit, with the instants of events.
+
+The lines are told apart by colour and by dashes, so that they also differ in print and for people of all kinds of
+colour vision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.model.names import did_you_mean
+from freebody.present.figures import Array
+from freebody.present.files import written
+from freebody.present.theme import THEMES, Theme
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+_SUFFIXES = (".png", ".svg", ".pdf")
+_DASHES = ((), (6.0, 2.0), (2.0, 1.5), (6.0, 2.0, 1.5, 2.0))
+# what can be asked of a body: body.<word> by the variable that holds it, and its axis
+_OF_BODIES = {
+    "x": ("body_position", "x"),
+    "y": ("body_position", "y"),
+    "angle": ("body_angle", ""),
+    "x_velocity": ("body_velocity", "x"),
+    "y_velocity": ("body_velocity", "y"),
+    "angular_velocity": ("body_angular_velocity", ""),
+    "x_acceleration": ("body_acceleration", "x"),
+    "y_acceleration": ("body_acceleration", "y"),
+    "angular_acceleration": ("body_angular_acceleration", ""),
+}
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One line: its name, what it is in words, its unit and its values (n_times,)."""
+
+    name: str
+    label: str
+    unit: str
+    values: Array
+
+
+def plot(
+    dataset: xr.Dataset,
+    names: Sequence[str] = (),
+    *,
+    events: Iterable[tuple[str, float]] = (),
+    dark: bool = False,
+) -> Figure:
+    """Curves of a simulation over time, one panel for each unit.
+
+    names: variables over time, variables over time and bodies (then all bodies), or one component of a body
+    (`crank.angle`, `crank.x`, `crank.y`, `crank.angular_velocity`, `crank.x_velocity` ...). Without names: the named
+    measures of the model (`dataset.attrs["measures"]`), else angles and positions of all bodies. events: (name,
+    time [s]), drawn as thin vertical lines. Raises InputError for a name that is not there."""
+    found = list(curves(dataset, names))
+    panels: dict[str, list[Curve]] = {}
+    for curve in found:
+        panels.setdefault(curve.unit, []).append(curve)
+    return _figure(np.asarray(dataset["time"].values, dtype=np.float64), panels, list(events), dark=dark)
+
+
+def save(figure: Figure, path: str | Path) -> Path:
+    """Writes a figure as `.png`, `.svg` or `.pdf`, by the suffix of the path. Returns the path. Raises InputError for
+    another suffix, or if the file cannot be written."""
+    path = Path(path)
+    if path.suffix.lower() not in _SUFFIXES:
+        raise InputError(f"{path.name}: a plot is written as {', '.join(_SUFFIXES)}; give one of these suffixes")
+    with written(path):
+        cast("Any", figure).savefig(path, dpi=150, facecolor=figure.get_facecolor())
+    return path
+
+
+def curves(dataset: xr.Dataset, names: Sequence[str] = ()) -> Iterator[Curve]:
+    """The curves that names stand for. Raises InputError naming all that are not there."""
+    everything = _offered(dataset)
+    chosen = list(names) or _usual(dataset)
+    unknown = [name for name in chosen if name not in everything]
+    if unknown:
+        raise InputError("\n".join(f"there is no curve {n}.{did_you_mean(n, everything)}" for n in unknown))
+    for each in dict.fromkeys(part for name in chosen for part in everything[name]):
+        yield _curve(dataset, each)
+
+
+def _offered(dataset: xr.Dataset) -> dict[str, list[str]]:
+    """What each name stands for: itself, or one curve for each body and axis."""
+    offered: dict[str, list[str]] = {}
+    for name in map(str, dataset.data_vars):
+        dims = set(map(str, dataset[name].dims))
+        if dims == {"time"}:
+            offered[name] = [name]
+    bodies = [str(body) for body in dataset["body"].values] if "body" in dataset else []
+    for word, (variable, _axis) in _OF_BODIES.items():
+        if variable in dataset:
+            each = [f"{body}.{word}" for body in bodies]
+            offered.update((name, [name]) for name in each if name not in offered)
+            offered.setdefault(variable, []).extend(each)
+    return offered
+
+
+def _usual(dataset: xr.Dataset) -> list[str]:
+    measures = [str(name) for name in dataset.attrs.get("measures", ())]
+    return measures or [name for name in ("body_angle", "body_position") if name in dataset]
+
+
+def _curve(dataset: xr.Dataset, name: str) -> Curve:
+    if name in dataset:
+        data = dataset[name]
+        words = str(data.attrs.get("long_name", ""))
+    else:
+        body, _, word = name.rpartition(".")
+        variable, axis = _OF_BODIES[word]
+        data = cast("Any", dataset[variable]).sel({"body": body} | ({"axis": axis} if axis else {}))
+        words = ""
+    unit = str(data.attrs.get("units", "")) or "1"
+    label = f"{name}: {words}" if words and words != name else name
+    return Curve(name, label, unit, np.asarray(data.values, dtype=np.float64))
+
+
+# -- drawing ----------------------------------------------------------------------------------
+def _figure(times: Array, panels: dict[str, list[Curve]], events: list[tuple[str, float]], *, dark: bool) -> Figure:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    theme = THEMES["dark" if dark else "light"]
+    figure: Any = Figure(figsize=(9.0, 0.8 + 2.4 * max(1, len(panels))), layout="constrained")
+    FigureCanvasAgg(figure)
+    figure.set_facecolor(theme.paper)
+    stack = figure.subplots(max(1, len(panels)), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, (unit, group) in zip(stack, panels.items(), strict=False):
+        _panel(axes, times, unit, group, theme)
+    for k, axes in enumerate(stack):
+        for name, time in events:
+            axes.axvline(time, color=theme.muted, linewidth=0.8, zorder=1)
+            if k == 0:
+                at = axes.get_xaxis_transform()
+                text = {"fontsize": 8, "color": theme.muted, "parse_math": False, "rotation": 35}
+                axes.text(time, 1.02, name, transform=at, ha="left", va="bottom", rotation_mode="anchor", **text)
+    stack[-1].set_xlabel("time [s]", color=theme.ink)
+    return figure
+
+
+def _panel(axes: Any, times: Array, unit: str, group: Sequence[Curve], theme: Theme) -> None:
+    for k, curve in enumerate(group):
+        n = len(theme.bodies)
+        style: dict[str, Any] = {"color": theme.bodies[k % n], "linewidth": 1.6, "zorder": 2}
+        dashes = _DASHES[k % len(_DASHES)]
+        marker = "o" if len(times) == 1 else ""
+        axes.plot(times, curve.values, label=_literal(curve.label), dashes=dashes, marker=marker, **style)
+    quantity = group[0].label.partition(": ")[2] if len(group) == 1 else ""
+    text = _literal(f"{quantity or (group[0].name if len(group) == 1 else '')} [{unit}]".strip())
+    axes.set_ylabel(text, color=theme.ink, wrap=True)
+    axes.set_facecolor(theme.paper)
+    axes.grid(True, color=theme.faint, linewidth=0.6, zorder=0)
+    axes.tick_params(colors=theme.muted, labelcolor=theme.ink)
+    axes.margins(x=0.0)
+    for spine in axes.spines.values():
+        spine.set_color(theme.muted)
+    beside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0}
+    axes.legend(frameon=False, labelcolor=theme.ink, fontsize=9, **beside)
+
+
+def _literal(text: str) -> str:
+    """Text in which Matplotlib sees no mathematics."""
+    return text.replace("$", r"\$")

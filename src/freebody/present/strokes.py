@@ -1,0 +1,92 @@
+"""The few kinds of strokes that make a picture, and where they run at one instant.
+
+A `Path` moves with a body, a `Stretch` runs between two places, a `Strand` is a string with its arcs round circles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.present.figures import GROUND, Array, Place, Rope, positions, turned
+from freebody.present.layout import sweep
+
+_FINE = 12  # points of a quarter of an arc
+
+
+@dataclass(frozen=True)
+class Path:
+    """A line or an area fixed in a body."""
+
+    place: Place
+    turn: int  # the body that it turns with
+    points: Array  # (n, 2) [m] from the place
+    style: str
+    is_closed: bool = False
+    color: int = -1
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A line between two places, by its share of the way and its distance to the left [m]."""
+
+    first: Place
+    second: Place
+    points: Array  # (n, 2)
+    style: str
+
+
+@dataclass(frozen=True)
+class Strand:
+    """A string; `lead` is the column of its first lead in the headings."""
+
+    rope: Rope
+    lead: int
+    style: str = "string"
+
+
+@dataclass(frozen=True)
+class Label:
+    """A name beside a place, in sizes of symbols from it."""
+
+    place: Place
+    text: str
+    dx: float
+    dy: float
+
+
+Stroke = Path | Stretch | Strand
+
+
+def stroke_points(stroke: Stroke, pose: Array, every: Array) -> Array:
+    """(n, 2) [m] a stroke in ground coordinates. pose: (1, n_bodies, 3); every: (n_leads,) [rad] headings of all
+    leads of strings at that instant."""
+    if isinstance(stroke, Strand):
+        return _strand_points(stroke, pose, every)
+    if isinstance(stroke, Path):
+        angle = 0.0 if stroke.turn == GROUND else pose[0, stroke.turn, 2]
+        return positions(pose, stroke.place)[0] + turned(angle, *stroke.points.T)
+    a, b = positions(pose, stroke.first)[0], positions(pose, stroke.second)[0]
+    along = b - a
+    left = np.array([-along[1], along[0]]) / (float(np.hypot(*along)) or 1.0)
+    return a + stroke.points[:, :1] * along + stroke.points[:, 1:] * left
+
+
+def _strand_points(strand: Strand, pose: Array, every: Array) -> Array:
+    """(n, 2) [m] the way of a string at one instant: contact at C - s R n of a lead, arcs round the circles."""
+    rope = strand.rope
+    n_leads = len(rope.leads)
+    lead = every[strand.lead : strand.lead + n_leads]
+    points: list[Array] = []
+    for k, node in enumerate(rope.nodes):
+        before = lead[k - 1] if k > 0 else lead[-1] if rope.is_closed else None
+        after = lead[k] if k < n_leads else lead[0] if rope.is_closed else None
+        wound = np.sign(node.arm) * 1.5 * np.pi if node.is_drum else 0.0
+        into = before if before is not None else float(after or 0.0) - wound
+        out = after if after is not None else float(before or 0.0) + wound
+        turn = wound if node.is_drum else float(sweep(node.arm, into, out)) if node.arm else 0.0
+        course = into + np.linspace(0.0, turn, max(2, round(_FINE * abs(turn) / 1.5708) + 1) if node.arm else 1)
+        center = positions(pose, node.place)[0]
+        points.append(center - node.arm * turned(course + np.pi / 2, 1.0, 0.0))
+    return np.concatenate(points)

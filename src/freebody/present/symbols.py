@@ -1,0 +1,74 @@
+"""Outlines of the signs of mechanics, in any unit of length."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from freebody.present.figures import Array, Pair
+
+
+def circle(radius: float, n_quarter: int = 6) -> Array:
+    """(n, 2) points of a circle about the origin."""
+    a = np.linspace(0.0, 2 * np.pi, 4 * n_quarter, endpoint=False)
+    return radius * np.stack((np.cos(a), np.sin(a)), axis=-1)
+
+
+def box(half_length: float, half_height: float) -> Array:
+    """(4, 2) corners of a rectangle about the origin."""
+    return np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]) * (half_length, half_height)
+
+
+def capsule(start: Pair, end: Pair, radius: float) -> Array:
+    """(n, 2) outline of everything within a radius of a straight line."""
+    a, b = np.array(start), np.array(end)
+    heading = np.arctan2(*(b - a)[::-1])
+    half = np.linspace(-np.pi / 2, np.pi / 2, 9)
+
+    def cap(center: Array, facing: float) -> Array:
+        return center + radius * np.stack((np.cos(half + facing), np.sin(half + facing)), axis=-1)
+
+    return np.concatenate((cap(b, heading), cap(a, heading + np.pi)))
+
+
+def hatched(low: float, high: float, depth: float, step: float) -> Array:
+    """(n, 2) slanted strokes on one side of the x axis, in one line that goes back along the axis; the side is that
+    of the sign of `depth`."""
+    n = min(200, max(2, round((high - low) / step)))
+    feet = np.linspace(low, high, n + 1)[1:]
+    tips = feet - (high - low) / n
+    strokes = np.stack((feet, tips, feet), axis=1)
+    return np.stack((strokes, np.broadcast_to((0.0, depth, 0.0), strokes.shape)), axis=-1).reshape(-1, 2)
+
+
+def support(size: float, *, upside_down: bool = False) -> Iterator[tuple[Array, str, bool]]:
+    """(points, style, whether closed) of a triangle on hatched ground below the origin, or above it."""
+    flip = (1.0, -1.0 if upside_down else 1.0)
+    base = -1.9
+    yield np.array([(0.0, 0.0), (-1.1, base), (1.1, base)]) * size * flip, "support", True
+    yield np.array([(-1.7, base), (1.7, base)]) * size * flip, "surface", False
+    yield (hatched(-1.7, 1.7, -0.75, 0.68) + np.array((0.0, base))) * size * flip, "hatch", False
+
+
+# Lines between two places: the share of the way, and the distance to the left in sizes of symbols.
+_COILS = 11
+_TURNS = np.linspace(0.14, 0.86, 2 * _COILS + 1)[1::2]
+ZIGZAG: Sequence[Array] = (
+    np.array([(0.0, 0.0), (0.14, 0.0), *((s, 0.7 * (-1) ** k) for k, s in enumerate(_TURNS)), (0.86, 0.0), (1.0, 0.0)]),
+)
+DASHPOT: Sequence[Array] = (
+    np.array([(0.0, 0.0), (0.52, 0.0)]),
+    np.array([(0.52, -0.55), (0.52, 0.55)]),
+    np.array([(0.4, -0.8), (0.66, -0.8), (0.66, 0.8), (0.4, 0.8)]),
+    np.array([(0.66, 0.0), (1.0, 0.0)]),
+)
+
+
+def aside(symbol: Sequence[Array], left: float) -> Sequence[Array]:
+    """A symbol moved to the left between its ends, which stay."""
+    if not left:
+        return symbol
+    moved = [np.stack((0.08 + 0.84 * line[:, 0], line[:, 1] + left), axis=-1) for line in symbol]
+    ends = [np.array([(s, 0.0), (t, left)]) for s, t in ((0.0, 0.08), (1.0, 0.92))]
+    return [*moved, *ends]

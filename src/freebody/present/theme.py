@@ -1,0 +1,80 @@
+"""Colours and widths of lines, one table for every canvas.
+
+The colours of bodies are those of Okabe and Ito, which people of all kinds of colour vision tell apart; on dark
+paper they are lightened. Source: Okabe & Ito, Color Universal Design, 2008.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Style:
+    """A stroke [points] and a fill; a colour is a name of the theme, `body` for that of the body, or empty."""
+
+    stroke: str = "ink"
+    width: float = 1.2
+    fill: str = ""
+    alpha: float = 1.0
+    dashes: tuple[float, ...] = ()
+
+
+STYLES: dict[str, Style] = {
+    "body": Style("body", 1.5, "body", 0.3),
+    "body ring": Style("", 0.0, "body", 0.3),
+    "fixed body": Style("muted", 1.5, "muted", 0.2),
+    "fixed body ring": Style("", 0.0, "muted", 0.25),
+    "dot": Style("body", 1.0, "body"),
+    "rim": Style("body", 1.3),
+    "fixed rim": Style("muted", 1.3),
+    "spoke": Style("body", 1.6),
+    "mass center": Style("body", 0.8, "body"),
+    "joint": Style("ink", 1.2, "paper"),
+    "support": Style("ink", 1.2, "paper"),
+    "surface": Style("ink", 1.5),
+    "hatch": Style("muted", 0.8),
+    "slot": Style("muted", 1.0, "", 1.0),
+    "link": Style("ink", 2.2),
+    "string": Style("ink", 1.5),
+    "spring": Style("ink", 1.2),
+    "pull": Style("muted", 1.2, dashes=(4.0, 3.0)),
+}
+
+
+def style_of(name: str) -> Style:
+    return STYLES[name]
+
+
+@dataclass(frozen=True)
+class Theme:
+    """The colours of one paper, as #rrggbb."""
+
+    paper: str
+    ink: str
+    muted: str
+    faint: str
+    bodies: tuple[str, ...]
+
+    def color(self, name: str, body: int = -1) -> str:
+        """A colour by name; empty for none."""
+        named = {"paper": self.paper, "ink": self.ink, "muted": self.muted, "": ""}
+        return self.bodies[body % len(self.bodies)] if name == "body" else named[name]
+
+
+THEMES = {
+    "light": Theme(
+        "#ffffff",
+        "#1f2328",
+        "#66707b",
+        "#d0d5da",
+        ("#0072b2", "#d55e00", "#009e73", "#b5568c", "#a67c00", "#3a8fc0", "#555555"),
+    ),
+    "dark": Theme(
+        "#14171b",
+        "#e6e9ec",
+        "#98a2ad",
+        "#3a424b",
+        ("#56b4e9", "#f0883e", "#2ec49a", "#e08fc0", "#e6b830", "#8ccbf0", "#b8b8b8"),
+    ),
+}

@@ -1,0 +1,282 @@
+"""The equilibria of a system: where it rests, whether it stays there, and what holds it.
+
+A rest is a pose in which the loads do no work on any motion that the connections allow (virtual power); there the
+connections carry what is left of them, Q + J^T lambda = 0. Reactions have the sign that people give them: a string
+pulls, a contact pushes with a positive one. See `numeric.equilibrium` for how rests are found, `numeric.vibration`
+for what stability means. Angles in rad, SI units.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.measures.distance import Bearing
+from freebody.numeric.equilibrium import Balance, Pose, Statics
+from freebody.numeric.families import goes_on, nearest_of_family
+from freebody.numeric.jets import TIME, Array
+from freebody.numeric.reference import Reference
+from freebody.numeric.small_motion import SmallMotion
+from freebody.numeric.snapshot import UNIQUE
+from freebody.numeric.vibration import Stability, stability
+from freebody.study.given import formula, named_measure
+from freebody.system.system import System
+
+Guess = Mapping[str, str | float]
+_TURNED = 1e-9  # of an angle of a line: half a turn is half a turn to the left
+
+
+@dataclass(frozen=True)
+class Rest:
+    """One equilibrium.
+
+    measures: values of the named measures, by name [m or rad]; poses: x, y of the mass centre [m] and angle [rad] by
+    body; reactions: by row (`hinge.x`) [N or N m], None where they are not unique; `non_unique` names these;
+    eigenvalue: the one that decides on stability, of the stiffness by the masses [1/s^2] or of the state
+    matrix [1/s]; direction: the measure or body that its motion moves most; neutral: those along which the rest is one
+    of a family; residual: what is left of the loads, as a part of what they come to; notes: what else to know."""
+
+    measures: Mapping[str, float]
+    poses: Mapping[str, tuple[float, float, float]]
+    stability: str
+    eigenvalue: complex | None
+    eigenvalue_of: str
+    direction: str
+    neutral: tuple[str, ...]
+    reactions: Mapping[str, float | None]
+    non_unique: tuple[str, ...]
+    residual: float
+    notes: tuple[str, ...]
+    pose: Pose
+
+    @property
+    def q(self) -> Array:
+        """Absolute coordinates, for `Reference`."""
+        return self.pose.q
+
+
+@dataclass(frozen=True)
+class Equilibria:
+    """All equilibria that were found; `notes` say what holds for all of them."""
+
+    system: System
+    degrees_of_freedom: int
+    rests: tuple[Rest, ...]
+    notes: tuple[str, ...]
+    reference: Reference
+
+    def __iter__(self) -> Iterator[Rest]:
+        return iter(self.rests)
+
+    def __len__(self) -> int:
+        return len(self.rests)
+
+    def __getitem__(self, k: int) -> Rest:
+        return self.rests[k]
+
+    def unit(self, measure: str) -> str:
+        """The SI unit of a named measure; rad for angles and other pure numbers."""
+        return unit_of(self.system.measures[measure])
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of `freebody equilibrium`: title, degrees_of_freedom, notes, and `equilibria`, each with
+        measures {name: {value, unit}}, poses {body: [x, y, angle]}, stability, eigenvalue (a number, or [re, im]),
+        eigenvalue_of, direction, neutral, reactions {row: number or null}, non_unique [row], residual, notes."""
+        return {
+            "title": self.system.title,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "notes": list(self.notes),
+            "equilibria": [
+                {
+                    "measures": {n: {"value": x, "unit": self.unit(n)} for n, x in rest.measures.items()},
+                    "poses": {body: list(pose) for body, pose in rest.poses.items()},
+                    "stability": rest.stability,
+                    "eigenvalue": None if rest.eigenvalue is None else plain_number(rest.eigenvalue),
+                    "eigenvalue_of": rest.eigenvalue_of,
+                    "direction": rest.direction,
+                    "neutral": list(rest.neutral),
+                    "reactions": dict(rest.reactions),
+                    "non_unique": list(rest.non_unique),
+                    "residual": rest.residual,
+                    "notes": list(rest.notes),
+                }
+                for rest in self.rests
+            ],
+        }
+
+
+def unit_of(measure: Measure) -> str:
+    """The SI unit of a measure."""
+    return "rad" if measure.dimension == DIMENSIONLESS else str(measure.dimension)
+
+
+def plain_number(x: complex) -> float | list[float]:
+    """A real number as such, a complex one as [re, im]."""
+    return x.real if x.imag == 0.0 else [x.real, x.imag]
+
+
+def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
+    """The equilibria of a system; with guesses (values of named measures, as numbers in SI or as text such as
+    "20 deg") only those to which searches from there lead.
+
+    Without guesses the search starts from the model's start and from tours along its free coordinates: with one degree
+    of freedom that is the whole branch, with more it is a sample. Parameters need values. Drivers are held at t = 0.
+    Raises CannotAnswer where there is none, naming what keeps accelerating."""
+    search = _Search(system)
+    return search.found(guesses)
+
+
+class _Search:
+    """The equilibria of one system."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.reference = Reference(system)
+        self.statics = Statics(self.reference)
+        self.dof = len(self.statics.balance(self.statics.start).residual)
+
+    def found(self, guesses: Sequence[Guess]) -> Equilibria:
+        balances = self._from_guesses(guesses) if guesses else self.statics.rests()
+        if not balances:
+            raise CannotAnswer(self._why_none(bool(guesses)))
+        if not guesses:
+            balances = [nearest_of_family(self.statics, b, self.statics.start) for b in balances]
+            balances.sort(key=lambda b: self.statics.apart(b.pose, self.statics.start))
+        rests = tuple(self._rest(b, self._judged(b)) for b in balances)
+        return Equilibria(self.system, self.dof, rests, tuple(self._notes()), self.reference)
+
+    def _from_guesses(self, guesses: Sequence[Guess]) -> list[Balance]:
+        found: list[Balance] = []
+        for guess in guesses:
+            wanted = [
+                (name, named_measure(self.system, name), self.reference.number(formula(self.system, name, value)))
+                for name, value in guess.items()
+            ]
+            near = self.statics.at_measures(self.statics.start, wanted)
+            rest = self.statics.rest_near(near) or self.statics.lowest_near(near)
+            if rest is not None and all(not self.statics.is_same(rest, other) for other in found):
+                found.append(rest)
+        return found
+
+    # -- stability ----------------------------------------------------------------------------
+    def _stability(self, b: Balance) -> Stability:
+        return stability(SmallMotion(self.reference, self.statics.instant(b.pose)))
+
+    def _judged(self, b: Balance) -> Stability:
+        """The stability, with neutral meant only where rests go on in every direction without stiffness."""
+        s = self._stability(b)
+        family = tuple(x for x in s.soft if goes_on(self.statics, b, x))
+        if s.verdict == "neutral" and len(family) < len(s.soft):
+            return replace(s, verdict="undecided by the linearisation", soft=family)
+        return replace(s, soft=family)
+
+    # -- one rest -----------------------------------------------------------------------------
+    def _rest(self, b: Balance, s: Stability) -> Rest:
+        system, reference = self.system, self.reference
+        g = self.statics.geometry(b.pose)
+        values: dict[str, float] = {}
+        for name, measure in system.measures.items():
+            try:
+                values[name] = _turned(reference.jet(g, measure, name).value, measure)
+            except CannotAnswer:
+                continue  # a line without length has no angle
+        reactions, shared = self._reactions(b)
+        notes = [
+            f"{row.connection} would have to {'push' if row.reaction == 'tension' else 'pull'} there "
+            f"({row.reaction} {reactions[row.name]:.6g} N), so it does not hold this pose"
+            for row in system.held
+            if row.unilateral and (reactions[row.name] or 0.0) < -1e-9 * float(np.abs(b.forces).max(initial=0.0))
+        ]
+        neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
+        if neutral:
+            notes.append(f"one of a family: free to rest anywhere along {', '.join(neutral)}")
+        scale = b.scale or 1.0
+        return Rest(
+            values,
+            {body.name: reference.pose(b.pose.q, body.name) for body in system.moving},
+            s.verdict,
+            s.eigenvalue,
+            s.of,
+            "" if s.motion is None else self._named_direction(b, s.motion),
+            neutral,
+            reactions,
+            shared,
+            b.error / scale,
+            tuple(notes),
+            b.pose,
+        )
+
+    def _reactions(self, b: Balance) -> tuple[dict[str, float | None], tuple[str, ...]]:
+        """Reactions by row, and the names of those that the loads do not determine."""
+        empty = b.split.left_null
+        found: dict[str, float | None] = {}
+        for k, row in enumerate(self.system.held):
+            is_unique = float(np.linalg.norm(empty[k])) <= UNIQUE
+            found[row.name] = row.sign * float(b.multipliers[k]) + 0.0 if is_unique else None
+        return found, tuple(name for name, value in found.items() if value is None)
+
+    def _named_direction(self, b: Balance, motion: Array) -> str:
+        """The measure, else the body, that a motion moves most."""
+        return moved_most(self.reference, self.statics.geometry(b.pose).of, motion)
+
+    # -- what to say --------------------------------------------------------------------------
+    def _notes(self) -> Iterator[str]:
+        if self.dof == 0:
+            yield "nothing can move (0 degrees of freedom): this is the one pose, with its reactions"
+        for row in self.system.held:
+            if row.target is not None and TIME in free_symbols(row.target):
+                yield f"{row.connection} is held at its value at t = 0"
+        for push in self.system.pushes:
+            if TIME in free_symbols(push.law):
+                yield f"{push.load} has its value at t = 0"
+
+    def _why_none(self, guessed: bool) -> str:
+        """What keeps accelerating, from the start at rest."""
+        start = self.statics.start
+        s = self.reference.snapshot(start.q, self.reference.velocities(start.q, with_start=False))
+        try:
+            a = s.accelerations
+        except CannotAnswer as error:
+            return f"no equilibrium was found; at the start {error}"
+        name = moved_most(self.reference, self.statics.geometry(start).of, a)
+        measure = self.system.measures.get(name)
+        amount = ""
+        if measure is not None:
+            unit = {"m": "m/s^2", "rad": "rad/s^2"}.get(unit_of(measure), f"{unit_of(measure)}/s^2")
+            amount = f" (at {s.acceleration(measure):.6g} {unit} from rest at the start)"
+        if guessed:
+            return f"no guess leads to an equilibrium; {name} keeps accelerating{amount}. Guess other values"
+        where = "on the branch of the start" if self.dof == 1 else "in reach of the start"
+        return (
+            f"there is no equilibrium {where}: {name} keeps accelerating{amount}. Guess a pose if there should be one"
+        )
+
+
+def moved_most(reference: Reference, jet_of: Any, motion: Array) -> str:
+    """The named measure with the largest part in a motion, by the size of the system; else the body."""
+    best, most = "", 1e-6 * float(reference.sizes.relative(motion).max(initial=0.0))
+    for name, measure in reference.system.measures.items():
+        try:
+            part = abs(float(jet_of(measure).row(len(motion)) @ motion))
+        except (CannotAnswer, ArithmeticError, ValueError):
+            continue
+        if unit_of(measure) == "m":
+            part /= reference.sizes.length
+        if part > most * (1.0 + 1e-9):
+            best, most = name, part
+    return best or reference.most_moved(motion)
+
+
+def _turned(value: float, measure: Measure) -> float:
+    """The angle of a line a half turn to the right as one to the left."""
+    if isinstance(measure, Bearing) and abs(value + math.pi) < _TURNED:
+        return math.pi
+    return value + 0.0

@@ -1,0 +1,42 @@
+"""What a user says of named measures: values at an instant, or functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from freebody.errors import InputError
+from freebody.language.expression import Expr
+from freebody.language.units import TIME
+from freebody.measures.base import Measure
+from freebody.model.names import Names, did_you_mean
+from freebody.system.system import System
+
+
+def named_measure(system: System, name: str) -> Measure:
+    """Raises InputError if there is no such measure."""
+    if name not in system.measures:
+        raise InputError(f"there is no measure {name}.{did_you_mean(name, system.measures)}")
+    return system.measures[name]
+
+
+def formula(system: System, name: str, value: str | float, *, in_time: bool = False) -> Expr:
+    """An expression in the parameters (and time `t`), or a number with a unit, of a measure's dimension. Raises
+    InputError saying what is wrong with it."""
+    names = Names()
+    names.parameters = dict(system.parameters)
+    dimension = named_measure(system, name).dimension
+    found = names.formula(value, dimension, name, extra={"t": TIME} if in_time else None)
+    if names.problems:
+        raise InputError("\n".join(problem.text(None) for problem in names.problems))
+    return found
+
+
+def guess_of(text: str) -> Mapping[str, str]:
+    """`theta = 20 deg, x = 0.1 m` as values by name. Raises InputError if it cannot be read."""
+    found: dict[str, str] = {}
+    for part in text.split(","):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals or not name or not value:
+            raise InputError(f"a guess is written as name=value, e.g. theta=20 deg; found '{part.strip()}'")
+        found[name] = value
+    return found

@@ -1,0 +1,343 @@
+"""Small motions of a system: natural frequencies, damping, mode shapes, and its linear state-space model.
+
+About an equilibrium the equations of motion are M z'' + C z' + K z = 0 in independent coordinates z, the disturbances
+of named measures (see `numeric.small_motion` for how they are found, `numeric.vibration` for what follows). About the
+start state they hold for its instant: a state that is steady in the named measures, as on a rotor at constant rate,
+has constant coefficients, and its modes are those about this relative equilibrium. SI units, angles in rad.
+Source: Meirovitch, Methods of Analytical Dynamics, 1970, ch. 5 and 6.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.errors import CannotAnswer, InputError
+from freebody.language.expression import free_symbols
+from freebody.model.names import did_you_mean
+from freebody.numeric.directional import derivative
+from freebody.numeric.instant import forces
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.numeric.small_motion import Instant, SmallMotion
+from freebody.numeric.vibration import NaturalMotion, natural_motions
+from freebody.study.equilibrium import Guess, Rest, equilibria, moved_most, plain_number
+from freebody.study.given import named_measure
+from freebody.system.system import System
+
+At = Literal["equilibrium", "start"]
+_NOTHING = 1e-12  # of the largest part: parts of a shape that are rounding
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One natural motion, z = shape e^(s t).
+
+    kind: "oscillation", "rigid" (no frequency: it stays or drifts), "creeping" (one real rate of decay; an
+    overdamped pair has two of these) or "growing"; rate: s [1/s]; shape: parts of the named measures, the largest of
+    them 1 [SI, for rates of measures alike]; bodies: motion of every body (x, y, angle), the largest part 1. Parts are
+    complex where they do not move in phase."""
+
+    kind: str
+    rate: complex
+    shape: Mapping[str, complex]
+    bodies: Mapping[str, tuple[complex, complex, complex]]
+
+    @property
+    def frequency(self) -> float | None:
+        """Natural (undamped) angular frequency |s| [rad/s]; 0 for a rigid mode, None where nothing oscillates."""
+        if self.kind == "rigid":
+            return 0.0
+        return abs(self.rate) if self.rate.imag else None
+
+    @property
+    def frequency_hz(self) -> float | None:
+        """The same in Hz."""
+        return None if self.frequency is None else self.frequency / math.tau
+
+    @property
+    def damped_frequency(self) -> float | None:
+        """|Im s| [rad/s], at which a damped mode swings."""
+        return None if self.frequency is None else abs(self.rate.imag)
+
+    @property
+    def damping_ratio(self) -> float | None:
+        """zeta = -Re s/|s|; None where nothing oscillates."""
+        return -self.rate.real / abs(self.rate) + 0.0 if self.rate.imag else None
+
+    @property
+    def growth_rate(self) -> float:
+        """Re s [1/s]: negative where the mode dies away."""
+        return self.rate.real
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "kind": self.kind,
+            "frequency": self.frequency,
+            "frequency_hz": self.frequency_hz,
+            "damped_frequency": self.damped_frequency,
+            "damping_ratio": self.damping_ratio,
+            "growth_rate": self.growth_rate,
+            "shape": {name: plain_number(x) for name, x in self.shape.items()},
+            "bodies": {name: [plain_number(x) for x in motion] for name, motion in self.bodies.items()},
+        }
+
+
+@dataclass(frozen=True)
+class Modes:
+    """The natural motions about one state, slowest first.
+
+    about: "equilibrium" or "start"; measures: values of the named measures there; coordinates: names of z; mass,
+    damping, stiffness: M, C, K (n x n) of M z'' + C z' + K z = 0."""
+
+    system: System
+    about: At
+    measures: Mapping[str, float]
+    stability: str
+    modes: tuple[Mode, ...]
+    notes: tuple[str, ...]
+    small: SmallMotion
+
+    def __iter__(self) -> Iterator[Mode]:
+        return iter(self.modes)
+
+    def __len__(self) -> int:
+        return len(self.modes)
+
+    def __getitem__(self, k: int) -> Mode:
+        return self.modes[k]
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        return tuple(c.name for c in self.small.positions)
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the states x of the state-space model."""
+        return (*self.coordinates, *(f"rate({c.name})" for c in self.small.speeds))
+
+    @property
+    def mass(self) -> Array:
+        return self.small.M
+
+    @property
+    def damping(self) -> Array:
+        return self.small.C
+
+    @property
+    def stiffness(self) -> Array:
+        return self.small.K
+
+    def state_space(self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()) -> tuple[Array, Array, Array, Array]:
+        """(A, B, C, D) of x' = A x + B u, y = C x + D u, x the disturbances of `states`, ready for `control.ss`.
+
+        inputs: names of loads or of parameters. The input of a load with a magnitude (force, torque) is what is added
+        to its magnitude [N, N m]; that of another load what is added to a factor 1 before its law; that of a
+        parameter what is added to its value. outputs: named measures, `rate(x)` or `rate(rate(x))`; without any,
+        all named measures. Raises InputError for an unknown name, CannotAnswer for a parameter that does more than
+        change loads."""
+        small, k = self.small, len(self.small.positions)
+        A = small.A
+        columns = [small.input(_push_of(small, name)) for name in inputs]
+        B = np.array(columns, dtype=np.float64).reshape(len(columns), small.order).T
+        rows: list[Array] = []
+        through: list[Array] = []
+        for text in outputs or tuple(self.system.measures):
+            name, order = _output(text)
+            row, gain = small.output(named_measure(self.system, name), order)
+            rows.append(row)
+            through.append(gain @ B[k:])
+        C = np.array(rows, dtype=np.float64).reshape(len(rows), small.order)
+        return A, B, C, np.array(through, dtype=np.float64).reshape(len(rows), len(columns))
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of `freebody modes`: title, about, measures {name: value}, stability, coordinates, states,
+        mass_matrix, damping_matrix, stiffness_matrix, state_matrix, notes, and `modes`, each with kind, frequency
+        [rad/s], frequency_hz, damped_frequency, damping_ratio, growth_rate [1/s], shape {measure: number or
+        [re, im]} and bodies {body: [x, y, angle]}; null where a mode has no such number."""
+        return {
+            "title": self.system.title,
+            "about": self.about,
+            "measures": dict(self.measures),
+            "stability": self.stability,
+            "coordinates": list(self.coordinates),
+            "states": list(self.states),
+            "mass_matrix": self.mass.tolist(),
+            "damping_matrix": self.damping.tolist(),
+            "stiffness_matrix": self.stiffness.tolist(),
+            "state_matrix": self.small.A.tolist(),
+            "notes": list(self.notes),
+            "modes": [mode.to_plain() for mode in self.modes],
+        }
+
+
+def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) -> Modes:
+    """The small motions of a system about an equilibrium: the one nearest to the model's start, or the one to which
+    a guess (values of named measures) leads; or, with at="start", about the start state.
+
+    Parameters need values. Raises CannotAnswer where there is no equilibrium, where loads are not smooth, or where a
+    body moves without inertia."""
+    if at == "start":
+        if guess:
+            raise InputError("a guess leads to an equilibrium; about the start there is nothing to guess")
+        return _about_start(system)
+    found = equilibria(system, () if guess is None else (guess,))
+    rest = found[0]
+    small = SmallMotion(found.reference, Instant(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True))
+    notes = [*found.notes, *rest.notes, *_others(found.rests)]
+    return Modes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
+
+
+def _others(rests: Sequence[Rest]) -> Iterator[str]:
+    if len(rests) > 1:
+        yield f"the nearest of {len(rests)} equilibria; guess another one to see its modes"
+
+
+def _about_start(system: System) -> Modes:
+    reference = Reference(system)
+    q = reference.assemble()
+    s = reference.snapshot(q, reference.velocities(q))
+    small = SmallMotion(reference, Instant(q, s.v, 0.0, s.branches, frozen=False))
+    notes: list[str] = []
+    measures: dict[str, float] = {}
+    for name, measure in system.measures.items():
+        try:
+            measures[name] = s.value(measure)
+        except CannotAnswer:
+            continue
+    unsteady = [c for c in small.positions if c.measure is not None and not _is_steady(small, s, c.measure)]
+    if unsteady:
+        names = ", ".join(c.name for c in unsteady)
+        notes.append(
+            f"the start is no steady state of {names}: the equations hold for its first instant only, and its modes "
+            "are those of coefficients that stay as they are then"
+        )
+    return Modes(system, "start", measures, "", _modes(small), tuple(notes), small)
+
+
+def _is_steady(small: SmallMotion, s: Any, measure: Any) -> bool:
+    """Whether a measure neither moves nor accelerates."""
+    size = small.reference.sizes.length if str(measure.dimension) == "m" else 1.0
+    pace = 1.0 + float(small.reference.sizes.relative(s.v).max(initial=0.0))
+    return abs(s.rate(measure)) <= 1e-9 * size * pace and abs(s.acceleration(measure)) <= 1e-9 * size * pace**2
+
+
+# -- shapes ----------------------------------------------------------------------------------------
+def _modes(small: SmallMotion) -> tuple[Mode, ...]:
+    return tuple(_mode(small, motion) for motion in natural_motions(small))
+
+
+def _mode(small: SmallMotion, found: NaturalMotion) -> Mode:
+    reference, n = small.reference, len(small.at.q)
+    g = small.at.geometry(reference, small.at.q, small.at.v)
+    shape: dict[str, complex] = {}
+    for name, measure in reference.system.measures.items():
+        try:
+            shape[name] = complex(reference.jet(g, measure, name).row(n) @ found.motion)
+        except CannotAnswer:
+            continue
+    bodies: dict[str, tuple[complex, complex, complex]] = {}
+    for body in reference.system.moving:
+        x, y, *angle = (complex(found.motion[k]) for k in reference.columns(body.name))
+        bodies[body.name] = (x, y, angle[0] if angle else 0j)
+    measured = _normalised(np.array(list(shape.values()), dtype=np.complex128))
+    moved = _normalised(np.array(list(bodies.values()), dtype=np.complex128).ravel())
+    triples = ((moved[3 * k], moved[3 * k + 1], moved[3 * k + 2]) for k in range(len(bodies)))
+    return Mode(
+        found.kind, found.rate, dict(zip(shape, measured, strict=True)), dict(zip(bodies, triples, strict=True))
+    )
+
+
+def _normalised(parts: NDArray[np.complex128]) -> list[complex]:
+    """Parts by the largest one (the first of those), rounding taken off."""
+    sizes = np.abs(parts)
+    largest = float(sizes.max(initial=0.0))
+    if largest == 0.0:
+        return [0j] * len(parts)
+    by = complex(parts[int(np.argmax(sizes >= (1.0 - 1e-9) * largest))])
+    found: list[complex] = []
+    for part in parts.tolist():
+        x = part / by
+        re, im = (0.0 if abs(c) <= _NOTHING else c for c in (x.real, x.imag))
+        found.append(complex(re, im))
+    return found
+
+
+# -- inputs and outputs ----------------------------------------------------------------------------
+def _output(text: str) -> tuple[str, int]:
+    """The measure in `x`, `rate(x)` or `rate(rate(x))`, and how many rates."""
+    name, order = text.strip(), 0
+    while name.startswith("rate(") and name.endswith(")"):
+        name, order = name[5:-1].strip(), order + 1
+    if order > 2:
+        raise InputError(f"{text}: outputs are measures, their rates and accelerations")
+    return name, order
+
+
+def _push_of(small: SmallMotion, name: str) -> Array:
+    """The generalized force on the absolute coordinates of a unit of an input."""
+    system = small.reference.system
+    if name in system.loads:
+        return _push_of_load(small, name)
+    if name in system.parameters:
+        return _push_of_parameter(small, name)
+    known = [*system.loads, *system.parameters]
+    raise InputError(f"there is no load or parameter {name} to be an input.{did_you_mean(name, known)}")
+
+
+def _push_of_load(small: SmallMotion, name: str) -> Array:
+    from freebody.numeric.instant import law
+
+    reference, n = small.reference, len(small.at.q)
+    g = small.at.geometry(reference, small.at.q, small.at.v)
+    has_magnitude = "magnitude" in type(reference.system.loads[name]).model_fields
+    total = np.zeros(n)
+    for push in reference.system.pushes:
+        if push.load == name:
+            size = 1.0 if has_magnitude else law(reference, g, push)
+            total = total + size * reference.jet(g, push.measure, push.name).row(n)
+    return total
+
+
+def _push_of_parameter(small: SmallMotion, name: str) -> Array:
+    """d Q/d parameter, everything that moves kept. Raises CannotAnswer if the parameter is in the connections or, about
+    a moving state, in the masses."""
+    reference, at, n = small.reference, small.at, len(small.at.q)
+    value = reference.frame.values[name]
+    unit = abs(value) or 1.0
+
+    def with_value(x: float) -> Reference:
+        other = copy(reference)
+        other.frame = replace(reference.frame, values={**reference.frame.values, name: x}, _constants={})
+        return other
+
+    def held(s: float) -> Array:
+        other = with_value(value + s * unit)
+        g = at.geometry(other, at.q, at.v)
+        gaps = [other.gap(row, g) for row in other.system.held]
+        return np.concatenate([[gap.value, gap.rate, *gap.row(n)] for gap in gaps]) if gaps else np.zeros(1)
+
+    if np.abs(held(1e-3) - held(0.0)).max() > 1e-12:
+        raise CannotAnswer(f"{name} changes the connections and not only loads, so it is no input; name a load")
+    masses = [x for body in reference.system.moving for x in (body.mass, body.inertia)]
+    if not at.frozen and any(name in free_symbols(x) for x in masses):
+        raise CannotAnswer(f"{name} changes masses, which about a moving state is more than a load; name a load")
+
+    def pushed(s: float) -> Array:
+        other = with_value(value + s * unit)
+        return forces(other, at.geometry(other, at.q, at.v))
+
+    scale = np.full(n, float(np.abs(forces(reference, at.geometry(reference, at.q, at.v))).max(initial=0.0)))
+    found = derivative(pushed, scale) / unit
+    if not np.abs(found).max(initial=0.0) > 0.0:
+        raise CannotAnswer(f"{name} is in no load here, so it is no input")
+    return found
+
+
+__all__ = ["Mode", "Modes", "modes", "moved_most"]
