@@ -1,4 +1,4 @@
-"""The compiled engine against the reference route: the same statements, evaluated in two ways that share nothing else."""
+"""The compiled engine against the reference route: the same statements, evaluated in two ways."""
 
 from __future__ import annotations
 
@@ -99,7 +99,8 @@ MEASURES = {
 @pytest.mark.parametrize("name", MEASURES)
 def test_a_kernel_gives_value_rate_and_second_derivative_of_its_measure(name: str) -> None:
     system = fb.System.from_text(
-        "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {rod: {mass: 2 kg, length: 1 m}}, c: {disk: {mass: 1 kg, radius: 1 m}}}"
+        "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {rod: {mass: 2 kg, length: 1 m}}, "
+        "c: {disk: {mass: 1 kg, radius: 1 m}}}"
     )
     measure = MEASURES[name]
     reference = Reference(system)
@@ -177,7 +178,10 @@ def test_a_tape_follows_an_expression_and_its_derivatives(text: str) -> None:
 
 
 def test_an_expression_of_ten_operations_costs_less_than_200_ns() -> None:
-    torque = "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of w}\nparameters: {T0: 1 N m, w0: 2 1/s, k: 3 N m}\n"
+    torque = (
+        "bodies: {w: {disk: {mass: 1 kg, radius: 1 m}}}\nmeasures: {phi: angle of w}\n"
+        "parameters: {T0: 1 N m, w0: 2 1/s, k: 3 N m}\n"
+    )
     plain = fb.Simulator(fb.System.from_text(torque + "loads: {m: {torque: {on: w, magnitude: 1 N m}}}"))
     loaded = fb.Simulator(
         fb.System.from_text(torque + "loads: {m: {torque: {on: w, magnitude: T0*sin(w0*t) - k*phi^3/(1 + phi^2)}}}")

@@ -35,10 +35,14 @@ def solve(
     ] = None,
 ) -> None:
     """Answer the questions of a model in closed form."""
+    from freebody.present.simulation import told_compiling
     from freebody.study.solve import solve as solve_system
     from freebody.system.system import System
 
-    solution = solve_system(System.load(file), question)
+    system = System.load(file)
+    with told_compiling():
+        import freebody.study.witness  # noqa: F401  (what every answer is checked with)
+    solution = solve_system(system, question)
     if as_json:
         _print_json(solution.to_plain())
     else:
@@ -181,7 +185,7 @@ def _seconds(text: str, option: str) -> float:
         quantity = parse_quantity(text)
     except InputError as error:
         raise InputError(f"{option} {text}: {error}") from error
-    if quantity is None or quantity.dimension != TIME:
+    if quantity.dimension != TIME:
         raise InputError(f"{option} {text} is no time; write 10 or 200 ms")
     return float(quantity.value)
 

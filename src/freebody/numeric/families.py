@@ -82,6 +82,7 @@ def nearest_of_family(statics: Statics, rest: Balance, pose: Pose) -> Balance:
         return rest
     there = statics.moved(rest.pose, step)
     near = None if there is None else statics.rest_near(there)
-    if near is None or statics.apart(near.pose, pose) >= statics.apart(rest.pose, pose):
+    if near is None:
         return rest
-    return near
+    before, after = (float(np.linalg.norm(statics.difference(b.pose, pose) / D)) for b in (rest, near))
+    return near if after < before else rest

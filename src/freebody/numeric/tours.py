@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -78,7 +78,7 @@ class _Way:
             if there is None:
                 return
             step = float(sizes.relative(there.pose.q - here.pose.q).max())
-            if i > 2 and self._statics.apart(there.pose, self._first.pose) < 0.6 * step:
+            if i > 2 and self._is_back(there, step):
                 self.has_closed = True
                 yield _Stop(there, float(there.forces @ heading))
                 return
@@ -90,6 +90,15 @@ class _Way:
             if float((heading / D) @ (carried / D)) < 0.0:
                 heading = carried
             here = there
+
+    def _is_back(self, there: Balance, step: float) -> bool:
+        """Whether a pose is about the first one again, and the loads do not count the turns on the way."""
+        statics, first = self._statics, self._first
+        if statics.apart(there.pose, first.pose) >= 0.6 * step:
+            return False
+        turned = there.pose.q - statics.difference(there.pose, first.pose)
+        again = statics.try_balance(replace(there.pose, q=turned))
+        return again is not None and statics.is_same(again, first)
 
     def _next(self, here: Balance, step: Array) -> Balance | None:
         for part in (1.0, 0.3, 0.1):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -53,7 +53,7 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
 
 
 @contextmanager
-def progress_bar(until: float) -> Iterator[Progress]:
+def progress_bar(until: float) -> Generator[Progress]:
     """Shows simulated time and rate on the error stream if a run takes longer than `PATIENCE`."""
     import time
 
@@ -90,7 +90,7 @@ def progress_bar(until: float) -> Iterator[Progress]:
 
 
 @contextmanager
-def told_compiling() -> Iterator[None]:
+def told_compiling() -> Generator[None]:
     """Says that kernels are compiled when that is done for the first time."""
     from rich.console import Console
 

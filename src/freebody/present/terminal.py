@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, Number
 from freebody.language.notation import to_pretty, to_text
-from freebody.study.answer import Answer
-from freebody.study.eom import Equations
-from freebody.study.solve import Solution
 from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.study.answer import Answer
+    from freebody.study.eom import Equations
+    from freebody.study.solve import Solution
 
 _RULE = "─"
 

@@ -4,7 +4,7 @@
     body_position (time, body, axis)           of mass centres, ground components [m]; body_velocity, body_acceleration
     body_angle (time, body)                    [rad]; body_angular_velocity, body_angular_acceleration
     <measure>, <measure>_rate, <measure>_acceleration      every named measure
-    <connection>.<component>                   every reaction, positive as it is named (a tension pulls, a contact pushes)
+    <connection>.<component>                   every reaction, positive as it is named (a tension pulls)
     <load>.force                               every load that acts along one measure (springs and dampers: pulling)
     kinetic_energy, potential_energy, work     [J]
 

@@ -76,7 +76,7 @@ def stored_law(simulator: Simulator, push: Push) -> tuple[float, float] | None:
     if isinstance(push.measure, RateMeasure):
         return None
     law, known = push.law, simulator.numbers.values.keys() | {"pi"}
-    if free_symbols(law) - known - {VALUE.name, RATE.name} or not differentiate(law, RATE.name) == ZERO:
+    if free_symbols(law) - known - {VALUE.name, RATE.name} or differentiate(law, RATE.name) != ZERO:
         return None
     slope = differentiate(law, VALUE.name)
     if free_symbols(slope) & {VALUE.name, RATE.name}:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -32,17 +32,17 @@ def check_path(path: Path, suffixes: tuple[str, ...]) -> None:
     except OSError as error:
         raise InputError(f"{path}: cannot be written ({error.strerror})") from error
     if path.suffix == ".parquet":
-        try:
-            import pyarrow  # type: ignore[import-not-found]  # noqa: F401
-        except ImportError:
-            raise InputError(f'{path}: Parquet needs pyarrow; pip install "freebody[parquet]"') from None
+        from importlib.util import find_spec
+
+        if find_spec("pyarrow") is None:
+            raise InputError(f'{path}: Parquet needs pyarrow; pip install "freebody[parquet]"')
 
 
 def write(dataset: xarray.Dataset, path: Path) -> None:
     """Writes a dataset as NetCDF (.nc), or as a table with a column for each series (.csv, .parquet)."""
     check_path(path, SUFFIXES)
     if path.suffix == ".nc":
-        plain = dataset.assign_attrs(measures=" ".join(dataset.attrs["measures"]))
+        plain: Any = dataset.assign_attrs(measures=" ".join(dataset.attrs["measures"]))
         plain.to_netcdf(path, engine="h5netcdf")
         return
     columns = table(dataset)
@@ -52,16 +52,18 @@ def write(dataset: xarray.Dataset, path: Path) -> None:
             path, np.column_stack(list(columns.values())), delimiter=",", header=header, comments="", fmt="%.17g"
         )
         return
-    import pyarrow as pa  # type: ignore[import-not-found]
-    import pyarrow.parquet as pq  # type: ignore[import-not-found]
+    from importlib import import_module
 
-    pq.write_table(pa.table(columns), path)
+    arrow: Any = import_module("pyarrow")
+    parquet: Any = import_module("pyarrow.parquet")
+    parquet.write_table(arrow.table(columns), path)
 
 
 def table(dataset: xarray.Dataset) -> dict[str, Array]:
-    """One column for each series: `crank.x`, `crank.angle_velocity` ... with their units in the name, as `theta [rad]`."""
+    """One column for each series, with its unit in the name: `theta [rad]`, `crank.position.x [m]`."""
     columns: dict[str, Array] = {"time [s]": np.asarray(dataset["time"])}
-    for name, variable in dataset.data_vars.items():
+    variables: Any = dataset.data_vars
+    for name, variable in variables.items():
         unit = variable.attrs.get("units", "")
         if variable.dims == ("time",):
             columns[f"{name} [{unit}]"] = np.asarray(variable)

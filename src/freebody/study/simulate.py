@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, InputError
+from freebody.errors import InputError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Course, Happening, Status
@@ -74,7 +74,7 @@ class Simulator:
         """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
         self.engine.room.near[:] = self._near if near is None else near
         y = (self.start if state is None else state).copy()
-        course = self.engine.run(
+        return self.engine.run(
             y,
             until,
             start=start,
@@ -86,7 +86,6 @@ class Simulator:
             max_seconds=max_seconds,
             progress=progress,
         )
-        return course
 
     def time_accelerations(self, n_calls: int) -> float:
         """Seconds for one evaluation of all accelerations and multipliers, within the compiled loop."""
@@ -146,7 +145,8 @@ class Simulation:
         """The motion from here on to a later time; the same arguments as `simulate`."""
         if not until > self.t_end:
             raise InputError(f"the motion is at t = {self.t_end:.6g} s already; continue to a later time")
-        return simulate(self.system, until, from_result=self, **{"tolerance": self.tolerance, **options})
+        options.setdefault("tolerance", self.tolerance)
+        return simulate(self.system, until, from_result=self, **options)
 
     def summary(self) -> dict[str, Any]:
         """The document that `freebody simulate --json` prints."""
@@ -178,7 +178,7 @@ class Simulation:
         """A figure of the named measures (all of them without names); saved if a path is given."""
         from freebody.present.plots import plot, save
 
-        figure = plot(self.dataset, names, events=[(e.time, e.name) for e in self.events], dark=dark)
+        figure = plot(self.dataset, names, events=[(e.name, e.time) for e in self.events], dark=dark)
         if path is not None:
             save(figure, Path(path))
         return figure
@@ -211,10 +211,10 @@ def simulate(
 ) -> Simulation:
     """The motion of a system from its start to the time `until` [s].
 
-    tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of order 8,
-    an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control [s]. values:
-    of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of the whole if
-    nothing is said. verify: a second run, a hundred times as exact, tells from when on they part.
+    tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of
+    order 8, an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control
+    [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
+    the whole if nothing is said. verify: a second run, a hundred times as exact, tells from when on they part.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
@@ -224,12 +224,12 @@ def simulate(
     start = 0.0 if from_result is None else from_result.t_end
     state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
     if simulator.degrees_of_freedom == 0 and not _is_driven(system):
-        until_reached, message = 0.0, "no motion: 0 degrees of freedom; the reactions at rest are given"
+        message = "no motion: 0 degrees of freedom; the reactions at rest are given"
         course = simulator.run(1e-9, tolerance=tolerance, outputs=np.array([0.0]))
         course = replace(_first_instant(course), message=message)
         return Simulation(system, simulator, course, tolerance)
     span = until - start
-    n = N_OUTPUTS if every is None else max(2, int(round(span / every)) + 1)
+    n = N_OUTPUTS if every is None else max(2, round(span / every) + 1)
     outputs = (
         np.linspace(start, until, n) if every is None else np.unique(np.append(start + every * np.arange(n), until))
     )
@@ -273,8 +273,6 @@ def _is_driven(system: System) -> bool:
 
 def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
     """Events in words. Raises ModelError if one cannot be read."""
-    from freebody.measures.geometry import GROUND  # noqa: F401
-
     found: list[Watch] = []
     for text in events:
         stops = text.strip().lower().startswith("stop when")
@@ -328,6 +326,3 @@ def _trusted_until(simulator: Simulator, course: Course, finer: Course) -> float
     gaps = (np.abs(course.poses[first] - finer.poses[second]) / unit).max(axis=(1, 2))
     parted = np.flatnonzero(gaps > PARTED)
     return float(times[parted[0]] if len(parted) else times[-1])
-
-
-__all__ = ["METHODS", "CannotAnswer", "Simulation", "Simulator", "simulate"]

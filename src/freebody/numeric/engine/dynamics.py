@@ -4,11 +4,11 @@ With J the gradients of the held rows, M the masses and Q the generalized forces
 
     M a = Q + J^T lambda,    J a = target'' - bias        =>        (J M^-1 J^T) lambda = target'' - bias - J M^-1 Q.
 
-The Schur complement J M^-1 J^T is positive semidefinite and as sparse as the mechanism; it is factored into L D L^T in
-an order found once. A row whose pivot vanishes says what rows before it said (a redundant connection): it is left out, its
-multiplier is zero. A pivot that nearly vanishes belongs to a pose near a singular one: there 1e-10 of the diagonal is
-added and the solution refined (proximal point iteration). A body without mass is given a little, which the same iteration
-takes back.
+The Schur complement J M^-1 J^T is positive semidefinite and as sparse as the mechanism; it is factored into L D L^T
+in an order found once. A row whose pivot vanishes says what rows before it said (a redundant connection): it is left
+out, its multiplier is zero. A pivot that nearly vanishes belongs to a pose near a singular one: there 1e-10 of the
+diagonal is added and the solution refined (proximal point iteration). A body without mass is given a little, which the
+same iteration takes back.
 Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 8; Rockafellar, SIAM J. Control Optim.
 14 (1976) 877; Davis, Direct Methods for Sparse Linear Systems, 2006, ch. 4.
 """

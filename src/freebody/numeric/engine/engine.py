@@ -186,7 +186,8 @@ class Engine(Packed):
         return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
 
     def jacobian(self) -> Floats:
-        """(n_held, n_bodies + 1, 3) gradients of the held rows at the instant looked at last, in the order of the model."""
+        """(n_held, n_bodies + 1, 3) gradients of the held rows, in the order of the model, at the instant looked at
+        last."""
         J = np.zeros((len(self.order), self.n_bodies + 1, 3))
         ptr, slots, gradient = self.layout.held_ptr, self.layout.held_slots, self.room.gradient
         for k, r in enumerate(self.place_of):
@@ -198,10 +199,10 @@ class Engine(Packed):
         """(n_held,) True for multipliers that are not unique at the instant looked at last."""
         J = self.jacobian()
         n = len(J)
-        A = (J * np.sqrt(self.layout.inverse_mass)).reshape(n, -1)
-        sizes = np.linalg.norm(A, axis=1)
-        A = A / np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)[:, None]
-        U, singular, _ = np.linalg.svd(A, full_matrices=True)
+        weighted = (J * np.sqrt(self.layout.inverse_mass)).reshape(n, -1)
+        sizes = np.linalg.norm(weighted, axis=1)
+        scaled = weighted / np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)[:, None]
+        U, singular, _ = np.linalg.svd(scaled, full_matrices=True)
         rank = int(np.count_nonzero(singular > 1e-8 * singular.max(initial=0.0)))
         return np.linalg.norm(U[:, rank:], axis=1) > 1e-6
 

@@ -1,20 +1,23 @@
 """Events: where something watched is zero, found on the dense output of a step and mended by a step of its own.
 
-The last step is looked at in `N_PARTS` parts. Between points of unlike sign there is a crossing, found by bisection and
-secants (Brent); where the absolute value has its least between points of like sign there may be a touch, which counts if
-it comes within round-off of zero. The state at an event is then computed by a step that ends there, and its time improved
-by Newton's method, so that it is as exact as any step. Defined behaviour: something that is zero at the start is an event of
-kind "start" there, and no crossing until it has been different from zero; something that is zero throughout a step is said
-once ("zero"); events at one instant are listed in the order of the watches; a terminal event ends the motion at its time,
-and later ones are not reported.
+The last step is looked at in `N_PARTS` parts. Between points of unlike sign there is a crossing, found by bisection
+and secants (Brent); where the absolute value has its least between points of like sign there may be a touch, which
+counts if it comes within round-off of zero. The state at an event is then computed by a step that ends there, and its
+time improved by Newton's method, so that it is as exact as any step.
+
+Defined behaviour: something that is zero at the start is an event of kind "start" there, and no crossing until it has
+been different from zero; something that is zero throughout a step is said once ("zero"); events at one instant are
+listed in the order of the watches; a terminal event ends the motion at its time, and later ones are not reported.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+import scipy.optimize
 
 from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Happening
@@ -23,6 +26,7 @@ from freebody.numeric.engine.layout import Floats
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Motion, Watch
 
+_optimize: Any = scipy.optimize
 N_PARTS = 4
 ZERO = 1e-12  # by the size of what is watched
 TOUCH = 1e-9
@@ -37,6 +41,9 @@ def found_in_step(motion: Motion) -> bool:
     def values(s: float) -> list[float]:
         return motion.values_at(s, y, t0 + s * h)
 
+    def one(k: int, s: float) -> float:
+        return values(s)[k]
+
     parts = [k / N_PARTS for k in range(N_PARTS + 1)]
     table = np.array([motion.values_before, *(values(s) for s in parts[1:])])
     motion.values_before = table[-1].tolist()
@@ -46,7 +53,7 @@ def found_in_step(motion: Motion) -> bool:
         if np.abs(column).max() <= ZERO * watch.size:
             motion.say_zero(watch, t0)
             continue
-        for s, kind in _zeros(column, parts, lambda s, k=k: values(s)[k], watch):
+        for s, kind in _zeros(column, parts, partial(one, k), watch):
             if watch.direction == 0 or (kind == "rising") == (watch.direction > 0) or kind == "touch":
                 found.append((s, k, kind))
     found.sort(key=lambda item: (item[0], item[1]))
@@ -60,7 +67,9 @@ def found_in_step(motion: Motion) -> bool:
     return False
 
 
-def _zeros(column: Floats, parts: list[float], value, watch: Watch) -> list[tuple[float, str]]:  # type: ignore[no-untyped-def]
+def _zeros(
+    column: Floats, parts: list[float], value: Callable[[float], float], watch: Watch
+) -> list[tuple[float, str]]:
     """Where one watch is zero along the step, and how."""
     zero = ZERO * watch.size
     found: list[tuple[float, str]] = []
@@ -76,7 +85,7 @@ def _zeros(column: Floats, parts: list[float], value, watch: Watch) -> list[tupl
             elif watch.measure is not None:
                 found.append((parts[i + 1], "touch"))
         elif a * b < 0.0:
-            found.append((float(brentq(value, parts[i], parts[i + 1], xtol=1e-15, rtol=1e-14)), kind))
+            found.append((_root(value, parts[i], parts[i + 1]), kind))
     if found or watch.measure is None:
         return found
     # no crossing between the points: the least value may touch zero, or cross it twice
@@ -85,19 +94,25 @@ def _zeros(column: Floats, parts: list[float], value, watch: Watch) -> list[tupl
     scale = float(np.abs(column).max())
     if 0 < k < len(parts) - 1 or abs(column[k]) < 0.2 * scale:
         side = 1.0 if column[k] > 0.0 else -1.0
-        least = minimize_scalar(
-            lambda s: side * value(s), bounds=(low, high), method="bounded", options={"xatol": 1e-10}
-        )
+
+        def height(s: float) -> float:
+            return side * value(float(s))
+
+        least = _optimize.minimize_scalar(height, bounds=(low, high), method="bounded", options={"xatol": 1e-10})
         s, x = float(least.x), float(least.fun)
         inside = low + 1e-7 < s < high - 1e-7
         if inside and x < -zero:
             kind = "falling" if side > 0.0 else "rising"
             back = "rising" if side > 0.0 else "falling"
-            found.append((float(brentq(value, low, s, xtol=1e-15, rtol=1e-14)), kind))
-            found.append((float(brentq(value, s, high, xtol=1e-15, rtol=1e-14)), back))
+            found.append((_root(value, low, s), kind))
+            found.append((_root(value, s, high), back))
         elif inside and x <= TOUCH * watch.size:
             found.append((s, "touch"))
     return found
+
+
+def _root(value: Callable[[float], float], low: float, high: float) -> float:
+    return float(_optimize.brentq(value, low, high, xtol=1e-15, rtol=1e-14))
 
 
 def _mended(motion: Motion, watch: Watch, k: int, t0: float, h: float) -> tuple[float, Floats | None]:

@@ -38,7 +38,7 @@ class Implicit:
         self._solver = self._new(run.states[stepping.Y], float(run.clock[stepping.NOW]), motion.until, step or None)
 
     def _new(self, y: Floats, t: float, until: float, first: float | None) -> Any:
-        from scipy.integrate import Radau
+        from scipy import integrate
 
         e, clock = self._engine, self._motion.run.clock
         tolerance, n = float(clock[stepping.TOLERANCE]), 3 * (e.n_bodies + 1)
@@ -54,7 +54,8 @@ class Implicit:
         allowed = tolerance * np.concatenate((e.unit, e.unit * speed, [math.inf]))
         if first is not None:
             first = min(first, until - t)
-        return Radau(
+        methods: Any = integrate
+        return methods.Radau(
             rhs,
             t,
             y.copy(),
@@ -63,7 +64,7 @@ class Implicit:
             max_step=float(clock[stepping.LONGEST]),
             rtol=_MIN_RTOL,
             atol=allowed,
-            jac=lambda at, s: self._slopes.at(s, at),
+            jac=self._slopes.at,
         )
 
     def advance(self) -> int:
@@ -140,7 +141,7 @@ class Slopes:
         self._engine = engine
         self._laws = [_derivatives(push) for push in engine.pushes]
 
-    def at(self, y: Floats, t: float) -> Floats:
+    def at(self, t: float, y: Floats) -> Floats:
         """(n_y, n_y)."""
         e = self._engine
         n = 3 * (e.n_bodies + 1)
@@ -148,7 +149,7 @@ class Slopes:
         stepping.visit(e.layout, e.room, idle, -1.0, y, t, base, 1)
         jacobian = np.zeros((e.n_y, e.n_y))
         jacobian[:n, n : 2 * n] = np.eye(n)
-        stiff = self._stiff(y, t)
+        stiff = self._stiff(t)
         laws = self._law_values(t)
         frozen = _frozen(e.layout, laws)
         stepping.visit(frozen, e.room, idle, -1.0, y, t, base, 1)
@@ -172,7 +173,7 @@ class Slopes:
             values.append(float(linear) if tape < 0 else e.tape_value(int(tape), t))
         return values
 
-    def _stiff(self, y: Floats, t: float) -> Floats:
+    def _stiff(self, t: float) -> Floats:
         """(n, n_y) accelerations by the slopes of the laws, at the instant looked at last."""
         e = self._engine
         n = 3 * (e.n_bodies + 1)

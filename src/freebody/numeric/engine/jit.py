@@ -1,8 +1,8 @@
 """How kernels are compiled: once, with explicit signatures, kept on disk; with NUMBA_DISABLE_JIT=1 not at all.
 
-Kernels own no memory and return none, so they are compiled without reference counting: that alone is a third of the
-compile time, and microseconds in every call. What is kept on disk is filed under the digest of all kernel sources, since
-a change in one of them changes every entry that contains it.
+Kernels own no memory and return none, so they are compiled without reference counting: that alone is a third of
+the compile time, and microseconds in every call. What is kept on disk is filed under the digest of all kernel
+sources, since a change in one of them changes every entry that contains it.
 """
 
 from __future__ import annotations
@@ -13,48 +13,49 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import numba
 
-F = TypeVar("F", bound=Callable[..., Any])
+Function = Callable[..., Any]
+_numba: Any = numba
 
 # fused multiply-add is allowed: it is the same on every run on one type of processor
 _OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True, "_nrt": False}
 
 
-def kernel(function: F) -> F:
-    """A function that entries call: compiled with them, and without the wrapper by which Python could call it (that costs
-    compile time); from Python use `plain`."""
-    return numba.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **_OPTIONS)(function)
+def kernel(function: Function) -> Function:
+    """A function that entries call: compiled with them, and without the wrapper by which Python could call it (that
+    costs compile time); from Python use `plain`."""
+    return _numba.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **_OPTIONS)(function)
 
 
-def leaf(function: F) -> F:
+def leaf(function: Function) -> Function:
     """A kernel of a few numbers, which Python can call as well."""
-    return numba.njit(**_OPTIONS)(function)
+    return _numba.njit(**_OPTIONS)(function)
 
 
-def plain(function: F) -> F:
+def plain(function: Function) -> Function:
     """The Python original of a kernel or a part; what it calls must be leaves."""
     return getattr(function, "py_func", function)
 
 
-def part(function: F) -> F:
+def part(function: Function) -> Function:
     """A piece of one kernel, put into it before types are inferred: cheap to compile where it is used once."""
-    return numba.njit(inline="always", **_OPTIONS)(function)
+    return _numba.njit(inline="always", **_OPTIONS)(function)
 
 
-def entry(*arguments: Any) -> Callable[[F], F]:
+def entry(*arguments: Any) -> Callable[[Function], Function]:
     """A function called from Python; its argument types are those of the given examples."""
 
-    def compiled(function: F) -> F:
-        if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+    def compiled(function: Function) -> Function:
+        if _numba.config.DISABLE_JIT:
             return function
-        signature = tuple(numba.typeof(a) for a in arguments)
-        config: Any = numba.config
+        signature = tuple(_numba.typeof(a) for a in arguments)
+        config = _numba.config
         before, config.CACHE_DIR = config.CACHE_DIR, str(_folder())
         try:
-            return numba.njit(signature, cache=True, **_OPTIONS)(function)
+            return _numba.njit(signature, cache=True, **_OPTIONS)(function)
         finally:
             config.CACHE_DIR = before
 
@@ -63,7 +64,7 @@ def entry(*arguments: Any) -> Callable[[F], F]:
 
 def is_compiled() -> bool:
     """True if the kernels have been compiled before (or are not compiled at all)."""
-    return bool(numba.config.DISABLE_JIT) or any(_folder().rglob("*.nbc"))  # type: ignore[attr-defined]
+    return bool(_numba.config.DISABLE_JIT) or any(_folder().rglob("*.nbc"))
 
 
 @cache

@@ -25,7 +25,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Floats2 = NDArray[np.float64]  # two-dimensional
 Ints2 = NDArray[np.int32]
-T = TypeVar("T", bound=NamedTuple)
+T = TypeVar("T")
 
 
 class Layout(NamedTuple):
@@ -156,4 +156,6 @@ def example_of(kind: type[T]) -> T:
         "Ints": np.zeros(1, np.int32),
         "Ints2": np.zeros((1, 1), np.int32),
     }
-    return kind(**{name: empty[annotation.__forward_arg__] for name, annotation in kind.__annotations__.items()})
+    annotations: dict[str, Any] = kind.__annotations__
+    make: Any = kind
+    return make(**{name: empty[annotation.__forward_arg__] for name, annotation in annotations.items()})

@@ -1,13 +1,14 @@
 """Value, gradient and bias of every kind of measure. Written by tools/write_kernels.py; do not edit.
 
-Measures of a kind stand together: those of kind i are kinds[i] <= k < kinds[i + 1]. The gradient of measure k has
-three entries (x, y, angle) for each of its bodies and begins at starts[i] + 3 n_bodies (k - kinds[i]).
+Measures of a kind stand together: those of kind i are kinds[i] <= k < kinds[i + 1]. The gradient of
+measure k has three entries (x, y, angle) for each of its bodies and begins at
+starts[i] + 3 n_bodies (k - kinds[i]).
 """
 
 # pyright: basic
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from freebody.numeric.engine.jit import kernel
 
@@ -391,7 +392,7 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         gradient[o + 5] = -ex_0 * u12 + ey_0 * u11
 
 
-def fill(kinds, starts, numbers, gradient):
+def fill(kinds: Any, starts: Any, numbers: Any, gradient: Any) -> None:
     # Displacement, along fixed: bodies of, origin
     for k in range(kinds[0], kinds[1]):
         p4 = numbers[k, 4]

@@ -1,8 +1,8 @@
 """The order in which rows are eliminated, and where everything stands in the factor.
 
-Rows that hold the same bodies stay together; of these groups the one with the fewest neighbours goes first, by the order
-of the model where several have as few (minimum degree), so that chains, ladders and trees fill in by a constant for each
-body. Source: George & Liu, SIAM Review 31 (1989) 1.
+Rows that hold the same bodies stay together; of these groups the one with the fewest neighbours goes first, by the
+order of the model where several have as few (minimum degree), so that chains, ladders and trees fill in by a constant
+for each body. Source: George & Liu, SIAM Review 31 (1989) 1.
 """
 
 from __future__ import annotations

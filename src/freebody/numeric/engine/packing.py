@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -48,28 +48,28 @@ class _Product:
     terms: list[tuple[tuple[str, int], tuple[str, int]]]
 
 
-@dataclass
+_Key = tuple[tuple[int, ...], tuple[float, ...]]  # bodies and numbers of a measure
+_Where = tuple[str, int]  # "base" or "other", and the place there
+
+
 class Packing:
     """Collects measures, rows, held rows and loads of a system, then makes a `Layout` of them."""
 
-    numbers: Numbers
-    _measures: list[dict[tuple[tuple[int, ...], tuple[float, ...]], int]] = field(
-        default_factory=lambda: [{} for _ in KINDS]
-    )
-    _base: dict[_Base, int] = field(default_factory=dict)
-    _bases: list[_Base] = field(default_factory=list)
-    _other: list[_Composed | _Product] = field(default_factory=list)
-    _by_measure: dict[Any, tuple[str, int]] = field(default_factory=dict)
-    _held: list[tuple[tuple[str, int], Expr | None, Held]] = field(default_factory=list)
-    _watched: list[tuple[str, int]] = field(default_factory=list)
-    _pushes: list[tuple[tuple[str, int], Push, tuple[float, float, float] | None, bool]] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        self._bodies = {body.name: k for k, body in enumerate(self.numbers.system.moving)}
+    def __init__(self, numbers: Numbers) -> None:
+        self.numbers = numbers
+        self._bodies = {body.name: k for k, body in enumerate(numbers.system.moving)}
         self.n_bodies = len(self._bodies)
         self._constant_force = np.zeros((self.n_bodies + 1, 3))
+        self._measures: list[dict[_Key, int]] = [{} for _ in KINDS]
+        self._pieces: list[tuple[int, _Key]] = []
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
-        self._pieces: list[tuple[int, tuple[tuple[int, ...], tuple[float, ...]]]] = []
+        self._base: dict[_Base, int] = {}
+        self._bases: list[_Base] = []
+        self._other: list[_Composed | _Product] = []
+        self._by_measure: dict[Measure | RateMeasure, _Where] = {}
+        self._held: list[tuple[_Where, Expr | None, Held]] = []
+        self._watched: list[_Where] = []
+        self._pushes: list[tuple[_Where, Push, tuple[float, float, float] | None, bool]] = []
 
     # -- measures -----------------------------------------------------------------------------
     def _body(self, name: str) -> int:
@@ -162,13 +162,13 @@ class Packing:
             return total
         return self._elementary(measure)
 
-    def row(self, measure: Measure | RateMeasure) -> tuple[str, int]:
+    def row(self, measure: Measure | RateMeasure) -> _Where:
         """The row of a measure, made when it is first asked for."""
         if measure not in self._by_measure:
             self._by_measure[measure] = self._new_row(measure)
         return self._by_measure[measure]
 
-    def _new_row(self, measure: Measure | RateMeasure) -> tuple[str, int]:
+    def _new_row(self, measure: Measure | RateMeasure) -> _Where:
         if isinstance(measure, RateMeasure):
             terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
             self._other.append(_Product(terms))
@@ -187,7 +187,7 @@ class Packing:
             self._bases.append(base)
         return self._base[base]
 
-    def _coefficient(self, coefficient: Component | Measure) -> tuple[str, int]:
+    def _coefficient(self, coefficient: Component | Measure) -> _Where:
         if not isinstance(coefficient, Component):
             return self.row(coefficient)
         from freebody.measures.displacement import Displacement
@@ -312,10 +312,9 @@ class Packing:
         measure_bodies = np.zeros((len(order), MAX_BODIES))
         measure_numbers = np.zeros((len(order), MAX_NUMBERS))
         for new, old in enumerate(order):
-            index, (bodies, numbers) = self._pieces[old]
-            kept = numbers
+            _index, (bodies, numbers) = self._pieces[old]
             measure_bodies[new, : len(bodies)] = bodies
-            measure_numbers[new, : len(kept)] = kept
+            measure_numbers[new, : len(numbers)] = numbers
 
         def slots_of_measure(old: int) -> list[tuple[int, int]]:
             index, (bodies, _numbers) = self._pieces[old]
@@ -350,7 +349,7 @@ class Packing:
         rated |= {number[where] for where in self._watched}
         pushes = self._written_pushes(tapes, number, rated)
         held = self._written_held(tapes, number)
-        held_slots = [rows.slots[h["row"]] for h in held]
+        held_slots: list[list[tuple[int, int]]] = [rows.slots[h["row"]] for h in held]
         sequence = elimination_order([frozenset(b for b, _o in s) for s in held_slots])
         held = [held[k] for k in sequence]
         held_slots = [held_slots[k] for k in sequence]
@@ -406,7 +405,7 @@ class Packing:
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
         return {"inverse_mass": inverse, "mass_gap": lent, "has_gap": _ints([int(lent.any())])}
 
-    def _written_held(self, tapes: Tapes, number: Mapping[tuple[str, int], int]) -> list[dict[str, Any]]:
+    def _written_held(self, tapes: Tapes, number: Mapping[_Where, int]) -> list[dict[str, Any]]:
         written: list[dict[str, Any]] = []
         for where, target, held in self._held:
             is_place = not isinstance(held.measure, RateMeasure)
@@ -423,9 +422,7 @@ class Packing:
             )
         return written
 
-    def _written_pushes(
-        self, tapes: Tapes, number: Mapping[tuple[str, int], int], rated: set[int]
-    ) -> list[dict[str, Any]]:
+    def _written_pushes(self, tapes: Tapes, number: Mapping[_Where, int], rated: set[int]) -> list[dict[str, Any]]:
         written: list[dict[str, Any]] = []
         for where, push, linear, works in self._pushes:
             r = number[where]

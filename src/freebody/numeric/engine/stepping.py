@@ -1,9 +1,10 @@
 """Explicit steps with projection: one loop for every tableau.
 
 The state is y = (q, v, W): positions and velocities of all bodies (the fixed one last), and the work done by loads
-without a potential and by drivers. A step advances y' = (v, a, P); then q moves to the nearest pose, in the metric of the
-masses, that holds what is held, and v loses what does not. Errors count by the size of the system: positions in parts of
-its length, angles in radians, velocities in parts of the largest speed met so far (in lengths or radians a second).
+without a potential and by drivers. A step advances y' = (v, a, P); then q moves to the nearest pose, in the metric of
+the masses, that holds what is held, and v loses what does not. Errors count by the size of the motion: positions in
+parts of the system's length and angles in radians, or in parts of the largest move so far where that is less;
+velocities in parts of the largest speed met so far (in lengths or radians a second).
 Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 1993, sec. II.4 to II.6; Hairer & Wanner,
 II, 1996, sec. IV.2 (stiffness) and VII.2 (projection).
 """
@@ -161,8 +162,8 @@ def is_near_singular(S, R):
 
 @kernel
 def slope_held(L, S, R, y, t, out):
-    """The slope of a stage. Near a singular pose it is that of the nearest state that holds what is held: stages are off
-    by a low power of the step, and there that would be enlarged by the inverse of the smallest pivot."""
+    """The slope of a stage. Near a singular pose it is that of the nearest state that holds what is held: stages are
+    off by a low power of the step, and there that would be enlarged by the inverse of the smallest pivot."""
     R.count[EVALUATIONS] += 1
     if R.count[IS_CAREFUL] > 0:
         for i in range(len(y)):
@@ -445,7 +446,6 @@ def visit(L, S, R, s, y, t, out, n_times):
     """The slope of a state: that at the part s of the last step, or, for s < 0, of y as it is. Its rows, accelerations
     and multipliers stand in `S`. The gaps of the state are closed before; with n_times > 0 they are not, and the slope
     is found that many times. False if the gaps cannot be closed."""
-    n = (len(y) - 1) // 2
     if s >= 0.0:
         between(R, s, y)
     if n_times == 0 and not project(L, S, R, y, t):

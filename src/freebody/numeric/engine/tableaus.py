@@ -1,9 +1,10 @@
 """Explicit Runge-Kutta methods as data: y_new = y + h sum b_j f(t + c_j h, y + h sum a_jk f_k).
 
 A method of n stages has rows of `a` for stages 1 ... n - 1, and, where its dense output needs them, for more stages
-that follow the value at the new point (stage n). `error` are the weights of one or two embedded formulas; `dense` those of
-the terms that the interpolant has beyond the cubic through values and slopes at both ends, nested by s and 1 - s in turn
-(s from 0 to 1 along the step). Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. 1993,
+that follow the value at the new point (stage n). `error` are the weights of one or two embedded formulas; `dense`
+those of the terms that the interpolant has beyond the cubic through values and slopes at both ends, nested by s and
+1 - s in turn (s from 0 to 1 along the step).
+Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. 1993,
 sec. II.1 (classical), II.5 (DOPRI5), II.5 and II.6 (DOP853 and their dense outputs).
 """
 

@@ -37,7 +37,7 @@ def function_derivatives(op, x):
         r = math.tan(x)
         d = 1.0 + r * r
         return r, d, 2.0 * r * d
-    if op == ASIN or op == ACOS:
+    if op in (ASIN, ACOS):
         if not -1.0 <= x <= 1.0:
             return math.nan, math.nan, math.nan
         d = 1.0 / math.sqrt(1.0 - x * x)

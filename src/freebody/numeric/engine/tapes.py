@@ -20,10 +20,8 @@ from freebody.language.expression import (
 )
 from freebody.numeric.engine import tape
 
-_OPS = {
-    name: getattr(tape, name.upper()) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")
-}
-_OPS |= {name: getattr(tape, name.upper()) for name in ("sinh", "cosh", "tanh", "abs", "sign")}
+_NAMES = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs", "sign")
+_OPS: dict[str, int] = {name: getattr(tape, name.upper()) for name in _NAMES}
 
 
 class Tapes:

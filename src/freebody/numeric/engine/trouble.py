@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.language.expression import free_symbols
+from freebody.language.expression import ZERO, free_symbols
 from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status
 
@@ -31,22 +31,22 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
     held = engine.numbers.system.held
     names = list(dict.fromkeys(held[k].connection for k in rows))
     if rows and ratio < SINGULAR:
-        drivers = [held[k].name for k in rows if held[k].target is not None and "t" in free_symbols(held[k].target)]
+        drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
         listed = ", ".join(names)
         if drivers:
             return Status.UNREACHABLE, (
-                f"{', '.join(drivers)} cannot be driven beyond t = {t:.9g} s: {listed} reach the limit of what they allow "
-                "there. Drive within that limit, or change a length"
+                f"{', '.join(drivers)} cannot be driven beyond t = {t:.9g} s: {listed} reach the limit of what they "
+                "allow there. Drive within that limit, or change a length"
             )
         return Status.SINGULAR, (
-            f"at t = {t:.9g} s the mechanism reaches a dead point: {listed} hold the same thing there, and its motion "
-            "beyond is not determined"
+            f"at t = {t:.9g} s the mechanism reaches a dead point: {listed} hold the same thing there, and its "
+            "motion beyond is not determined"
         )
     if trouble == stepping.NOT_HELD:
         return Status.UNREACHABLE, f"beyond t = {t:.9g} s no pose holds {', '.join(names) or 'what is held'}"
     return Status.STEP_TOO_SMALL, (
-        f"the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that jumps or "
-        "grows without limit?). Loosen the tolerance, or smooth the load"
+        f"the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that "
+        "jumps or grows without limit?). Loosen the tolerance, or smooth the load"
     )
 
 
@@ -55,10 +55,9 @@ def _dependent(engine: Engine) -> tuple[list[int], float]:
     J = engine.jacobian()
     if not len(J) or not np.isfinite(J).all():
         return [], 1.0
-    A = (J * np.sqrt(engine.layout.inverse_mass)).reshape(len(J), -1)
-    sizes = np.linalg.norm(A, axis=1)
-    A = A / np.where(sizes > 0.0, sizes, 1.0)[:, None]
-    U, singular, _ = np.linalg.svd(A, full_matrices=True)
+    weighted = (J * np.sqrt(engine.layout.inverse_mass)).reshape(len(J), -1)
+    sizes = np.linalg.norm(weighted, axis=1)
+    U, singular, _ = np.linalg.svd(weighted / np.where(sizes > 0.0, sizes, 1.0)[:, None], full_matrices=True)
     kept = np.flatnonzero(singular > 1e-12 * singular[0])  # rows that are redundant everywhere do not count
     k = int(kept[-1])
     share = np.abs(U[:, k])
