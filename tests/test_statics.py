@@ -19,6 +19,7 @@ import pytest
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.numeric.directional import derivative
+from freebody.numeric.reference import Reference
 from freebody.study.equilibrium import Equilibria, Rest, equilibria
 from freebody.study.inverse_dynamics import inverse_dynamics
 from freebody.study.modes import Modes, modes
@@ -306,7 +307,7 @@ def test_reactions_of_a_resting_mechanism_carry_its_weight() -> None:
         assert rest.reactions["A.x"] + rest.reactions["D.x"] == pytest.approx(0, abs=1e-9)
 
 
-def test_the_height_of_a_tripod_of_three_bars_follows_hand_statics() -> None:
+def test_two_bars_that_carry_a_pin_are_pressed_as_by_hand() -> None:
     # two bars at 45 degrees in a pin that carries F: each is pressed by F/sqrt(2)
     rests = found("""
 parameters: {F: 100 N, a: 1 m}
@@ -540,6 +541,80 @@ def test_a_massless_body_that_is_free_has_no_modes_by_name() -> None:
         small(text)
 
 
+MOVING = {
+    "double pendulum": (DOUBLE.replace("b: -10 deg", "b: -10 deg, rate(a): 2, rate(b): -3"), ["a", "b"]),
+    "four-bar": (FOUR_BAR.replace("theta: 60 deg", "theta: 60 deg, rate(theta): 5"), ["theta"]),
+    "slider-crank": (SLIDER_CRANK.replace("theta: 1}", "theta: 1, rate(theta): w}"), ["theta"]),
+    "follower force": (ZIEGLER + "start: {a: 0.3, b: -0.4, rate(a): 1, rate(b): 2}\n", ["a", "b"]),
+}
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_the_linear_equations_of_a_moving_state_are_the_slopes_of_the_full_ones(name: str) -> None:
+    text, names = MOVING[name]
+    system = System.from_text(text)
+    motion = modes(system, "start")
+    assert motion.coordinates == tuple(names)
+    reference = Reference(system)
+    q0 = reference.assemble()
+    measures = [system.measures[n] for n in names]
+    v0 = reference.velocities(q0)
+    s0 = reference.snapshot(q0, v0)
+    x0 = np.array([*(s0.value(m) for m in measures), *(s0.rate(m) for m in measures)])
+
+    def turning(x: Any) -> Any:
+        k = len(names)
+        q = reference.pose_near(q0, list(zip(measures, x[:k], strict=True)))
+        v = reference.velocities(q, list(zip(measures, x[k:], strict=True)), with_start=False)
+        return np.array([reference.snapshot(q, v).acceleration(m) for m in measures])
+
+    h = 2e-3
+    slopes = [
+        (8 * (turning(x0 + e) - turning(x0 - e)) - (turning(x0 + 2 * e) - turning(x0 - 2 * e))) / (12 * h)
+        for e in h * np.eye(len(x0))
+    ]
+    found = motion.small.A[len(names) :]
+    assert np.abs(found - np.array(slopes).T).max() < 1e-7 * np.abs(found).max()
+
+
+def test_a_skate_rests_anywhere_and_swings_along_its_blade() -> None:
+    text = """
+parameters: {m: 1 kg, k: 10 N/m}
+bodies: {skate: {rod: {mass: m, length: 1 m}, at: [0, 2 m], angle: 0.3}}
+measures: {x: x of skate, y: y of skate, theta: angle of skate}
+connections: {blade: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+loads: {spring: {law: {measure: x, force: -k*x}}}
+"""
+    rests = found(text)
+    assert [r.stability for r in rests] == ["neutral"]
+    assert any("blade binds velocities only" in note for note in rests.notes)
+    motion = small(text)
+    assert [m.kind for m in motion] == ["rigid", "rigid", "rigid", "oscillation"]
+    assert motion[3].frequency == pytest.approx(math.sqrt(10) * math.cos(0.3), rel=1e-10)
+
+
+def test_a_soft_spring_rests_far_below_and_a_stiff_one_where_it_hangs() -> None:
+    for k in (0.01, 1.0, 1e9):
+        system = System.load(ROOT / "examples" / "mass_on_spring.yaml").with_parameters(k=f"{k!r} N/m")
+        motion = modes(system)
+        assert motion.measures["y"] == pytest.approx(0.5 + 2 * G / k, rel=1e-12)
+        assert motion[0].frequency == pytest.approx(math.sqrt(k / 2), rel=1e-9)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda path: path.stem)
+def test_every_example_has_equilibria_or_a_reason_and_small_motions(path: Path) -> None:
+    system = System.load(path)
+    reference = Reference(system)
+    q = reference.assemble()
+    at_rest = reference.snapshot(q, np.zeros_like(q)).accelerations
+    try:
+        assert all(rest.residual < 1e-9 for rest in equilibria(system))
+    except CannotAnswer:
+        assert np.abs(at_rest).max() > 0.1
+    motion = modes(system, "start")
+    assert len(motion) == len(motion.coordinates)
+
+
 # State-space models -----------------------------------------------------------------------------
 
 
@@ -558,8 +633,6 @@ def test_a_linear_model_answers_a_small_torque_as_the_full_one_does() -> None:
     system = with_values(hanging, {"c": 1.5})
     A, B, C, _D = modes(system).state_space(inputs=["motor"], outputs=["theta"])
     torque = 1e-4
-    from freebody.numeric.reference import Reference
-
     reference = Reference(with_values(hanging, {"c": 1.5, "T": torque}))
     q = reference.assemble()
     motion = reference.integrate((q, reference.velocities(q)), 1.0)
@@ -587,7 +660,7 @@ def test_inputs_that_are_none_are_refused_by_name() -> None:
         motion.state_space(outputs=["phi"])
 
 
-def test_a_linear_model_ahead_of_a_bead_on_a_rotor_gives_its_acceleration() -> None:
+def test_outputs_are_measures_their_rates_and_accelerations() -> None:
     motion = small(DOUBLE)
     A, _B, C, _D = motion.state_space(outputs=["a", "rate(b)", "rate(rate(b))"])
     states = list(motion.states)

@@ -155,8 +155,8 @@ def loads_of(n_bodies: int, needed: set[str]) -> Iterator[str]:
             f"x{k}": f"q[b{k}, 0]",
             f"y{k}": f"q[b{k}, 1]",
             f"angle{k}": f"q[b{k}, 2]",
-            f"cos{k}": f"cos[b{k}]",
-            f"sin{k}": f"sin[b{k}]",
+            f"cos{k}": f"turn[b{k}, 0]",
+            f"sin{k}": f"turn[b{k}, 1]",
             f"vx{k}": f"v[b{k}, 0]",
             f"vy{k}": f"v[b{k}, 1]",
             f"w{k}": f"v[b{k}, 2]",
@@ -191,8 +191,8 @@ def loop(index: int, s: Statement) -> tuple[list[str], list[str]]:
             "square = dx * dx + dy * dy",
             f"{ex}, {ey} = ({length} * dx + rho * dy) / square, ({length} * dy - rho * dx) / square",
             f"{angle} = math.atan2({ey}, {ex})",
-            f"{angle} += TURN * math.floor((near[k] - {angle}) / TURN + 0.5)",
-            f"bearing[k] = {angle}",
+            f"{angle} += TURN * math.floor((out[k, NEAR] - {angle}) / TURN + 0.5)",
+            f"out[k, BEARING] = {angle}",
         ]
     fixed = [j for j, entry in enumerate(gradient) if names(entry) <= {str(p) for p in s.numbers}]
     moving = [(j, entry) for j, entry in enumerate(gradient) if j not in fixed]
@@ -204,7 +204,7 @@ def loop(index: int, s: Statement) -> tuple[list[str], list[str]]:
     offset = f"starts[{index}] + {3 * n} * (k - kinds[{index}])"
     body = [*loads_of(n, used), *numbers_of(s.numbers, used), *tangent_lines]
     body += [f"{name} = {code(e)}" for name, e in shared]
-    body += [f"value[k] = {code(value)}", f"bias[k] = {code(last)}"]
+    body += [f"out[k, VALUE] = {code(value)}", f"out[k, BIAS] = {code(last)}"]
     if moving:
         body += [f"o = {offset}"]
         body += [f"gradient[o + {j}] = {code(e)}" for (j, _), e in zip(moving, entries, strict=True)]
@@ -255,6 +255,7 @@ def text() -> str:
             "TURN = 2.0 * math.pi",
             f"MAX_BODIES = {n_bodies}",
             f"MAX_NUMBERS = {n_numbers}",
+            "VALUE, BIAS, BEARING, NEAR = range(4)  # what stands in `out` of every measure",
             "",
             "",
             "class Kind(NamedTuple):",
@@ -273,7 +274,7 @@ def text() -> str:
             "",
             "",
             "@kernel",
-            "def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, bearing, gradient):",
+            "def measure(kinds, starts, bodies, numbers, q, v, turn, out, gradient):",
             *measure,
             "",
             "",

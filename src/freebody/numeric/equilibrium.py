@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
+from freebody.model.elements import RateMeasure
 from freebody.numeric.families import is_one_family, soft_directions
 from freebody.numeric.instant import each_force, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
@@ -40,8 +41,10 @@ if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 SAME = 1e-5  # poses nearer than this, by the size of the system, are one
-FAR = 1e3  # beyond so many sizes from where it began a search is given up
-_N_TOURS, _N_SEARCHES, _N_ITERATIONS = 40, 150, 80
+FAR, FAR_ROUND = 1e5, 300.0  # beyond so many sizes, or radians, from where it began a search is given up
+_REACH = 0.5  # of the first step of a search, in sizes or radians
+_N_ITERATIONS = 80
+_N_LOOKS = 12_000  # at the loads of a pose, after which no further search begins
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,8 @@ class Statics:
         self.start = Pose(q, reference.geometry(q, np.zeros_like(q), 0.0).angles)
         self._equations = reference.held_where(q, 0.0)
         self._check_drivers()
-        self._searches = 0
+        self.n_searches = 0
+        self._n_looks = 0
 
     def geometry(self, pose: Pose) -> JetGeometry:
         """What measures see of the system at rest; time stands still."""
@@ -102,6 +106,7 @@ class Statics:
     def balance(self, pose: Pose) -> Balance:
         """The loads and reactions in a pose. Raises CannotAnswer where a load has no value."""
         reference, n = self.reference, len(pose.q)
+        self._n_looks += 1
         g = self.geometry(pose)
         J = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
         loads = list(each_force(reference, g))
@@ -115,15 +120,16 @@ class Statics:
         reference, n, N = self.reference, len(here.pose.q), here.split.null
 
         def pull(q: Array) -> Array:
+            self._n_looks += 1
             g = self.geometry(Pose(q, here.pose.branches))
             rows = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
             return sum(each_force(reference, g), rows.T @ here.multipliers)
 
         K = np.zeros((N.shape[1], N.shape[1]))
+        rest = here.forces + here.J.T @ here.multipliers
         for k, direction in enumerate(N.T):
-            h = 1e-4 / float(reference.sizes.relative(direction).max())
-            change = pull(here.pose.q + h * direction) - pull(here.pose.q - h * direction)
-            K[:, k] = -(N.T @ change) / (2.0 * h)
+            h = 1e-7 / float(reference.sizes.relative(direction).max())
+            K[:, k] = -(N.T @ (pull(here.pose.q + h * direction) - rest)) / h
         return K
 
     def moved(self, pose: Pose, step: Array) -> Pose | None:
@@ -166,14 +172,14 @@ class Statics:
     # -- searches -----------------------------------------------------------------------------
     def rest_near(self, pose: Pose) -> Balance | None:
         """The rest to which damped Newton steps from a pose lead; None if they end elsewhere."""
-        self._searches += 1
+        self.n_searches += 1
         here = self.try_balance(pose)
-        damping, ratio, errors = 1e-8, 0.0, list[float]()
+        damping, ratio, reach, errors = 1e-8, 0.0, _REACH, list[float]()
         for _ in range(_N_ITERATIONS):
             if here is None or not len(here.residual) or self._is_far(here.pose, pose):
                 break
             errors.append(here.error)
-            if here.error == 0.0 or (len(errors) > 8 and here.error > 0.9 * errors[-8]):
+            if here.error == 0.0 or (reach <= _REACH and len(errors) > 8 and here.error > 0.9 * errors[-8]):
                 break
             try:
                 K = self.stiffness(here)
@@ -182,9 +188,12 @@ class Statics:
             size = float(np.linalg.norm(K)) or 1.0
             damped = np.vstack((K, damping * size * np.eye(len(K))))
             step = here.split.null @ _least_squares(damped, np.append(here.residual, np.zeros(len(K))))
-            step = step * min(1.0, 0.5 / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            part = min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            step = part * step
             there = self._best(here, step, (1.0, 2.0, 3.0) if ratio > 0.1 else (1.0,))
             if there is not None and there.error < here.error:
+                # a step that keeps what it promises may be followed by a longer one
+                reach = 2.0 * reach if there.error <= (1.0 - 0.5 * part) * here.error else _REACH
                 small = float(self.reference.sizes.relative(step).max()) < 1e-13
                 ratio, here, damping = there.error / here.error, there, max(0.1 * damping, 1e-10)
                 if small:
@@ -193,7 +202,7 @@ class Statics:
                 break
             else:
                 damping = max(10.0 * damping, 1e-4)
-                ratio = 0.0
+                ratio, reach = 0.0, _REACH
         return here if here is not None and self.is_rest(here) else None
 
     def _best(self, here: Balance, step: Array, factors: Sequence[float]) -> Balance | None:
@@ -212,8 +221,8 @@ class Statics:
 
     def lowest_near(self, pose: Pose) -> Balance | None:
         """The rest to which the way downhill leads; None without a potential, or if there is none in reach."""
-        self._searches += 1
-        here, height = self.try_balance(pose), self._potential(pose)
+        self.n_searches += 1
+        here, height, reach = self.try_balance(pose), self._potential(pose), _REACH
         for _ in range(_N_ITERATIONS):
             if here is None or height is None or not len(here.residual) or self._is_far(here.pose, pose):
                 return None
@@ -226,13 +235,13 @@ class Statics:
             values, vectors = np.linalg.eigh((K + K.T) / 2.0)
             steep = np.maximum(np.abs(values), 1e-6 * float(np.abs(values).max()) or 1.0)
             step = here.split.null @ (vectors @ ((vectors.T @ here.residual) / steep))
-            step = step * min(1.0, 0.5 / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            step = step * min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), 1e-300))
             slope = float(here.forces @ step)
             for part in (1.0, 0.5, 0.25, 0.1, 0.01):
                 lower = self.moved(here.pose, part * step)
                 level = None if lower is None else self._potential(lower)
                 if lower is not None and level is not None and level <= height - 1e-4 * part * slope:
-                    here, height = self.try_balance(lower), level
+                    here, height, reach = self.try_balance(lower), level, max(_REACH, 2.0 * part * reach)
                     break
             else:
                 break
@@ -247,32 +256,45 @@ class Statics:
             return None
 
     def _is_far(self, pose: Pose, start: Pose) -> bool:
-        return float(self.reference.sizes.relative(pose.q - start.q).max(initial=0.0)) > FAR
+        away = self.reference.sizes.relative(pose.q - start.q)
+        return float(away.max(initial=0.0)) > FAR or float(away[self._turning].max(initial=0.0)) > FAR_ROUND
 
     # -- all rests ----------------------------------------------------------------------------
+    @property
+    def is_single(self) -> bool:
+        """Whether one search must do: nothing is free, or velocities are bound more than positions, which makes
+        every rest one of a family."""
+        rows = self.reference.system.held
+        return not len(self.balance(self.start).residual) or any(isinstance(r.measure, RateMeasure) for r in rows)
+
+    def near_start(self) -> list[Balance]:
+        """The rests to which searches from the start lead, by the shortest way and downhill."""
+        found: list[Balance] = []
+        self._keep(found, self.rest_near(self.start))
+        if not (found and self.is_single):
+            self._keep(found, self.lowest_near(self.start))
+        return found
+
     def rests(self) -> list[Balance]:
         """All rests that searches from the start and along tours from it and from every rest lead to."""
-        found: list[Balance] = []
-        here = self.balance(self.start)
-        if not len(here.residual):
-            return [here]
-        self._keep(found, self.rest_near(self.start))
-        self._keep(found, self.lowest_near(self.start))
-        waiting, n_tours = [self.start], 0
-        known = 0
-        while waiting and n_tours < _N_TOURS and self._searches < _N_SEARCHES:
+        found = self.near_start()
+        n_free = len(self.balance(self.start).residual)
+        if self.is_single and found:
+            return found
+        waiting, known = [self.start], 0
+        while waiting and self._n_looks < _N_LOOKS:
             pose = waiting.pop(0)
-            for k in range(len(here.residual)):
-                n_tours += 1
+            for k in range(n_free):
                 for start in toured(self, pose, k):
-                    self._keep(found, self.rest_near(start))
-            if len(here.residual) == 1 and n_tours:
-                break  # the tour has seen the whole branch
+                    if n_free == 1 or self._n_looks < _N_LOOKS:
+                        self._keep(found, self.rest_near(start))
+            if n_free == 1:
+                return found  # the tour has seen the whole branch
             waiting += [b.pose for b in found[known:]]
             known = len(found)
-        for seed in range(6 if len(here.residual) > 1 else 0):
+        for seed in range(6):
             start = self._wandered(seed)
-            if start is not None:
+            if start is not None and self._n_looks < _N_LOOKS:
                 self._keep(found, self.rest_near(start))
                 self._keep(found, self.lowest_near(start))
         return found

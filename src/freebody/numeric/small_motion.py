@@ -41,7 +41,8 @@ from freebody.numeric.split import Split, stack
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
-WELL_APART = 0.1  # how much of a coordinate's gradient must be its own, in the metric of the masses
+WELL_APART = 0.1  # how much of a coordinate's gradient along the free directions must be its own
+AT_ALL = 1e-4  # and how much of its whole gradient must be along these, in the metric of the masses
 NOISE = 1e-11  # of the stiffnesses that loads can come to: what is smaller counts as zero
 
 
@@ -90,9 +91,10 @@ def coordinates(reference: Reference, g: JetGeometry, free: Array) -> list[Coord
             row = reference.jet(g, measure, name).row(n)
         except CannotAnswer:
             continue
-        size = float(np.linalg.norm(row * D))
-        own = left.T @ (free.T @ row)
-        if size == 0.0 or float(np.linalg.norm(own)) < WELL_APART * size:
+        seen = free.T @ row
+        own = left.T @ seen
+        size = float(np.linalg.norm(seen))
+        if size <= AT_ALL * float(np.linalg.norm(row * D)) or float(np.linalg.norm(own)) < WELL_APART * size:
             continue
         found.append(Coordinate(name, measure, row))
         left = left @ _complement(own)

@@ -118,8 +118,10 @@ def start_velocities(
     """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
     n = len(g.q)
     wanted = list(_wanted_rates(reference, g, extra, with_start))
-    J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
     b = np.array([rate - jet.rate for _name, jet, rate in wanted])
+    if not b.any():
+        return np.zeros(n)
+    J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
     v = Split(J, reference.sizes.small_moves).least(b)
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):

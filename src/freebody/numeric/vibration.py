@@ -151,7 +151,7 @@ def _general(small: SmallMotion) -> list[NaturalMotion]:
     """Where velocities are bound more than positions, every disturbance of a position that no speed follows rests."""
     n = len(small.positions)
     rates, vectors = _eig(small.A)
-    pace = float(np.abs(rates).max()) or 1.0
+    pace = max(float(np.abs(rates).max()), math.sqrt(small.load_stiffness)) or 1.0
     order = np.argsort(np.abs(rates))
     n_zero = max(n - len(small.speeds), int(np.count_nonzero(np.abs(rates) <= _ZERO_RATE * pace)))
     found = [NaturalMotion(0j, "rigid", small.dq @ vectors[:, k]) for k in order[:n_zero]]

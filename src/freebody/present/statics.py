@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.present.terminal import number_text, plural
-from freebody.study.equilibrium import Equilibria, Rest
-from freebody.study.modes import Mode, Modes
 from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.study.equilibrium import Equilibria, Rest
+    from freebody.study.modes import Mode, Modes
 
 _RULE = "─"
 _NOTHING = 1e-9  # of the largest number of its kind

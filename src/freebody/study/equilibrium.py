@@ -20,6 +20,7 @@ from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
+from freebody.model.elements import RateMeasure
 from freebody.numeric.equilibrium import Balance, Pose, Statics
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.jets import TIME, Array
@@ -131,7 +132,18 @@ def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
     of freedom that is the whole branch, with more it is a sample. Parameters need values. Drivers are held at t = 0.
     Raises CannotAnswer where there is none, naming what keeps accelerating."""
     search = _Search(system)
-    return search.found(guesses)
+    return search.found(search.from_guesses(guesses) if guesses else search.statics.rests(), bool(guesses))
+
+
+def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibria:
+    """The equilibrium nearest to the start, or the one to which a guess leads, alone. Raises as `equilibria`."""
+    search = _Search(system)
+    if guess is not None:
+        return search.found(search.from_guesses([guess]), True)
+    statics = search.statics
+    balances = statics.rests() if search.dof == 1 else (statics.near_start() or statics.rests())
+    found = search.found(balances, False)
+    return replace(found, rests=found.rests[:1])
 
 
 class _Search:
@@ -143,17 +155,19 @@ class _Search:
         self.statics = Statics(self.reference)
         self.dof = len(self.statics.balance(self.statics.start).residual)
 
-    def found(self, guesses: Sequence[Guess]) -> Equilibria:
-        balances = self._from_guesses(guesses) if guesses else self.statics.rests()
+    def found(self, balances: list[Balance], guessed: bool) -> Equilibria:
+        """What there is to say of some rests; without guesses the nearest to the start come first."""
         if not balances:
-            raise CannotAnswer(self._why_none(bool(guesses)))
-        if not guesses:
+            raise CannotAnswer(self._why_none(guessed))
+        if not guessed:
             balances = [nearest_of_family(self.statics, b, self.statics.start) for b in balances]
-            balances.sort(key=lambda b: self.statics.apart(b.pose, self.statics.start))
-        rests = tuple(self._rest(b, self._judged(b)) for b in balances)
-        return Equilibria(self.system, self.dof, rests, tuple(self._notes()), self.reference)
+        judged = [(b, self._judged(b)) for b in balances]
+        if not guessed:
+            judged.sort(key=lambda pair: self._distance(*pair))
+        rests = tuple(self._rest(b, s) for b, s in judged)
+        return Equilibria(self.system, self.dof, rests, tuple(self._notes(guessed)), self.reference)
 
-    def _from_guesses(self, guesses: Sequence[Guess]) -> list[Balance]:
+    def from_guesses(self, guesses: Sequence[Guess]) -> list[Balance]:
         found: list[Balance] = []
         for guess in guesses:
             wanted = [
@@ -165,6 +179,10 @@ class _Search:
             if rest is not None and all(not self.statics.is_same(rest, other) for other in found):
                 found.append(rest)
         return found
+
+    def _distance(self, b: Balance, s: Stability) -> tuple[float, bool]:
+        """From the start; of two as near the stable one comes first."""
+        return round(self.statics.apart(b.pose, self.statics.start), 6), s.verdict != "stable"
 
     # -- stability ----------------------------------------------------------------------------
     def _stability(self, b: Balance) -> Stability:
@@ -228,7 +246,12 @@ class _Search:
         return moved_most(self.reference, self.statics.geometry(b.pose).of, motion)
 
     # -- what to say --------------------------------------------------------------------------
-    def _notes(self) -> Iterator[str]:
+    def _notes(self, guessed: bool) -> Iterator[str]:
+        if self.dof > 1 and not guessed and not self.statics.is_single:
+            yield f"found by {self.statics.n_searches} searches; with {self.dof} degrees of freedom there may be more"
+        for row in self.system.held:
+            if isinstance(row.measure, RateMeasure):
+                yield f"{row.connection} binds velocities only, so the system rests in other poses as well"
         if self.dof == 0:
             yield "nothing can move (0 degrees of freedom): this is the one pose, with its reactions"
         for row in self.system.held:

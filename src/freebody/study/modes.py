@@ -27,7 +27,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.numeric.vibration import NaturalMotion, natural_motions
-from freebody.study.equilibrium import Guess, Rest, equilibria, moved_most, plain_number
+from freebody.study.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.given import named_measure
 from freebody.system.system import System
 
@@ -157,14 +157,14 @@ class Modes:
         return A, B, C, np.array(through, dtype=np.float64).reshape(len(rows), len(columns))
 
     def to_plain(self) -> dict[str, Any]:
-        """The JSON document of `freebody modes`: title, about, measures {name: value}, stability, coordinates, states,
-        mass_matrix, damping_matrix, stiffness_matrix, state_matrix, notes, and `modes`, each with kind, frequency
+        """The JSON document of `freebody modes`: title, about, measures {name: {value, unit}}, stability,
+        coordinates, states, mass_matrix, damping_matrix, stiffness_matrix, state_matrix, notes, and `modes`, each with kind, frequency
         [rad/s], frequency_hz, damped_frequency, damping_ratio, growth_rate [1/s], shape {measure: number or
         [re, im]} and bodies {body: [x, y, angle]}; null where a mode has no such number."""
         return {
             "title": self.system.title,
             "about": self.about,
-            "measures": dict(self.measures),
+            "measures": {n: {"value": x, "unit": unit_of(self.system.measures[n])} for n, x in self.measures.items()},
             "stability": self.stability,
             "coordinates": list(self.coordinates),
             "states": list(self.states),
@@ -187,16 +187,11 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
         if guess:
             raise InputError("a guess leads to an equilibrium; about the start there is nothing to guess")
         return _about_start(system)
-    found = equilibria(system, () if guess is None else (guess,))
+    found = nearest_equilibrium(system, guess)
     rest = found[0]
     small = SmallMotion(found.reference, Instant(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True))
-    notes = [*found.notes, *rest.notes, *_others(found.rests)]
+    notes = [*(note for note in found.notes if "searches" not in note), *rest.notes]
     return Modes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
-
-
-def _others(rests: Sequence[Rest]) -> Iterator[str]:
-    if len(rests) > 1:
-        yield f"the nearest of {len(rests)} equilibria; guess another one to see its modes"
 
 
 def _about_start(system: System) -> Modes:
@@ -338,6 +333,3 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
     if not np.abs(found).max(initial=0.0) > 0.0:
         raise CannotAnswer(f"{name} is in no load here, so it is no input")
     return found
-
-
-__all__ = ["Mode", "Modes", "modes", "moved_most"]

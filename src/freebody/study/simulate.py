@@ -45,7 +45,7 @@ class Simulator:
         self.start = self.engine.state(*self.reference.by_body(q, v))
         self.value_at_start = self.reference.snapshot(q, v).value
         self.engine.align(self.start, 0.0, self.value_at_start)
-        self._near = self.engine.room.near.copy()
+        self._near = self.engine.near()
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -72,7 +72,7 @@ class Simulator:
         near: Array | None = None,
     ) -> Course:
         """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
-        self.engine.room.near[:] = self._near if near is None else near
+        self.engine.count_from(self._near if near is None else near)
         y = (self.start if state is None else state).copy()
         return self.engine.run(
             y,

@@ -20,6 +20,7 @@ import math
 from freebody.numeric.engine.jit import kernel, part
 from freebody.numeric.engine.measures_planar import measure
 from freebody.numeric.engine.tape import play, sweep
+from freebody.numeric.engine.turning import turned
 
 VANISHED = 1e-13  # a pivot below this part of its diagonal is none
 PIVOT_CUT = 1e-8  # a smaller pivot, relative to its diagonal, calls for regularisation
@@ -38,30 +39,14 @@ SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT = range(5)
 @kernel
 def kinematics(L, S, q, v, t):
     """Values, gradients and biases of all rows, and the targets of those that are held."""
-    for b in range(len(q)):
-        S.cos[b] = math.cos(q[b, 2])
-        S.sin[b] = math.sin(q[b, 2])
+    turned(q, S.turn)
     G = S.gradient
-    measure(
-        L.kinds,
-        L.starts,
-        L.measure_bodies,
-        L.measure_numbers,
-        q,
-        v,
-        S.cos,
-        S.sin,
-        S.near,
-        S.value,
-        S.bias,
-        S.bearing,
-        G,
-    )
+    measure(L.kinds, L.starts, L.measure_bodies, L.measure_numbers, q, v, S.turn, S.measures, G)
     for r in range(len(L.term_ptr) - 1):
         x, b = L.row_constant[r], 0.0
         for k in range(L.term_ptr[r], L.term_ptr[r + 1]):
-            x += L.term_coefficient[k] * S.value[L.term_measure[k]]
-            b += L.term_coefficient[k] * S.bias[L.term_measure[k]]
+            x += L.term_coefficient[k] * S.measures[L.term_measure[k], 0]
+            b += L.term_coefficient[k] * S.measures[L.term_measure[k], 1]
         S.rows[r, VALUE], S.rows[r, BIAS] = x, b
     for k in range(len(L.cleared)):
         o = L.cleared[k]

@@ -18,6 +18,7 @@ from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.stepping import Run
@@ -77,20 +78,28 @@ class Packed:
         """Bearings are counted on from those of a state, in which measures have the given values: what they are off by
         is whole turns. Rows of which only changes mean something are zero there."""
         S = self.room
-        S.near[:] = 0.0
+        S.measures[:, NEAR] = 0.0
         self._look(y, t)
-        near = S.bearing.copy()
+        near = S.measures[:, BEARING].copy()
         for k, measure, constant, rho in self._bearings:
-            off = value(measure) - constant - float(S.value[k])
+            off = value(measure) - constant - float(S.measures[k, 0])
             near[k] += -off / rho if rho is not None else off
-        S.near[:] = near
+        S.measures[:, NEAR] = near
+
+    def near(self) -> Floats:
+        """The bearings from which turns are counted."""
+        return self.room.measures[:, NEAR].copy()
+
+    def count_from(self, near: Floats) -> None:
+        """Counts turns from given bearings."""
+        self.room.measures[:, NEAR] = near
 
     def _look(self, y: Floats, t: float) -> None:
         n, n_rows = 3 * (self.n_bodies + 1), len(self.room.rows)
         tables = [np.zeros((1, n_rows)) for _ in range(3)]
-        near = self.room.near.copy()
+        near = self.room.measures[:, NEAR].copy()
         observe(self.layout, self.room, np.array([t]), y.reshape(1, -1), np.zeros((1, n)), *tables)
-        self.room.near[:] = near
+        self.room.measures[:, NEAR] = near
 
 
 class Observer(Packed):
@@ -344,7 +353,7 @@ class Motion:
             return False
         run.count[stepping.LEFT_OUT] = int(e.room.info[dynamics.N_LEFT_OUT])
         clock[stepping.BEST_PIVOT] = e.room.info[dynamics.SMALLEST_PIVOT]
-        e.room.near[:] = e.room.bearing
+        e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
         run.multiplier[:] = e.room.multiplier
         fastest = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
         hardest = float((np.abs(run.slopes[0][n : 2 * n]) / e.unit).max(initial=0.0))
@@ -406,9 +415,9 @@ class Motion:
         own.clock[stepping.NOW], own.clock[stepping.STEP] = run.clock[stepping.BEFORE], h
         own.clock[stepping.END], own.clock[stepping.TOLERANCE] = run.clock[stepping.BEFORE] + h, 1e6
         own.count[stepping.LEFT_OUT], own.count[stepping.IS_CAREFUL] = run.count[stepping.LEFT_OUT], 1
-        near = e.room.near.copy()
+        near = e.room.measures[:, NEAR].copy()
         result = stepping.advance(e.layout, e.room, self.tableau, own, 1)
-        e.room.near[:] = near
+        e.room.measures[:, NEAR] = near
         if result not in (stepping.REACHED, stepping.PAUSED) or own.clock[stepping.NOW] < own.clock[stepping.END]:
             return None
         return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
@@ -494,7 +503,7 @@ class Motion:
             motion_gap=float(run.clock[stepping.MOTION_GAP]),
             last_step=float(run.clock[stepping.STEP]),
             method=self.method,
-            near=e.room.near.copy(),
+            near=e.room.measures[:, NEAR].copy(),
         )
 
     def _unique(self, times: Floats, states: Floats, shape: tuple[int, ...]) -> Any:

@@ -20,6 +20,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, e
 from freebody.model.elements import RATE, VALUE, Push, RateMeasure
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.layout import Floats, Layout
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine, Motion
@@ -96,7 +97,7 @@ class Implicit:
         solver.y, solver.f = y, slope
         run.states[stepping.Y], run.slopes[0] = y, slope
         run.multiplier[:] = e.room.multiplier
-        e.room.near[:] = e.room.bearing
+        e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
         n = 3 * (e.n_bodies + 1)
         run.clock[stepping.SPEED] = max(
             float(run.clock[stepping.SPEED]), float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))

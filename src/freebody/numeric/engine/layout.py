@@ -82,12 +82,8 @@ class Layout(NamedTuple):
 class Room(NamedTuple):
     """Where one evaluation works."""
 
-    cos: Floats
-    sin: Floats
-    value: Floats  # of measures
-    bias: Floats
-    bearing: Floats
-    near: Floats  # bearings are counted on from these
+    turn: Floats2  # (n + 1, 2): cosine and sine
+    measures: Floats2  # (n, 4): see `measures_planar`
     gradient: Floats
     rows: Floats2  # (n, 5): see `dynamics`
     registers: Floats2  # (n, 4): value, two derivatives, weight
@@ -124,12 +120,8 @@ def room_for(layout: Layout) -> Room:
         return np.zeros(shape)
 
     room = Room(
-        cos=np.ones(n),
-        sin=floats(n),
-        value=floats(n_measures),
-        bias=floats(n_measures),
-        bearing=floats(n_measures),
-        near=floats(n_measures),
+        turn=floats(n, 2),
+        measures=floats(n_measures, 4),
         gradient=floats(n_entries),
         rows=floats(n_rows, 5),
         registers=floats(max(1, len(layout.tape)), 4),

@@ -15,6 +15,7 @@ from freebody.numeric.engine.jit import kernel
 TURN = 2.0 * math.pi
 MAX_BODIES = 3
 MAX_NUMBERS = 6
+VALUE, BIAS, BEARING, NEAR = range(4)  # what stands in `out` of every measure
 
 
 class Kind(NamedTuple):
@@ -38,20 +39,20 @@ KINDS = (
 
 
 @kernel
-def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, bearing, gradient):
+def measure(kinds, starts, bodies, numbers, q, v, turn, out, gradient):
     # Displacement, along fixed: bodies of, origin
     for k in range(kinds[0], kinds[1]):
         b0 = bodies[k, 0]
         x0 = q[b0, 0]
         y0 = q[b0, 1]
-        cos0 = cos[b0]
-        sin0 = sin[b0]
+        cos0 = turn[b0, 0]
+        sin0 = turn[b0, 1]
         w0 = v[b0, 2]
         b1 = bodies[k, 1]
         x1 = q[b1, 0]
         y1 = q[b1, 1]
-        cos1 = cos[b1]
-        sin1 = sin[b1]
+        cos1 = turn[b1, 0]
+        sin1 = turn[b1, 1]
         w1 = v[b1, 2]
         p0 = numbers[k, 0]
         p1 = numbers[k, 1]
@@ -63,10 +64,10 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         u1 = p0 * p5 - p1 * p4
         u2 = p2 * p4 + p3 * p5
         u3 = -p2 * p5 + p3 * p4
-        value[k] = p4 * (cos0 * p0 - cos1 * p2 - p1 * sin0 + p3 * sin1 + x0 - x1) + p5 * (
+        out[k, VALUE] = p4 * (cos0 * p0 - cos1 * p2 - p1 * sin0 + p3 * sin1 + x0 - x1) + p5 * (
             cos0 * p1 - cos1 * p3 + p0 * sin0 - p2 * sin1 + y0 - y1
         )
-        bias[k] = w0 * (-cos0 * u0 * w0 - sin0 * u1 * w0) + w1 * (cos1 * u2 * w1 - sin1 * u3 * w1)
+        out[k, BIAS] = w0 * (-cos0 * u0 * w0 - sin0 * u1 * w0) + w1 * (cos1 * u2 * w1 - sin1 * u3 * w1)
         o = starts[0] + 6 * (k - kinds[0])
         gradient[o + 2] = cos0 * u1 - sin0 * u0
         gradient[o + 5] = cos1 * u3 + sin1 * u2
@@ -75,22 +76,22 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         b0 = bodies[k, 0]
         x0 = q[b0, 0]
         y0 = q[b0, 1]
-        cos0 = cos[b0]
-        sin0 = sin[b0]
+        cos0 = turn[b0, 0]
+        sin0 = turn[b0, 1]
         vx0 = v[b0, 0]
         vy0 = v[b0, 1]
         w0 = v[b0, 2]
         b1 = bodies[k, 1]
         x1 = q[b1, 0]
         y1 = q[b1, 1]
-        cos1 = cos[b1]
-        sin1 = sin[b1]
+        cos1 = turn[b1, 0]
+        sin1 = turn[b1, 1]
         vx1 = v[b1, 0]
         vy1 = v[b1, 1]
         w1 = v[b1, 2]
         b2 = bodies[k, 2]
-        cos2 = cos[b2]
-        sin2 = sin[b2]
+        cos2 = turn[b2, 0]
+        sin2 = turn[b2, 1]
         w2 = v[b2, 2]
         p0 = numbers[k, 0]
         p1 = numbers[k, 1]
@@ -128,8 +129,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         u27 = -u2
         u28 = p4 * u3 + p5 * u7
         u29 = p4 * u7 - p5 * u3
-        value[k] = u2 * u3 + u6 * u7
-        bias[k] = (
+        out[k, VALUE] = u2 * u3 + u6 * u7
+        out[k, BIAS] = (
             -u8 * vx0
             + u8 * vx1
             + u9 * vy0
@@ -165,23 +166,23 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         b1 = bodies[k, 1]
         angle1 = q[b1, 2]
         p0 = numbers[k, 0]
-        value[k] = angle0 - angle1 - p0
-        bias[k] = 0
+        out[k, VALUE] = angle0 - angle1 - p0
+        out[k, BIAS] = 0
     # Distance: bodies start, end
     for k in range(kinds[3], kinds[4]):
         b0 = bodies[k, 0]
         x0 = q[b0, 0]
         y0 = q[b0, 1]
-        cos0 = cos[b0]
-        sin0 = sin[b0]
+        cos0 = turn[b0, 0]
+        sin0 = turn[b0, 1]
         vx0 = v[b0, 0]
         vy0 = v[b0, 1]
         w0 = v[b0, 2]
         b1 = bodies[k, 1]
         x1 = q[b1, 0]
         y1 = q[b1, 1]
-        cos1 = cos[b1]
-        sin1 = sin[b1]
+        cos1 = turn[b1, 0]
+        sin1 = turn[b1, 1]
         vx1 = v[b1, 0]
         vy1 = v[b1, 1]
         w1 = v[b1, 2]
@@ -198,8 +199,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         square = dx * dx + dy * dy
         ex_0, ey_0 = (length_0 * dx + rho * dy) / square, (length_0 * dy - rho * dx) / square
         bearing_0 = math.atan2(ey_0, ex_0)
-        bearing_0 += TURN * math.floor((near[k] - bearing_0) / TURN + 0.5)
-        bearing[k] = bearing_0
+        bearing_0 += TURN * math.floor((out[k, NEAR] - bearing_0) / TURN + 0.5)
+        out[k, BEARING] = bearing_0
         u0 = cos0 * p0
         u1 = p1 * sin0 - u0
         u2 = p3 * sin1
@@ -216,8 +217,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         u10 = ey_0 * u7
         u11 = cos1 * p2 - u2
         u12 = u5 + u6
-        value[k] = length_0
-        bias[k] = (
+        out[k, VALUE] = length_0
+        out[k, BIAS] = (
             u10 * vx0
             - u10 * vx1
             - u8 * vy0
@@ -237,16 +238,16 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         b0 = bodies[k, 0]
         x0 = q[b0, 0]
         y0 = q[b0, 1]
-        cos0 = cos[b0]
-        sin0 = sin[b0]
+        cos0 = turn[b0, 0]
+        sin0 = turn[b0, 1]
         vx0 = v[b0, 0]
         vy0 = v[b0, 1]
         w0 = v[b0, 2]
         b1 = bodies[k, 1]
         x1 = q[b1, 0]
         y1 = q[b1, 1]
-        cos1 = cos[b1]
-        sin1 = sin[b1]
+        cos1 = turn[b1, 0]
+        sin1 = turn[b1, 1]
         vx1 = v[b1, 0]
         vy1 = v[b1, 1]
         w1 = v[b1, 2]
@@ -266,8 +267,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         square = dx * dx + dy * dy
         ex_0, ey_0 = (length_0 * dx + rho * dy) / square, (length_0 * dy - rho * dx) / square
         bearing_0 = math.atan2(ey_0, ex_0)
-        bearing_0 += TURN * math.floor((near[k] - bearing_0) / TURN + 0.5)
-        bearing[k] = bearing_0
+        bearing_0 += TURN * math.floor((out[k, NEAR] - bearing_0) / TURN + 0.5)
+        out[k, BEARING] = bearing_0
         u0 = cos0 * p0
         u1 = p3 * sin1
         u2 = cos1 * p2 * w1 + p1 * sin0 * w0 - u0 * w0 - u1 * w1 - vy0 + vy1
@@ -294,8 +295,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         u23 = ex_0 * u21 + ey_0 * u22
         u24 = ey_0 * u20
         u25 = ex_0 * u20
-        value[k] = -angle2 + bearing_0 - p4
-        bias[k] = (
+        out[k, VALUE] = -angle2 + bearing_0 - p4
+        out[k, BIAS] = (
             u13 * vx0
             - u13 * vx1
             + u15 * vy0
@@ -329,16 +330,16 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         b0 = bodies[k, 0]
         x0 = q[b0, 0]
         y0 = q[b0, 1]
-        cos0 = cos[b0]
-        sin0 = sin[b0]
+        cos0 = turn[b0, 0]
+        sin0 = turn[b0, 1]
         vx0 = v[b0, 0]
         vy0 = v[b0, 1]
         w0 = v[b0, 2]
         b1 = bodies[k, 1]
         x1 = q[b1, 0]
         y1 = q[b1, 1]
-        cos1 = cos[b1]
-        sin1 = sin[b1]
+        cos1 = turn[b1, 0]
+        sin1 = turn[b1, 1]
         vx1 = v[b1, 0]
         vy1 = v[b1, 1]
         w1 = v[b1, 2]
@@ -356,8 +357,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         square = dx * dx + dy * dy
         ex_0, ey_0 = (length_0 * dx + rho * dy) / square, (length_0 * dy - rho * dx) / square
         bearing_0 = math.atan2(ey_0, ex_0)
-        bearing_0 += TURN * math.floor((near[k] - bearing_0) / TURN + 0.5)
-        bearing[k] = bearing_0
+        bearing_0 += TURN * math.floor((out[k, NEAR] - bearing_0) / TURN + 0.5)
+        out[k, BEARING] = bearing_0
         u0 = cos0 * p0
         u1 = p1 * sin0 - u0
         u2 = p3 * sin1
@@ -374,8 +375,8 @@ def measure(kinds, starts, bodies, numbers, q, v, cos, sin, near, value, bias, b
         u10 = ey_0 * u7
         u11 = cos1 * p2 - u2
         u12 = u5 + u6
-        value[k] = -bearing_0 * p4 + length_0
-        bias[k] = (
+        out[k, VALUE] = -bearing_0 * p4 + length_0
+        out[k, BIAS] = (
             u10 * vx0
             - u10 * vx1
             - u8 * vy0

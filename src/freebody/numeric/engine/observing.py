@@ -7,6 +7,7 @@ import numpy as np
 from freebody.numeric.engine.dynamics import BIAS, DRIFT, VALUE, along, kinematics
 from freebody.numeric.engine.jit import entry
 from freebody.numeric.engine.layout import Layout, Room, example_of
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
 _L, _S = example_of(Layout), example_of(Room)
 _TABLE, _LIST = np.zeros((1, 1)), np.zeros(1)
@@ -19,8 +20,8 @@ def observe(L, S, times, states, accelerations_of, values, rates, seconds):
     for k in range(len(times)):
         q, v = states[k, :n].reshape((n // 3, 3)), states[k, n : 2 * n].reshape((n // 3, 3))
         kinematics(L, S, q, v, times[k])
-        for j in range(len(S.near)):
-            S.near[j] = S.bearing[j]
+        for j in range(len(S.measures)):
+            S.measures[j, NEAR] = S.measures[j, BEARING]
         a = accelerations_of[k].reshape((n // 3, 3))
         for r in range(values.shape[1]):
             values[k, r] = S.rows[r, VALUE]

@@ -32,6 +32,7 @@ from freebody.numeric.engine.dynamics import (
 )
 from freebody.numeric.engine.jit import entry, kernel, part
 from freebody.numeric.engine.layout import Floats, Floats2, Ints, Layout, Room, example_of
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.tableaus import Tableau
 
 # -- what a run is about ----------------------------------------------------------------------
@@ -102,7 +103,7 @@ class Run(NamedTuple):
     out_multiplier: Floats2
 
 
-@kernel
+@part
 def slope(L, S, y, t, out):
     n = (len(y) - 1) // 2
     q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
@@ -228,11 +229,9 @@ def stages(L, S, T, R, t, h):
             slope_held(L, S, R, out, t + T.c[s] * h, R.slopes[s])
 
 
-@kernel
+@part
 def interpolant(L, S, T, R):
     """The terms of the dense output of the last step."""
-    if R.count[DENSE_READY] > 0:
-        return
     n_stages, n_extra, n_y = T.sizes[0], T.sizes[1], len(R.states[Y])
     t, h = R.clock[BEFORE], R.clock[DONE_STEP]
     for s in range(n_stages + 1, n_stages + 1 + n_extra):
@@ -259,7 +258,6 @@ def interpolant(L, S, T, R):
             if d != 0.0:
                 for i in range(n_y):
                     R.dense[3 + k, i] += h * d * R.slopes[j, i]
-    R.count[DENSE_READY] = 1
 
 
 @kernel
@@ -276,7 +274,7 @@ def between(R, s, out):
 
 
 @part
-def store_outputs(L, S, T, R):
+def store_outputs(L, S, R):
     """Fills the output times that the last step passed."""
     k = R.count[OUTPUTS]
     while k < len(R.out_t) and R.out_t[k] <= R.clock[NOW]:
@@ -285,7 +283,6 @@ def store_outputs(L, S, T, R):
             for i in range(len(y)):
                 y[i] = R.states[Y][i]
         else:
-            interpolant(L, S, T, R)
             between(R, (t - R.clock[BEFORE]) / R.clock[DONE_STEP], y)
         held = R.clock[PLACE_GAP], R.clock[MOTION_GAP]
         project(L, S, R, y, t)
@@ -337,14 +334,13 @@ def accept(S, R, h):
         speed = max(speed, abs(R.states[Y][n + i]) / R.unit[i])
         moved = max(moved, abs(R.states[Y][i] - R.states[FIRST][i]) / R.unit[i])
     R.clock[SPEED], R.clock[MOVED] = speed, moved
-    for k in range(len(S.near)):
-        S.near[k] = S.bearing[k]
+    for k in range(len(S.measures)):
+        S.measures[k, NEAR] = S.measures[k, BEARING]
     for r in range(len(S.multiplier)):
         R.multiplier[r] = S.multiplier[r]
     R.clock[BEFORE] = R.clock[NOW]
     R.clock[DONE_STEP] = h
     R.count[STEPS] += 1
-    R.count[DENSE_READY] = 0
 
 
 _L, _S, _T, _R = (example_of(kind) for kind in (Layout, Room, Tableau, Run))
@@ -428,10 +424,11 @@ def advance(L, S, T, R, max_steps):
                 R.clock[STEP] = h * max(0.2, growth)
         accept(S, R, h)
         R.clock[NOW] = R.clock[END] if is_last else t + h
-        if R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]:
-            store_outputs(L, S, T, R)
-        if R.count[IS_WATCHED] > 0:
+        has_outputs = R.count[OUTPUTS] < len(R.out_t) and R.out_t[R.count[OUTPUTS]] <= R.clock[NOW]
+        if R.count[IS_WATCHED] > 0 or (has_outputs and R.out_t[R.count[OUTPUTS]] < R.clock[NOW]):
             interpolant(L, S, T, R)
+        if has_outputs:
+            store_outputs(L, S, R)
         for i in range(n_y):
             R.slopes[0, i] = R.slopes[n_stages, i]
         if R.count[IS_WATCHED] > 0:
