@@ -173,8 +173,8 @@ def numbers_of(numbers: list[sp.Symbol], needed: set[str]) -> Iterator[str]:
             yield f"{p} = numbers[k, {j}]"
 
 
-def loop(index: int, s: Statement) -> tuple[list[str], list[str]]:
-    """The lines inside the loops of `measure` and of `fill` for one kind."""
+def loop(index: int, s: Statement) -> tuple[list[str], list[str], list[int]]:
+    """The lines inside the loops of `measure` and of `fill` for one kind, and which entries never change."""
     n = len(s.bodies)
     g = s.geometry
     coordinates = [f"{c}{k}" for k in range(n) for c in ("x", "y", "angle")]
@@ -214,15 +214,17 @@ def loop(index: int, s: Statement) -> tuple[list[str], list[str]]:
     if constant:
         fill = [*numbers_of(s.numbers, set().union(*(names(e) for _j, e in constant))), f"o = {offset}"]
         fill += [f"gradient[o + {j}] = {code(e)}" for j, e in constant]
-    return body, fill
+    return body, fill, fixed
 
 
 def text() -> str:
     statements = [statement(kind, ground) for kind, ground in KINDS]
     measure: list[str] = []
     fill: list[str] = []
+    unchanging: list[tuple[int, ...]] = []
     for index, s in enumerate(statements):
-        body, constants = loop(index, s)
+        body, constants, fixed = loop(index, s)
+        unchanging.append(tuple(fixed))
         head = [
             f"    # {s.name}: bodies {', '.join(s.bodies)}",
             f"    for k in range(kinds[{index}], kinds[{index + 1}]):",
@@ -233,8 +235,8 @@ def text() -> str:
     n_bodies = max(len(s.bodies) for s in statements)
     n_numbers = max(len(s.numbers) for s in statements)
     listed = [
-        f'    Kind("{kind.__name__}", {ground!r}, {len(s.bodies)}, {len(s.numbers)}, {bool(s.geometry.tangents)}),'
-        for (kind, ground), s in zip(KINDS, statements, strict=True)
+        f'    Kind("{kind.__name__}", {ground!r}, {len(s.bodies)}, {len(s.numbers)}, {bool(s.geometry.tangents)}, {fixed!r}),'
+        for (kind, ground), s, fixed in zip(KINDS, statements, unchanging, strict=True)
     ]
     return "\n".join(
         [
@@ -266,6 +268,7 @@ def text() -> str:
             "    n_bodies: int",
             "    n_numbers: int",
             "    has_bearing: bool",
+            "    unchanging: tuple[int, ...]  # entries of the gradient that are the same in every pose",
             "",
             "",
             "KINDS = (",

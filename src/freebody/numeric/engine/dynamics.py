@@ -143,8 +143,8 @@ def law_of(L, S, p, t):
 def loads(L, S, t):
     """Generalized forces of all loads; the power of those without a potential."""
     F = S.force
-    for b in range(len(F)):
-        F[b, 0], F[b, 1], F[b, 2] = L.constant_force[b, 0], L.constant_force[b, 1], L.constant_force[b, 2]
+    for i in range(len(F)):
+        F[i] = L.constant_force[i]
     power = 0.0
     for p in range(len(L.push)):
         law, r = law_of(L, S, p, t), L.push[p, 0]
@@ -152,27 +152,22 @@ def loads(L, S, t):
             power += law * (S.rows[r, RATE] - S.rows[r, DRIFT])
         for k in range(L.slot_ptr[r], L.slot_ptr[r + 1]):
             b, o = L.slots[k, 0], L.slots[k, 1]
-            F[b, 0] += law * S.gradient[o]
-            F[b, 1] += law * S.gradient[o + 1]
-            F[b, 2] += law * S.gradient[o + 2]
+            for i in range(3):
+                F[3 * b + i] += law * S.gradient[o + i]
     S.info[POWER_OF_LOADS] = power
 
 
 # -- the linear system ------------------------------------------------------------------------
 @kernel
-def assemble(slots, inverse_mass, ptr, entries, left, right, G, W, A):
-    """J M^-1 J^T, where its factor will stand."""
+def assemble(slots, inverse_mass, base, ptr, left, right, G, W, A):
+    """J M^-1 J^T, where its factor will stand. What never changes is in `base`."""
     for k in range(len(slots)):
-        b, o = slots[k, 0], slots[k, 1]
-        W[3 * k] = G[o] * inverse_mass[b, 0]
-        W[3 * k + 1] = G[o + 1] * inverse_mass[b, 1]
-        W[3 * k + 2] = G[o + 2] * inverse_mass[b, 2]
-    for e in range(len(entries)):
-        total = 0.0
+        W[k] = G[slots[k, 1]] * inverse_mass[slots[k, 0]]
+    for e in range(len(A)):
+        total = base[e]
         for k in range(ptr[e], ptr[e + 1]):
-            i, o = left[k], right[k]
-            total += W[i] * G[o] + W[i + 1] * G[o + 1] + W[i + 2] * G[o + 2]
-        A[entries[e]] = total
+            total += W[left[k]] * G[right[k]]
+        A[e] = total
 
 
 @kernel
@@ -225,18 +220,14 @@ def back_solve(ptr, rows, A, x):
 @part
 def factored(L, S):
     """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs."""
-    assemble(
-        L.held_slots, L.inverse_mass, L.pair_ptr, L.pair_entry, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
-    )
+    assemble(L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur)
     smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
     if not smallest < PIVOT_CUT:
         return 1
     S.info[IS_REGULARISED] = 1.0
-    assemble(
-        L.held_slots, L.inverse_mass, L.pair_ptr, L.pair_entry, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
-    )
+    assemble(L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur)
     factor(L.column_ptr, L.target, REGULARISATION, S.schur, S.diagonal)
     return N_REFINED
 
@@ -247,10 +238,7 @@ def push_along(ptr, slots, W, x, out):
     for r in range(len(ptr) - 1):
         xr = x[r]
         for k in range(ptr[r], ptr[r + 1]):
-            b = slots[k, 0]
-            out[b, 0] += W[3 * k] * xr
-            out[b, 1] += W[3 * k + 1] * xr
-            out[b, 2] += W[3 * k + 2] * xr
+            out[slots[k, 0]] += W[k] * xr
 
 
 @part
@@ -258,8 +246,7 @@ def held_along(L, S, r, v):
     """gradient . v of a held row."""
     G, total = S.gradient, 0.0
     for k in range(L.held_ptr[r], L.held_ptr[r + 1]):
-        b, o = L.held_slots[k, 0], L.held_slots[k, 1]
-        total += G[o] * v[b, 0] + G[o + 1] * v[b, 1] + G[o + 2] * v[b, 2]
+        total += G[L.held_slots[k, 1]] * v[L.held_slots[k, 0]]
     return total
 
 
@@ -274,18 +261,13 @@ def solve(L, S, n_passes):
         S.held[r, RIGHT] = goal - S.rows[L.held[r, 0], BIAS]
     has_gap = L.has_gap[0] > 0
     if not has_gap:
-        for b in range(len(a)):
-            a[b, 0] = a[b, 1] = a[b, 2] = 0.0
+        for i in range(len(a)):
+            a[i] = 0.0
     last = math.inf
     total = N_MASSLESS if has_gap else n_passes
     for n in range(total):
-        change = 0.0
-        for b in range(len(a)):
-            for i in range(3):
-                new = L.inverse_mass[b, i] * (F[b, i] + L.mass_gap[b, i] * a[b, i])
-                if has_gap:
-                    change = max(change, abs(new - a[b, i]))
-                a[b, i] = new
+        for i in range(len(a)):
+            a[i] = L.inverse_mass[i] * (F[i] + L.mass_gap[i] * a[i])
         if n > 0:
             push_along(L.held_ptr, L.held_slots, S.weighted, S.multiplier, a)
         for r in range(n_held):

@@ -152,7 +152,7 @@ class Engine(Packed):
         multipliers = self.room.multiplier[self.place_of]
         if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
             raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
-        return self.room.acceleration.copy(), multipliers
+        return self.room.acceleration.reshape(-1, 3).copy(), multipliers
 
     def tape_value(self, tape: int, t: float) -> float:
         """The value of a tape at the instant looked at last."""
@@ -200,15 +200,15 @@ class Engine(Packed):
         J = np.zeros((len(self.order), self.n_bodies + 1, 3))
         ptr, slots, gradient = self.layout.held_ptr, self.layout.held_slots, self.room.gradient
         for k, r in enumerate(self.place_of):
-            for body, o in slots[ptr[r] : ptr[r + 1]]:
-                J[k, body] += gradient[o : o + 3]
+            for coordinate, o in slots[ptr[r] : ptr[r + 1]]:
+                J[k, coordinate // 3, coordinate % 3] += gradient[o]
         return J
 
     def non_unique(self) -> Any:
         """(n_held,) True for multipliers that are not unique at the instant looked at last."""
         J = self.jacobian()
         n = len(J)
-        weighted = (J * np.sqrt(self.layout.inverse_mass)).reshape(n, -1)
+        weighted = J.reshape(n, -1) * np.sqrt(self.layout.inverse_mass)
         sizes = np.linalg.norm(weighted, axis=1)
         scaled = weighted / np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)[:, None]
         U, singular, _ = np.linalg.svd(scaled, full_matrices=True)
@@ -378,7 +378,7 @@ class Motion:
         k = 0
         while k < len(run.out_t) and run.out_t[k] <= self.start:
             run.out_y[k] = run.states[0]
-            run.out_a[k] = e.room.acceleration.ravel()
+            run.out_a[k] = e.room.acceleration
             run.out_multiplier[k] = e.room.multiplier
             k += 1
         run.count[stepping.OUTPUTS] = k

@@ -121,7 +121,7 @@ class Implicit:
                 run.out_y[k] = run.states[stepping.Y]
                 s = -1.0
             stepping.visit(e.layout, e.room, run, s, run.out_y[k], t, out, 0)
-            run.out_a[k], run.out_multiplier[k] = e.room.acceleration.ravel(), e.room.multiplier
+            run.out_a[k], run.out_multiplier[k] = e.room.acceleration, e.room.multiplier
             k += 1
         run.count[stepping.OUTPUTS] = k
 
@@ -154,7 +154,7 @@ class Slopes:
         laws = self._law_values(t)
         frozen = _frozen(e.layout, laws)
         stepping.visit(frozen, e.room, idle, -1.0, y, t, base, 1)
-        moving = np.flatnonzero(e.layout.inverse_mass.ravel() > 0.0)
+        moving = np.flatnonzero(e.layout.inverse_mass > 0.0)
         for i in (*moving, *(moving + n)):
             unit = e.unit[i % n]
             size = unit if i < n else unit * max(1e-3, abs(float(y[i]) / unit))
@@ -193,7 +193,7 @@ class Slopes:
                     continue
                 h = g if other is None else e.gradient_of(e.rows[other])
                 (damping if is_rate else stiffness)[:] += slope * np.outer(g, h)
-        inverse = e.layout.inverse_mass.ravel()
+        inverse = e.layout.inverse_mass
         J = e.jacobian().reshape(-1, n)
         A = (J * inverse) @ J.T
         free = np.diag(inverse)

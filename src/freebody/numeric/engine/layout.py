@@ -31,10 +31,10 @@ T = TypeVar("T")
 class Layout(NamedTuple):
     """A system in arrays. All of it is constant during a motion."""
 
-    inverse_mass: Floats2  # (n + 1, 3)
-    mass_gap: Floats2  # (n + 1, 3): by how much the mass used is more than that of a body without any
+    inverse_mass: Floats  # (3 (n + 1),) by coordinate
+    mass_gap: Floats  # by how much the mass used is more than that of a body without any
     has_gap: Ints  # (1,)
-    constant_force: Floats2  # (n + 1, 3): loads that never change
+    constant_force: Floats  # loads that never change
 
     kinds: Ints
     starts: Ints
@@ -65,13 +65,13 @@ class Layout(NamedTuple):
     held: Ints2  # (n, 4): row, tape of its target (-1: zero), is of positions (not of velocities), does work
     held_scale: Floats  # 1/size: makes gaps relative
     held_ptr: Ints
-    held_slots: Ints2  # (n, 2): body, entries
+    held_slots: Ints2  # (n, 2): coordinate (3 body + 0, 1, 2) and entry; those that are always zero are left out
 
     push: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
     push_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
 
-    pair_ptr: Ints  # entries of the Schur complement, each a sum over pairs of slots
-    pair_entry: Ints
+    schur_base: Floats  # entries of the Schur complement, as far as they never change
+    pair_ptr: Ints  # and what is added: a sum over pairs of slots
     pair_a: Ints
     pair_b: Ints
     column_ptr: Ints  # columns of L, the diagonal first
@@ -89,19 +89,19 @@ class Room(NamedTuple):
     registers: Floats2  # (n, 4): value, two derivatives, weight
     product_weight: Floats
     held: Floats2  # (n, 6): see `dynamics`
-    force: Floats2  # (n + 1, 3)
+    force: Floats
     weighted: Floats  # slots of held rows times inverse masses
     schur: Floats
     diagonal: Floats
     step: Floats
     multiplier: Floats
-    acceleration: Floats2  # (n + 1, 3)
+    acceleration: Floats
     info: Floats  # smallest pivot, regularised?, work power
 
 
 def room_for(layout: Layout) -> Room:
     """Empty room for a layout, its constant gradients filled in."""
-    n = len(layout.inverse_mass)
+    n = len(layout.inverse_mass) // 3
     n_measures, n_rows, n_held = len(layout.measure_numbers), len(layout.row_constant), len(layout.held)
     n_entries = int(
         max(
@@ -127,13 +127,13 @@ def room_for(layout: Layout) -> Room:
         registers=floats(max(1, len(layout.tape)), 4),
         product_weight=floats(len(layout.product)),
         held=floats(n_held, 6),
-        force=floats(n, 3),
-        weighted=floats(3 * len(layout.held_slots)),
+        force=floats(3 * n),
+        weighted=floats(len(layout.held_slots)),
         schur=floats(int(layout.column_ptr[-1])),
         diagonal=floats(n_held),
         step=floats(n_held),
         multiplier=floats(n_held),
-        acceleration=floats(n, 3),
+        acceleration=floats(3 * n),
         info=floats(8),
     )
     fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)

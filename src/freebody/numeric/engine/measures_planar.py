@@ -26,15 +26,16 @@ class Kind(NamedTuple):
     n_bodies: int
     n_numbers: int
     has_bearing: bool
+    unchanging: tuple[int, ...]  # entries of the gradient that are the same in every pose
 
 
 KINDS = (
-    Kind("Displacement", ("along",), 2, 6, False),
-    Kind("Displacement", (), 3, 6, False),
-    Kind("Angle", (), 2, 1, False),
-    Kind("Distance", (), 2, 4, True),
-    Kind("Bearing", (), 3, 5, True),
-    Kind("Lead", (), 2, 5, True),
+    Kind("Displacement", ("along",), 2, 6, False, (0, 1, 3, 4)),
+    Kind("Displacement", (), 3, 6, False, (6, 7)),
+    Kind("Angle", (), 2, 1, False, (0, 1, 2, 3, 4, 5)),
+    Kind("Distance", (), 2, 4, True, ()),
+    Kind("Bearing", (), 3, 5, True, (6, 7, 8)),
+    Kind("Lead", (), 2, 5, True, ()),
 )
 
 

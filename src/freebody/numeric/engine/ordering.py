@@ -1,8 +1,9 @@
 """The order in which rows are eliminated, and where everything stands in the factor.
 
-Rows that hold the same bodies stay together; of these groups the one with the fewest neighbours goes first, by the
-order of the model where several have as few (minimum degree), so that chains, ladders and trees fill in by a constant
-for each body. Source: George & Liu, SIAM Review 31 (1989) 1.
+Rows that hold the same bodies stay together; of these groups the one with the fewest neighbours goes first (minimum
+degree), so that chains, ladders and trees fill in by a constant for each body. Of several with as few, the one that has
+waited longest goes first: a chain is eliminated from both its ends in turn, and the two do not wait for each other in
+the processor. Source: George & Liu, SIAM Review 31 (1989) 1.
 """
 
 from __future__ import annotations
@@ -32,12 +33,13 @@ def elimination_order(bodies: Sequence[frozenset[Hashable]]) -> list[int]:
     def degree(g: int) -> int:
         return sum(len(members[k]) for k in neighbours[g])
 
-    heap = [(degree(g), members[g][0], g) for g in range(len(members))]
+    heap = [(degree(g), g, g) for g in range(len(members))]
     heapq.heapify(heap)
-    known = {g: d for d, _first, g in heap}
+    known = {g: d for d, _turn, g in heap}
+    turn = len(members)
     order: list[int] = []
     while heap:
-        d, _first, g = heapq.heappop(heap)
+        d, _turn, g = heapq.heappop(heap)
         if known.get(g) != d:
             continue
         del known[g]
@@ -46,9 +48,10 @@ def elimination_order(bodies: Sequence[frozenset[Hashable]]) -> list[int]:
         for k in around:
             neighbours[k] |= around
             neighbours[k] -= {k, g}
-        for k in around:
+        for k in sorted(around):
             known[k] = degree(k)
-            heapq.heappush(heap, (known[k], members[k][0], k))
+            heapq.heappush(heap, (known[k], turn, k))
+            turn += 1
     return order
 
 

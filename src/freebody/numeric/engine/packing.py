@@ -16,7 +16,7 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RATE, VALUE, Component, Held, Push, RateMeasure
 from freebody.numeric.engine.layout import Floats, Layout
-from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS
+from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
 from freebody.numeric.engine.ordering import elimination_order, symbolic_factor
 from freebody.numeric.engine.tapes import Tapes, constant_value
 from freebody.numeric.numbers import Numbers
@@ -353,10 +353,13 @@ class Packing:
         sequence = elimination_order([frozenset(b for b, _o in s) for s in held_slots])
         held = [held[k] for k in sequence]
         held_slots = [held_slots[k] for k in sequence]
+        masses = self._masses()
+        unchanging = self._unchanging(n_entries, kinds, starts, measure_numbers)
+        entries = [_entries(slots, unchanging, masses["inverse_mass"]) for slots in held_slots]
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in bases]
         layout = Layout(
-            **self._masses(),
-            constant_force=self._constant_force.copy(),
+            **masses,
+            constant_force=self._constant_force.ravel().copy(),
             kinds=_ints(kinds),
             starts=_ints(starts[:-1]),
             measure_bodies=_ints(measure_bodies, 2),
@@ -380,14 +383,26 @@ class Packing:
             tape_number=_floats(tapes.constants),
             held=_ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in held], 2, 4),
             held_scale=_floats([h["scale"] for h in held]),
-            held_ptr=_pointers(held_slots),
-            held_slots=_ints([slot for slots in held_slots for slot in slots], 2),
+            held_ptr=_pointers(entries),
+            held_slots=_ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
             push=_ints([(p["row"], p["tape"], p["works"]) for p in pushes], 2, 3),
             push_law=_floats(np.array([p["law"] for p in pushes]).reshape(-1, 3)),
-            **_schur(held_slots),
+            **_schur(entries, masses["inverse_mass"]),
         )
         found = {measure: number[where] for measure, where in self._by_measure.items()}
         return layout, sequence, found
+
+    def _unchanging(self, n_entries: int, kinds: Any, starts: Any, numbers: Floats) -> dict[int, float]:
+        """Gradient entries of measures that are the same in every pose, with their values."""
+        gradient = np.zeros(n_entries)
+        fill(_ints(kinds), _ints(starts), numbers, gradient)
+        found: dict[int, float] = {}
+        for index, kind in enumerate(KINDS):
+            size = 3 * kind.n_bodies
+            for k in range(int(kinds[index]), int(kinds[index + 1])):
+                begin = int(starts[index]) + size * (k - int(kinds[index]))
+                found |= {begin + j: float(gradient[begin + j]) for j in kind.unchanging}
+        return found
 
     def _masses(self) -> dict[str, Any]:
         """Inverse masses, and what is lent to bodies that have none."""
@@ -403,7 +418,7 @@ class Packing:
         lent = np.where(turns & (masses == 0.0), _MASSLESS * typical, 0.0)
         used = masses + lent
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
-        return {"inverse_mass": inverse, "mass_gap": lent, "has_gap": _ints([int(lent.any())])}
+        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": _ints([int(lent.any())])}
 
     def _written_held(self, tapes: Tapes, number: Mapping[_Where, int]) -> list[dict[str, Any]]:
         written: list[dict[str, Any]] = []
@@ -486,29 +501,42 @@ class _Rows:
             self.composed_mix += pieces or [(0, k, -1, m)]
 
 
-def _schur(held_slots: Sequence[Sequence[tuple[int, int]]]) -> dict[str, Any]:
-    """Which pairs of slots make up the entries of J M^-1 J^T, and where its factor stands."""
-    on_body: dict[int, list[tuple[int, int, int]]] = {}
+def _entries(
+    slots: Sequence[tuple[int, int]], unchanging: Mapping[int, float], inverse_mass: Floats
+) -> list[tuple[int, int, float | None]]:
+    """(coordinate, gradient entry, its value if it never changes) of a held row, without those that move nothing."""
+    listed = [(3 * b + i, o + i, unchanging.get(o + i)) for b, o in slots for i in range(3)]
+    return [(c, o, fixed) for c, o, fixed in listed if fixed != 0.0 and inverse_mass[c] > 0.0]
+
+
+def _schur(held: Sequence[Sequence[tuple[int, int, float | None]]], inverse_mass: Floats) -> dict[str, Any]:
+    """Which pairs of entries make up J M^-1 J^T, what of it never changes, and where its factor stands."""
+    at: dict[int, list[tuple[int, int, int, float | None]]] = {}
     slot = 0
-    for r, slots in enumerate(held_slots):
-        for body, offset in slots:
-            on_body.setdefault(body, []).append((r, slot, offset))
+    for r, entries in enumerate(held):
+        for coordinate, offset, fixed in entries:
+            at.setdefault(coordinate, []).append((r, slot, offset, fixed))
             slot += 1
-    pairs: dict[tuple[int, int], list[tuple[int, int]]] = {(r, r): [] for r in range(len(held_slots))}
-    for touching in on_body.values():
-        for r, slot_r, _offset in touching:
-            for s, _slot, offset_s in touching:
-                if s <= r:
-                    pairs.setdefault((r, s), []).append((3 * slot_r, offset_s))
-    factor = symbolic_factor(len(held_slots), {(r, s) for r, s in pairs if r > s})
-    fill: list[tuple[int, int]] = [key for key in factor.place if key not in pairs]
-    listed = sorted([*pairs, *fill], key=lambda key: factor.place[key])
-    entries = [pairs.get(key, []) for key in listed]
+    pairs: dict[tuple[int, int], list[tuple[int, int]]] = {(r, r): [] for r in range(len(held))}
+    base: dict[tuple[int, int], float] = {}
+    for coordinate, touching in at.items():
+        for r, slot_r, _offset, fixed_r in touching:
+            for s, _slot, offset_s, fixed_s in touching:
+                if s > r:
+                    continue
+                pairs.setdefault((r, s), [])
+                if fixed_r is not None and fixed_s is not None:
+                    base[r, s] = base.get((r, s), 0.0) + fixed_r * fixed_s * float(inverse_mass[coordinate])
+                else:
+                    pairs[r, s].append((slot_r, offset_s))
+    factor = symbolic_factor(len(held), {(r, s) for r, s in pairs if r > s})
+    listed = sorted(factor.place, key=lambda key: factor.place[key])
+    added = [pairs.get(key, []) for key in listed]
     return {
-        "pair_ptr": _pointers(entries),
-        "pair_entry": _ints([factor.place[key] for key in listed]),
-        "pair_a": _ints([a for entry in entries for a, _b in entry]),
-        "pair_b": _ints([b for entry in entries for _a, b in entry]),
+        "schur_base": _floats([base.get(key, 0.0) for key in listed]),
+        "pair_ptr": _pointers(added),
+        "pair_a": _ints([a for entry in added for a, _b in entry]),
+        "pair_b": _ints([b for entry in added for _a, b in entry]),
         "column_ptr": factor.column_ptr,
         "column_row": factor.column_row,
         "target": factor.target,

@@ -116,9 +116,7 @@ def store_slope(L, S, y, out):
     n = (len(y) - 1) // 2
     for i in range(n):
         out[i] = y[n + i]
-    for b in range(n // 3):
-        for i in range(3):
-            out[n + 3 * b + i] = S.acceleration[b, i]
+        out[n + i] = S.acceleration[i]
     out[2 * n] = power(L, S)
 
 
@@ -137,7 +135,7 @@ def project(L, S, R, y, t):
     last_place, last_motion = math.inf, math.inf
     for attempt in range(N_PROJECTIONS):
         kinematics(L, S, q, v, t)
-        place, motion = gaps(L, S, v)
+        place, motion = gaps(L, S, y[n : 2 * n])
         if not (place < math.inf and motion < math.inf):
             return False
         enough = place <= place_enough and motion <= motion_enough
@@ -151,7 +149,7 @@ def project(L, S, R, y, t):
             return False
         last_place, last_motion = place, motion
         factored(L, S)
-        closed(L, S, q, v)
+        closed(L, S, y[:n], y[n : 2 * n])
     return False
 
 
@@ -288,9 +286,8 @@ def store_outputs(L, S, R):
         project(L, S, R, y, t)
         R.clock[PLACE_GAP], R.clock[MOTION_GAP] = max(held[0], R.clock[PLACE_GAP]), max(held[1], R.clock[MOTION_GAP])
         respond(L, S, t)
-        for b in range(len(S.acceleration)):
-            for i in range(3):
-                R.out_a[k, 3 * b + i] = S.acceleration[b, i]
+        for i in range(len(S.acceleration)):
+            R.out_a[k, i] = S.acceleration[i]
         for r in range(len(S.multiplier)):
             R.out_multiplier[k, r] = S.multiplier[r]
         k += 1

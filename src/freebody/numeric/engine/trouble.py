@@ -55,7 +55,7 @@ def _dependent(engine: Engine) -> tuple[list[int], float]:
     J = engine.jacobian()
     if not len(J) or not np.isfinite(J).all():
         return [], 1.0
-    weighted = (J * np.sqrt(engine.layout.inverse_mass)).reshape(len(J), -1)
+    weighted = J.reshape(len(J), -1) * np.sqrt(engine.layout.inverse_mass)
     sizes = np.linalg.norm(weighted, axis=1)
     U, singular, _ = np.linalg.svd(weighted / np.where(sizes > 0.0, sizes, 1.0)[:, None], full_matrices=True)
     kept = np.flatnonzero(singular > 1e-12 * singular[0])  # rows that are redundant everywhere do not count
