@@ -235,7 +235,8 @@ def text() -> str:
     n_bodies = max(len(s.bodies) for s in statements)
     n_numbers = max(len(s.numbers) for s in statements)
     listed = [
-        f'    Kind("{kind.__name__}", {ground!r}, {len(s.bodies)}, {len(s.numbers)}, {bool(s.geometry.tangents)}, {fixed!r}),'
+        f'    Kind("{kind.__name__}", {ground!r}, {len(s.bodies)}, {len(s.numbers)}, '
+        f"{bool(s.geometry.tangents)}, {fixed!r}),"
         for (kind, ground), s, fixed in zip(KINDS, statements, unchanging, strict=True)
     ]
     return "\n".join(

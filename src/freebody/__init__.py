@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.study.answer import Answer
     from freebody.study.eom import Equations, equations_of_motion
+    from freebody.study.equilibrium import equilibria
+    from freebody.study.inverse_dynamics import inverse_dynamics
+    from freebody.study.modes import modes
     from freebody.study.simulate import Simulation, Simulator, simulate
     from freebody.study.solve import Solution, solve
 
@@ -28,6 +31,9 @@ _HOMES = {
     "solve": "freebody.study.solve",
     "Solution": "freebody.study.solve",
     "Answer": "freebody.study.answer",
+    "equilibria": "freebody.study.equilibrium",
+    "inverse_dynamics": "freebody.study.inverse_dynamics",
+    "modes": "freebody.study.modes",
     "simulate": "freebody.study.simulate",
     "Simulation": "freebody.study.simulate",
     "Simulator": "freebody.study.simulate",
@@ -53,6 +59,9 @@ __all__ = [
     "Solution",
     "System",
     "equations_of_motion",
+    "equilibria",
+    "inverse_dynamics",
+    "modes",
     "simulate",
     "solve",
 ]

@@ -9,6 +9,9 @@ from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
     from freebody.study.eom import Equations
+    from freebody.study.equilibrium import Equilibria
+    from freebody.study.inverse_dynamics import InverseDynamics
+    from freebody.study.modes import At, Modes
     from freebody.study.simulate import Simulation
     from freebody.study.solve import Solution
 
@@ -43,3 +46,22 @@ class System(Description):
         from freebody.study.simulate import simulate
 
         return simulate(self, until, tolerance=tolerance, values=values, events=events, **options)
+
+    def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
+        """Its equilibria, from guesses of named measures or from a tour of its poses, with their stability."""
+        from freebody.study.equilibrium import equilibria
+
+        return equilibria(self, guesses)
+
+    def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> Modes:
+        """Natural frequencies, damping and mode shapes about the nearest equilibrium, or "start"."""
+        from freebody.study.modes import modes
+
+        return modes(self, at, guess)
+
+    def inverse_dynamics(self, motion: Mapping[str, Any] | None, times: Sequence[float]) -> InverseDynamics:
+        """The forces and torques for a prescribed motion of named measures; see
+        `freebody.study.inverse_dynamics.inverse_dynamics`."""
+        from freebody.study.inverse_dynamics import inverse_dynamics
+
+        return inverse_dynamics(self, motion, times)

@@ -35,13 +35,15 @@ def solve(
     ] = None,
 ) -> None:
     """Answer the questions of a model in closed form."""
+    from importlib import import_module
+
     from freebody.present.simulation import told_compiling
     from freebody.study.solve import solve as solve_system
     from freebody.system.system import System
 
     system = System.load(file)
     with told_compiling():
-        import freebody.study.witness  # noqa: F401  (what every answer is checked with)
+        import_module("freebody.study.witness")  # what every answer is checked with
     solution = solve_system(system, question)
     if as_json:
         _print_json(solution.to_plain())

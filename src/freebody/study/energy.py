@@ -67,7 +67,9 @@ def energy_balance(result: Simulation) -> EnergyBalance:
         assert not isinstance(push.measure, RateMeasure)
         x = found[name][0] - simulator.reference.start_value(push.measure)
         potential -= c0 * x + 0.5 * c1 * x * x
-    typical = float(np.abs(simulator.engine.layout.constant_force.reshape(-1, 3)[:, :2]).sum()) * simulator.numbers.length
+    typical = (
+        float(np.abs(simulator.engine.layout.constant_force.reshape(-1, 3)[:, :2]).sum()) * simulator.numbers.length
+    )
     return EnergyBalance(kinetic, potential, course.work, typical)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -72,7 +72,7 @@ class Equilibria:
     degrees_of_freedom: int
     rests: tuple[Rest, ...]
     notes: tuple[str, ...]
-    reference: Reference
+    reference: Reference = field(repr=False)
 
     def __iter__(self) -> Iterator[Rest]:
         return iter(self.rests)

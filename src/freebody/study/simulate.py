@@ -96,7 +96,7 @@ class Simulator:
         return (time.perf_counter() - began) / n_calls
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Simulation:
     """The result of a simulation. SI units, angles in rad."""
 
@@ -105,6 +105,21 @@ class Simulation:
     course: Course
     tolerance: float
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
+
+    def __repr__(self) -> str:
+        from freebody.present.simulation import simulation_lines
+
+        return "\n".join(simulation_lines(self))
+
+    def _repr_html_(self) -> str:
+        """The summary and a plot, for notebooks."""
+        from html import escape
+        from io import StringIO
+
+        picture = StringIO()
+        self.plot().savefig(picture, format="svg")
+        svg = picture.getvalue()
+        return f"<pre>{escape(repr(self))}</pre>{svg[svg.index('<svg') :]}"
 
     @property
     def status(self) -> Status:

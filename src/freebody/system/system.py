@@ -16,7 +16,7 @@ from freebody.connections.base import Connection
 from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.language.expression import Expr
-from freebody.language.units import Dimension
+from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.model.elements import Held, Parameter, Push, RigidBody
@@ -25,7 +25,7 @@ from freebody.model.question import Question
 from freebody.model.spec import Spec
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class System:
     """The meaning of a model. All fields are read-only; `with_parameters` makes another one."""
 
@@ -69,6 +69,9 @@ class System:
             if name not in self.parameters:
                 raise InputError(f"there is no parameter {name}.{did_you_mean(name, self.parameters)}")
             given = document.data["parameters"][name]
+            if not isinstance(value, str):  # a bare number is in SI units
+                dimension = self.parameters[name].dimension
+                value = value if dimension == DIMENSIONLESS else f"{value!r} {dimension}"
             path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
             document = document.with_value(path, value)
         return self._read(document, self.file)
@@ -99,6 +102,11 @@ class System:
         """Dimension of every parameter and named measure."""
         known = {p.name: p.dimension for p in self.parameters.values()}
         return known | {n: m.dimension for n, m in self.measures.items()}
+
+    def __repr__(self) -> str:
+        """Its title and size; `to_yaml` has all of it."""
+        size = f"{len(self.moving)} moving bodies, {len(self.connections)} connections, {len(self.loads)} loads"
+        return f"<System {self.title!r}: {size}>"
 
     def __eq__(self, other: object) -> bool:
         """Equal systems mean the same, however they were written."""

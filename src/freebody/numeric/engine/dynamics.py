@@ -218,16 +218,27 @@ def back_solve(ptr, rows, A, x):
 
 
 @part
+def assembled(L, S):
+    assemble(
+        L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
+
+
+@part
 def factored(L, S):
     """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs."""
-    assemble(L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur)
+    assemble(
+        L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
     smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
     if not smallest < PIVOT_CUT:
         return 1
     S.info[IS_REGULARISED] = 1.0
-    assemble(L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur)
+    assemble(
+        L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
     factor(L.column_ptr, L.target, REGULARISATION, S.schur, S.diagonal)
     return N_REFINED
 
