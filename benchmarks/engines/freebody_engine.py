@@ -10,9 +10,20 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-from problems import FOUR_BAR_TIME, Array, Evaluations, chain_model, chain_state, four_bar_model
+from problems import (
+    FOUR_BAR_TIME,
+    Array,
+    Evaluations,
+    chain_model,
+    chain_state,
+    chain_without_start,
+    four_bar_model,
+    poses_and_velocities,
+)
 
 from freebody import System
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.reference import Reference
 from freebody.study.simulate import Simulator, simulate
 
 TOLERANCES = (1e-2, 1e-12)
@@ -39,9 +50,16 @@ def _runs(model: dict[str, Any], until: float, points: Any) -> Any:
 
 def accelerations(n: int) -> Evaluations:
     """Evaluates at the random state of n links, timed within the compiled loop."""
-    simulator = Simulator(System.from_data(chain_model(*chain_state(n))))
-    found, _reactions = simulator.engine.evaluate(simulator.start, 0.0)
-    return lambda n_calls: (simulator.time_accelerations(n_calls), found[:-1, 2])
+    engine = Engine(Reference(System.from_data(chain_without_start(n))).numbers())
+    state = engine.state(*poses_and_velocities(*chain_state(n)))
+    found, _reactions = engine.evaluate(state, 0.0)
+
+    def timed(n_calls: int) -> tuple[float, Array]:
+        begin = perf_counter()
+        engine.evaluate(state, 0.0, n_calls)
+        return (perf_counter() - begin) / n_calls, found[:-1, 2]
+
+    return timed
 
 
 def chain_methods(n: int) -> dict[str, Any]:

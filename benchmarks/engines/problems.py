@@ -82,6 +82,21 @@ def chain_model(angles: Array, rates: Array) -> dict[str, Any]:
     }
 
 
+def chain_without_start(n: int) -> dict[str, Any]:
+    """The chain without a start: half of the values of a model, so that 2000 links are below the limit of a file."""
+    model = chain_model(np.zeros(n), np.zeros(n))
+    rod = {key: value for key, value in model["bodies"]["link0"].items() if key == "rod"}
+    return model | {"bodies": {f"link{k}": rod for k in range(n)}}
+
+
+def poses_and_velocities(angles: Array, rates: Array) -> tuple[Array, Array]:
+    """(n, 3) x, y of the centre and angle of every link, and their rates."""
+    along = np.column_stack([np.cos(angles), np.sin(angles)])
+    across = np.column_stack([-np.sin(angles), np.cos(angles)]) * rates[:, None]
+    centers, velocities = np.cumsum(along, axis=0) - along / 2, np.cumsum(across, axis=0) - across / 2
+    return np.column_stack([centers, angles]), np.column_stack([velocities, rates])
+
+
 def four_bar_model(n_windows: int) -> dict[str, Any]:
     """The N-four-bar at its start, for `System.from_data`."""
     up, half, right = np.pi / 2, np.array([0.5, 0.0]), np.array([1.0, 0.0])

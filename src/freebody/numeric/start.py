@@ -122,7 +122,9 @@ def start_velocities(
     if not b.any():
         return np.zeros(n)
     J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
-    v = Split(J, reference.sizes.small_moves).least(b)
+    v = _given(reference) if with_start else None
+    if v is None or np.abs(J @ v - b).max() > 1e-12 * np.abs(b).max():
+        v = Split(J, reference.sizes.small_moves).least(b)
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):
         k = int(gaps.argmax())
@@ -130,6 +132,17 @@ def start_velocities(
             f"the velocities contradict each other: at best {wanted[k][0]} is off by {gaps[k]:.3g} (in SI "
             "units). Change or remove one of them"
         )
+    return v
+
+
+def _given(reference: Reference) -> Array | None:
+    """The velocities, if the model gives those of every body."""
+    v = np.zeros(len(reference.masses))
+    for body in reference.system.moving:
+        rates, columns = list(_body_rates(reference, body)), reference.columns(body.name)
+        if len(rates) < len(columns):
+            return None
+        v[list(columns)] = [rate for _name, _jet, rate in rates]
     return v
 
 
@@ -155,9 +168,15 @@ def _wanted_rates(
 
 def _body_rates(reference: Reference, body: RigidBody) -> Iterator[_Rate]:
     """A velocity or an angular velocity that the model gives to a body at the start."""
-    start, columns, unit_rows = body.start, reference.columns(body.name), np.eye(len(reference.masses))
+    start, columns = body.start, reference.columns(body.name)
+
+    def unit_row(k: int) -> Array:
+        row = np.zeros(len(reference.masses))
+        row[columns[k]] = 1.0
+        return row
+
     for k, expr in enumerate(start.velocity or ()):
-        yield f"velocity of {body.name}", Jet(0.0, unit_rows[columns[k]]), reference.number(expr)
+        yield f"velocity of {body.name}", Jet(0.0, unit_row(k)), reference.number(expr)
     if start.angular_velocity is not None and body.turns:
         spin = reference.number(start.angular_velocity)
-        yield f"angular_velocity of {body.name}", Jet(0.0, unit_rows[columns[2]]), spin
+        yield f"angular_velocity of {body.name}", Jet(0.0, unit_row(2)), spin

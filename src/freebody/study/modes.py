@@ -159,8 +159,8 @@ class Modes:
     def to_plain(self) -> dict[str, Any]:
         """The JSON document of `freebody modes`: title, about, measures {name: {value, unit}}, stability,
         coordinates, states, mass_matrix, damping_matrix, stiffness_matrix, state_matrix, notes, and `modes`, each
-        with kind, frequency [rad/s], frequency_hz, damped_frequency, damping_ratio, growth_rate [1/s], shape {measure: number or
-        [re, im]} and bodies {body: [x, y, angle]}; null where a mode has no such number."""
+        with kind, frequency [rad/s], frequency_hz, damped_frequency, damping_ratio, growth_rate [1/s],
+        shape {measure: number or [re, im]} and bodies {body: [x, y, angle]}; null where a mode has no such number."""
         return {
             "title": self.system.title,
             "about": self.about,
