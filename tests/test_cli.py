@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -216,3 +217,48 @@ def test_new_values_keep_the_comments_of_the_file() -> None:
     assert system.parameters["m"].value == 1.0
     with pytest.raises(fb.InputError, match="Did you mean"):
         system.with_parameters(mm=3)
+
+
+# -- simulate, equilibrium, modes -------------------------------------------------------------
+def test_simulate_prints_one_json_document_and_writes_what_is_asked(tmp_path: Path) -> None:
+    paths = [tmp_path / name for name in ("run.nc", "run.png", "run.html")]
+    options = ["--out", str(paths[0]), "--plot", str(paths[1]), "--show", "theta", "--animate", str(paths[2])]
+    done = freebody(
+        "simulate", str(ROOT / "examples" / "simple_pendulum.yaml"), "--until", "500 ms", "--json", *options
+    )
+    assert done.returncode == 0, done.stderr
+    document = json.loads(done.stdout)
+    assert document["status"] == "finished"
+    assert document["t_end"] == 0.5
+    assert all(path.stat().st_size > 1000 for path in paths)
+    assert not re.search(r"(?:src|href|import|fetch)\W{1,3}https?:", paths[2].read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--until", "0"], "positive time"),
+        (["--until", "3 kg"], "no time"),
+        (["--until", "1", "--out", "/nowhere/run.nc"], "no folder"),
+        (["--until", "1", "--set", "q=3"], "no parameter q"),
+        (["--until", "1", "--event", "thta = 0"], "Did you mean theta"),
+    ],
+)
+def test_simulate_refuses_arguments_without_sense(options: list[str], message: str) -> None:
+    done = freebody("simulate", str(ROOT / "examples" / "simple_pendulum.yaml"), *options)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_motion_that_cannot_go_on_exits_with_1_and_says_why(tmp_path: Path) -> None:
+    path = tmp_path / "law.yaml"
+    path.write_text(
+        "parameters: {k: 50 N/m, L: 1 m}\n"
+        "bodies: {block: {particle: {mass: 2 kg}, at: [0.3 m, 0]}}\n"
+        "loads: {s: {law: {measure: x, force: -k*L*sqrt(x/L)}}}\nmeasures: {x: x of block}\n",
+        encoding="utf-8",
+    )
+    done = freebody("simulate", str(path), "--until", "2")
+    assert done.returncode == 1
+    assert "s has no finite value" in done.stdout

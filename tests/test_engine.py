@@ -236,3 +236,17 @@ def test_kernels_are_kept_under_the_digest_of_their_sources() -> None:
 
     assert jit.is_compiled()
     assert "freebody-kernels-" in str(jit._folder())
+
+
+# -- motions ----------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_both_routes_follow_the_same_motion_of_an_example(name: str) -> None:
+    system = fb.System.load(ROOT / "examples" / f"{name}.yaml")
+    result = system.simulate(0.1, tolerance=1e-12, every=0.1)
+    reference = Reference(system)
+    q = reference.assemble()
+    slow = reference.integrate((q, reference.velocities(q)), 0.1).snapshots[-1]
+    fast = reference.by_column(result.course.poses[-1])
+    assert np.abs(fast - slow.q).max() < 1e-9 * (1.0 + np.abs(slow.q).max())
+    velocities = reference.by_column(result.course.velocities[-1])
+    assert np.abs(velocities - slow.v).max() < 1e-8 * (1.0 + np.abs(slow.v).max())

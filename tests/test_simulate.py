@@ -489,3 +489,14 @@ def test_the_summary_is_one_json_document() -> None:
     assert expected <= summary.keys()
     assert summary["final"]["measures"].keys() == {"x", "y"}
     assert summary["events"][0].keys() == {"time", "name", "kind"}
+
+
+def test_a_misspelt_event_is_named_with_the_nearest_measure() -> None:
+    with pytest.raises(fb.InputError, match="Did you mean x"):
+        A01.simulate(1.0, events=["xx = 0"])
+
+
+def test_a_result_shows_itself_in_a_notebook() -> None:
+    html = A01.simulate(0.5)._repr_html_()
+    assert "<svg" in html
+    assert "energy" in html

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freebody.errors import InputError
+from freebody.errors import InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
+from freebody.model.names import did_you_mean
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import METHODS, Engine, Watch
 from freebody.numeric.jets import Array
@@ -287,12 +288,18 @@ def _is_driven(system: System) -> bool:
 
 
 def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
-    """Events in words. Raises ModelError if one cannot be read."""
+    """Events in words. Raises InputError if one cannot be read."""
     found: list[Watch] = []
     for text in events:
         stops = text.strip().lower().startswith("stop when")
         words = text.strip()[len("stop when") :].strip() if stops else text.strip()
-        question = simulator.system.question(f"time when {words}")
+        try:
+            question = simulator.system.question(f"time when {words}")
+        except ModelError as error:
+            measures = simulator.system.measures
+            listed = f" Named measures: {', '.join(measures)}." if measures else ""
+            guess = did_you_mean(words.split("=")[0].strip(), measures)
+            raise InputError(f"event '{text}': {error.problems[0].message}.{guess}{listed}") from error
         event = question.event
         if event is None:
             raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")

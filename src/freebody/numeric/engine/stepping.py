@@ -121,17 +121,17 @@ def store_slope(L, S, y, out):
 
 
 @kernel
-def project(L, S, R, y, t):
+def project(L, S, clock, count, unit, y, t):
     """Closes the gaps of a state; True if that succeeds. Kinematics are those of the state then."""
     n = (len(y) - 1) // 2
     q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
     size = 1.0
     for i in range(n):
-        size = max(size, abs(y[i]) / R.unit[i])
+        size = max(size, abs(y[i]) / unit[i])
     place_enough = 3e-14 + 4.0 * EPSILON * size
-    motion_enough = 1e-13 * R.clock[SPEED] + 1e-15
-    if R.count[IS_CAREFUL] > 0:
-        place_enough, motion_enough = EPSILON * size, 2.0 * EPSILON * R.clock[SPEED]
+    motion_enough = 1e-13 * clock[SPEED] + 1e-15
+    if count[IS_CAREFUL] > 0:
+        place_enough, motion_enough = EPSILON * size, 2.0 * EPSILON * clock[SPEED]
     last_place, last_motion = math.inf, math.inf
     for attempt in range(N_PROJECTIONS):
         kinematics(L, S, q, v, t)
@@ -141,9 +141,9 @@ def project(L, S, R, y, t):
         enough = place <= place_enough and motion <= motion_enough
         stuck = place >= 0.5 * last_place and motion >= 0.5 * last_motion
         if enough or stuck:
-            if place > 1e-10 * size or motion > 1e-8 * R.clock[SPEED] + 1e-9:
+            if place > 1e-10 * size or motion > 1e-8 * clock[SPEED] + 1e-9:
                 return False
-            R.clock[PLACE_GAP], R.clock[MOTION_GAP] = place, motion
+            clock[PLACE_GAP], clock[MOTION_GAP] = place, motion
             return True
         if place > 1e4 * last_place and attempt > 1:
             return False
@@ -160,20 +160,20 @@ def is_near_singular(S, R):
 
 
 @kernel
-def slope_held(L, S, R, y, t, out):
+def slope_held(L, S, clock, count, unit, held, y, t, out):
     """The slope of a stage. Near a singular pose it is that of the nearest state that holds what is held: stages are
     off by a low power of the step, and there that would be enlarged by the inverse of the smallest pivot."""
-    R.count[EVALUATIONS] += 1
-    if R.count[IS_CAREFUL] > 0:
+    count[EVALUATIONS] += 1
+    if count[IS_CAREFUL] > 0:
         for i in range(len(y)):
-            R.states[HELD, i] = y[i]
-        if project(L, S, R, R.states[HELD], t):
+            held[i] = y[i]
+        if project(L, S, clock, count, unit, held, t):
             respond(L, S, t)
-            store_slope(L, S, R.states[HELD], out)
-            R.clock[LOWEST_PIVOT] = min(R.clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
+            store_slope(L, S, held, out)
+            clock[LOWEST_PIVOT] = min(clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
             return
     slope(L, S, y, t, out)
-    R.clock[LOWEST_PIVOT] = min(R.clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
+    clock[LOWEST_PIVOT] = min(clock[LOWEST_PIVOT], S.info[SMALLEST_PIVOT])
 
 
 @part
@@ -224,7 +224,7 @@ def stages(L, S, T, R, t, h):
         for i in range(n_y):
             out[i] = R.states[Y][i] + h * out[i]
         if s < n_stages:
-            slope_held(L, S, R, out, t + T.c[s] * h, R.slopes[s])
+            slope_held(L, S, R.clock, R.count, R.unit, R.states[HELD], out, t + T.c[s] * h, R.slopes[s])
 
 
 @part
@@ -242,7 +242,7 @@ def interpolant(L, S, T, R):
                     R.states[STAGE][i] += a * R.slopes[j, i]
         for i in range(n_y):
             R.states[STAGE][i] = R.states[OLD][i] + h * R.states[STAGE][i]
-        slope_held(L, S, R, R.states[STAGE], t + T.c[s] * h, R.slopes[s])
+        slope_held(L, S, R.clock, R.count, R.unit, R.states[HELD], R.states[STAGE], t + T.c[s] * h, R.slopes[s])
     for i in range(n_y):
         change = R.states[Y][i] - R.states[OLD][i]
         R.dense[0, i] = change
@@ -283,7 +283,7 @@ def store_outputs(L, S, R):
         else:
             between(R, (t - R.clock[BEFORE]) / R.clock[DONE_STEP], y)
         held = R.clock[PLACE_GAP], R.clock[MOTION_GAP]
-        project(L, S, R, y, t)
+        project(L, S, R.clock, R.count, R.unit, y, t)
         R.clock[PLACE_GAP], R.clock[MOTION_GAP] = max(held[0], R.clock[PLACE_GAP]), max(held[1], R.clock[MOTION_GAP])
         respond(L, S, t)
         for i in range(len(S.acceleration)):
@@ -367,7 +367,7 @@ def advance(L, S, T, R, max_steps):
             R.clock[LOWEST_PIVOT] = 1.0
             stages(L, S, T, R, t, h)
             error = error_of(T, R, h) if is_adaptive and not needs_new else 0.0
-            is_held = error <= allowed and project(L, S, R, R.states[NEW], t + h)
+            is_held = error <= allowed and project(L, S, R.clock, R.count, R.unit, R.states[NEW], t + h)
             if is_held:
                 respond(L, S, t + h)
                 store_slope(L, S, R.states[NEW], R.slopes[n_stages])
@@ -442,7 +442,7 @@ def visit(L, S, R, s, y, t, out, n_times):
     is found that many times. False if the gaps cannot be closed."""
     if s >= 0.0:
         between(R, s, y)
-    if n_times == 0 and not project(L, S, R, y, t):
+    if n_times == 0 and not project(L, S, R.clock, R.count, R.unit, y, t):
         return False
     for _ in range(max(1, n_times)):
         slope(L, S, y, t, out)
