@@ -99,5 +99,5 @@ def told_compiling() -> Generator[None]:
     if is_compiled():
         yield
         return
-    with Console(stderr=True).status("compiling kernels, once (about 15 s)"):
+    with Console(stderr=True).status("compiling kernels, once (about 17 s)"):
         yield
