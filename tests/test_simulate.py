@@ -500,3 +500,38 @@ def test_a_result_shows_itself_in_a_notebook() -> None:
     html = A01.simulate(0.5)._repr_html_()
     assert "<svg" in html
     assert "energy" in html
+
+
+def test_turns_of_a_line_are_counted_between_distant_output_times() -> None:
+    system = model("""
+bodies: {wheel: {rod: {mass: 1 kg, length: 1 m}, at: {start: [0, 0]}, angle: 30 deg, angular_velocity: 50 rad/s}}
+connections: {hub: {pin: [ground.O, wheel.start]}}
+measures: {theta: angle of line from ground.O to wheel.end, phi: angle of wheel}
+""")
+    result = system.simulate(10.0, every=2.5)
+    assert result.series["theta"][0] == pytest.approx(result.series["phi"][0], abs=1e-6)
+    assert result.series["phi"][0][-1] == pytest.approx(math.radians(30) + 500.0, abs=1e-6)
+
+
+def test_a_law_with_a_jump_is_no_linear_law() -> None:
+    system = model("""
+parameters: {m: 1 kg, mu: 0.3, g: 9.81 m/s^2}
+bodies: {b: {particle: {mass: m}, at: [0, 0], velocity: [1 m/s, 0]}}
+connections: {s: {slider: {body: b, along: right}}}
+loads: {f: {law: {measure: x, force: -mu*m*g*sign(rate(x))}}}
+measures: {x: x of b}
+""")
+    result = system.simulate(0.3, every=0.1)
+    assert result.series["x"][0][-1] == pytest.approx(0.3 - 0.5 * 0.3 * G * 0.09, abs=1e-12)
+    chattering = system.simulate(5.0, max_seconds=0.5)
+    assert chattering.status is Status.TOO_LONG
+    assert "the law of f jumps" in chattering.message
+
+
+@pytest.mark.parametrize(
+    "law", ["-k*x", "-k*x - c*rate(x)", "-k*x^3/L^2", "-k*L*sin(x/L)", "-k*abs(x)*sign(x)", "-c*abs(rate(x))*rate(x)/v"]
+)
+def test_energy_balances_whatever_the_law_of_a_load(law: str) -> None:
+    text = OSCILLATOR.replace("-k*x - c*rate(x)", law)
+    text = text.replace("c: {value: 0 N s/m", "L: 1 m, v: 1 m/s, c: {value: 3 N s/m")
+    assert model(text).simulate(2.0, tolerance=1e-10).energy.relative_error < 1e-8

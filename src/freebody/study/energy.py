@@ -14,13 +14,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.language.expression import differentiate, free_symbols, substitute
-from freebody.language.expression.tree import ZERO
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RateMeasure
+from freebody.numeric.engine.packing import stored_law
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation, Simulator
+    from freebody.study.simulate import Simulation
 
 
 @dataclass(frozen=True)
@@ -58,9 +57,8 @@ def energy_balance(result: Simulation) -> EnergyBalance:
             kinetic += 0.5 * simulator.reference.number(body.inertia) * v[:, 2] ** 2
     from freebody.study.observed import observed
 
-    stored = {
-        push.name: (push, law) for push in result.system.pushes if (law := stored_law(simulator, push)) is not None
-    }
+    laws = {push.name: (push, stored_law(push, simulator.numbers.values)) for push in result.system.pushes}
+    stored = {name: (push, law) for name, (push, law) in laws.items() if law is not None}
     found = observed(result, {name: push.measure for name, (push, _law) in stored.items()})
     potential = np.zeros_like(kinetic)
     for name, (push, (c0, c1)) in stored.items():
@@ -71,17 +69,3 @@ def energy_balance(result: Simulation) -> EnergyBalance:
         float(np.abs(simulator.engine.layout.constant_force.reshape(-1, 3)[:, :2]).sum()) * simulator.numbers.length
     )
     return EnergyBalance(kinetic, potential, course.work, typical)
-
-
-def stored_law(simulator: Simulator, push: Push) -> tuple[float, float] | None:
-    """(c0, c1) of a load whose law is c0 + c1 value: its energy is stored. None for others."""
-    if isinstance(push.measure, RateMeasure):
-        return None
-    law, known = push.law, simulator.numbers.values.keys() | {"pi"}
-    if free_symbols(law) - known - {VALUE.name, RATE.name} or differentiate(law, RATE.name) != ZERO:
-        return None
-    slope = differentiate(law, VALUE.name)
-    if free_symbols(slope) & {VALUE.name, RATE.name}:
-        return None
-    number = simulator.reference.number
-    return number(substitute(law, {VALUE.name: ZERO})), number(slope)

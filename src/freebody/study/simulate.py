@@ -15,6 +15,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
+from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import METHODS, Engine, Watch
 from freebody.numeric.jets import Array
@@ -42,17 +43,20 @@ class Simulator:
         q = self.reference.assemble()
         v = self.reference.velocities(q)
         self.numbers = self.reference.numbers()
-        self.engine = Engine(self.numbers, [*_watches(self, events), *_pulls(system)])
+        watches = [*_watches(self, events), *_pulls(system)]
+        self.engine = Engine(self.numbers, watches, list(system.measures.values()))
         self.start = self.engine.state(*self.reference.by_body(q, v))
-        self.value_at_start = self.reference.snapshot(q, v).value
+        start = self.reference.snapshot(q, v)
+        self.value_at_start = start.value
         self.engine.align(self.start, 0.0, self.value_at_start)
         self._near = self.engine.near()
+        _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
+        if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
+            _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
 
     @property
     def degrees_of_freedom(self) -> int:
         """Independent velocities at the start."""
-        from freebody.numeric.engine import dynamics
-
         self.engine.evaluate(self.start, 0.0)
         n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
         return n_free - len(self.system.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
 from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key
-from freebody.language.expression.inspection import depth, free_symbols, n_operations
+from freebody.language.expression.inspection import depth, free_symbols, has_jump, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
     FUNCTIONS,
@@ -62,6 +62,7 @@ __all__ = [
     "divide",
     "evaluate",
     "free_symbols",
+    "has_jump",
     "multiply",
     "n_operations",
     "name_problem",

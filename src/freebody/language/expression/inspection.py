@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from freebody.language.expression.tree import (
     MINUS_ONE,
     Call,
@@ -26,6 +28,14 @@ def free_symbols(expr: Expr) -> frozenset[str]:
             names.add(part.name)
         waiting.extend(children(part))
     return frozenset(names - {"pi"})
+
+
+def has_jump(expr: Expr, names: Collection[str]) -> bool:
+    """True if sign or abs is taken of something in which one of the names occurs: there, derivatives do not tell
+    everything."""
+    if isinstance(expr, Call) and expr.function in ("sign", "abs") and free_symbols(expr.argument) & set(names):
+        return True
+    return any(has_jump(part, names) for part in children(expr))
 
 
 def depth(expr: Expr) -> int:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +22,6 @@ class Status(StrEnum):
     SINGULAR = "singular"  # a dead point: accelerations grow without bound
     NOT_FINITE = "not finite"  # a load or a measure has no finite value
     STEP_TOO_SMALL = "step too small"
-    STIFF = "stiff"
     TOO_LONG = "too long"
     INTERRUPTED = "interrupted"
 
@@ -39,6 +40,33 @@ class Happening:
     name: str
     kind: str
     is_terminal: bool = False
+
+
+@dataclass(frozen=True)
+class Tracks:
+    """Bearings after every step of a motion, by which turns are counted."""
+
+    keys: Mapping[Any, int]  # of measures, with their column
+    times: Floats
+    bearings: Floats  # (n_steps, n_measures)
+
+    @classmethod
+    def of(cls, keys: Mapping[Any, int], steps: Sequence[tuple[float, Floats]]) -> Tracks:
+        if not steps:
+            return cls({}, np.zeros(0), np.zeros((0, 0)))
+        return cls(keys, np.array([t for t, _b in steps]), np.array([b for _t, b in steps]))
+
+    def column(self, key: Any) -> Floats:
+        """(n_steps,) bearings of a measure."""
+        return self.bearings[:, self.keys[key]]
+
+    def nearest(self, times: Floats) -> list[int]:
+        """For every time the step whose end is nearest."""
+        after = np.clip(np.searchsorted(self.times, times), 1, max(1, len(self.times) - 1))
+        before = after - 1
+        after = np.minimum(after, len(self.times) - 1)
+        is_before = times - self.times[before] < self.times[after] - times
+        return [int(i) for i in np.where(is_before, before, after)]
 
 
 @dataclass(frozen=True)
@@ -64,6 +92,7 @@ class Course:
     motion_gap: float
     last_step: float
     method: str
+    tracks: Tracks
     near: Floats  # bearings at the end, from which a continued motion counts on
 
     @property

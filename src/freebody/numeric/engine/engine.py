@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols, has_jump
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, RateMeasure
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.course import Course, Happening, Status
+from freebody.numeric.engine.course import Course, Happening, Status, Tracks
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
@@ -56,6 +57,7 @@ class Packed:
         self.n_bodies = packing.n_bodies
         self.layout, self.order, self.rows = packing.layout()
         self._bearings = packing.bearings()
+        self.turning = packing.keys()
         self.room = room_for(self.layout)
         self.n_y = 6 * (self.n_bodies + 1) + 1
         unit = np.ones((self.n_bodies + 1, 3))
@@ -121,14 +123,27 @@ class Observer(Packed):
         states[:, n : 2 * n] = course.velocities.reshape(n_times, -1)
         tables = [np.zeros((n_times, n_rows)) for _ in range(3)]
         accelerations = np.ascontiguousarray(course.accelerations.reshape(n_times, -1))
-        observe(self.layout, self.room, np.ascontiguousarray(course.times), states, accelerations, *tables)
+        times = np.ascontiguousarray(course.times)
+        known = [(place, course.tracks.column(key)) for key, place in self.turning.items() if key in course.tracks.keys]
+        if not known:
+            observe(self.layout, self.room, times, states, accelerations, *tables)
+        # turns are counted on from the nearest step, since there may be many between two output times
+        nearest = course.tracks.nearest(times) if known else []
+        for k, step in enumerate(nearest):
+            for place, bearings in known:
+                self.room.measures[place, NEAR] = bearings[step]
+            at = slice(k, k + 1)
+            observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
         return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in self.measures}  # type: ignore[misc]
 
 
 class Engine(Packed):
     """A system with a number for every parameter, packed."""
 
-    def __init__(self, numbers: Numbers, watches: Sequence[Watch] = ()) -> None:
+    def __init__(
+        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()
+    ) -> None:
+        """tracked: measures whose turns are to be counted in every step of a motion."""
         self.watches = tuple(watches)
         packing = Packing(numbers)
         for row in numbers.system.held:
@@ -138,6 +153,10 @@ class Engine(Packed):
         for watch in watches:
             if watch.measure is not None:
                 packing.watch(watch.measure)
+        before = packing.keys().keys()
+        for measure in tracked:
+            packing.watch(measure)
+        self.is_tracked = bool(packing.keys().keys() - before) or bool(before and tracked)
         super().__init__(numbers, packing)
         self.pushes = packing.pushes
         self.watched_rows = [-1 if w.measure is None else self.rows[w.measure] for w in watches]
@@ -283,7 +302,8 @@ class Motion:
         clock = self.run.clock
         clock[stepping.END], clock[stepping.TOLERANCE], clock[stepping.LENGTH] = until, tolerance, engine.numbers.length
         clock[stepping.LONGEST], clock[stepping.STEP] = longest, step
-        self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches))
+        self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
+        self.tracks: list[tuple[float, Floats]] = []
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Happening] = []
         self.implicit: Implicit | None = None
@@ -303,6 +323,9 @@ class Motion:
                     if time.perf_counter() - began > max_seconds or count[stepping.STEPS] >= max_steps:
                         status = Status.TOO_LONG
                         message = f"stopped at t = {clock[stepping.NOW]:.6g} s after {count[stepping.STEPS]} steps"
+                        jumping = [p.name for p in self.engine.pushes if has_jump(p.law, free_symbols(p.law))]
+                        if jumping:
+                            message += f"; the law of {', '.join(jumping)} jumps, which takes many small steps"
                         break
                     at = time.perf_counter()
                     result = self._advance(min(size, max_steps - int(count[stepping.STEPS])))
@@ -310,7 +333,9 @@ class Motion:
                     size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
                     if progress is not None:
                         progress(float(clock[stepping.NOW]), int(count[stepping.STEPS]))
-                    if result == stepping.LOOK and self._look():
+                    if result == stepping.LOOK:
+                        self._track()
+                    if result == stepping.LOOK and self.engine.watches and self._look():
                         status = Status.EVENT
                         message = f"{self.happenings[-1].name} at t = {self.happenings[-1].time:.9g} s"
                         break
@@ -328,6 +353,10 @@ class Motion:
             except KeyboardInterrupt:
                 status, message = Status.INTERRUPTED, f"interrupted at t = {clock[stepping.NOW]:.6g} s"
         return self._collected(status, "; ".join(part for part in (message, note) if part), time.perf_counter() - began)
+
+    def _track(self) -> None:
+        if self.engine.is_tracked:
+            self.tracks.append((float(self.run.clock[stepping.NOW]), self.engine.near()))
 
     def _advance(self, n: int) -> int:
         e = self.engine
@@ -365,6 +394,7 @@ class Motion:
         if clock[stepping.STEP] == 0.0:
             clock[stepping.STEP] = h if is_adaptive else h / 1000.0
         self._store_start()
+        self._track()
         if e.watches:
             self.values_before = self._values()
             for watch, value in zip(e.watches, self.values_before, strict=True):
@@ -503,6 +533,7 @@ class Motion:
             motion_gap=float(run.clock[stepping.MOTION_GAP]),
             last_step=float(run.clock[stepping.STEP]),
             method=self.method,
+            tracks=Tracks.of(e.turning, self.tracks),
             near=e.room.measures[:, NEAR].copy(),
         )
 

@@ -23,6 +23,9 @@ _numba: Any = numba
 # fused multiply-add is allowed: it is the same on every run on one type of processor
 _OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True, "_nrt": False}
 
+# what is compiled, and what says how
+_SOURCES = ("measures_planar", "turning", "tape", "dynamics", "stepping", "observing", "layout", "tableaus", "jit")
+
 
 def kernel(function: Function) -> Function:
     """A function that entries call: compiled with them, and without the wrapper by which Python could call it (that
@@ -71,8 +74,8 @@ def is_compiled() -> bool:
 def _folder() -> Path:
     """Where this version's kernels are kept: beside other caches of the user, else in a temporary folder."""
     digest = hashlib.sha256()
-    for source in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(source.read_bytes())
+    for name in _SOURCES:
+        digest.update(Path(__file__).with_name(f"{name}.py").read_bytes())
     name = f"freebody-kernels-{digest.hexdigest()[:16]}"
     home = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
     for parent in (Path(home) if home else Path.home() / ".cache", Path(tempfile.gettempdir())):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, substitute
+from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, substitute
 from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
@@ -148,9 +148,11 @@ class Packing:
         if isinstance(measure, Composed):
             names = dict(measure.measures)
             slopes = {name: differentiate(measure.expression, name) for name in names}
-            if any(free_symbols(s) & (names.keys() | {"t"}) for s in slopes.values()):
+            if any(free_symbols(s) & (names.keys() | {"t"}) for s in slopes.values()) or has_jump(
+                measure.expression, names
+            ):
                 return None
-            rest = substitute(measure.expression, dict.fromkeys(names, _ZERO))
+            rest = substitute(measure.expression, dict.fromkeys(names, ZERO))
             if "t" in free_symbols(rest):
                 return None
             total = _Base(self.numbers.number(rest), ())
@@ -207,7 +209,7 @@ class Packing:
         if isinstance(measure, Composed):
             return substitute(measure.expression, {n: self._expression(m, inputs) for n, m in measure.measures})
         if isinstance(measure, Combination):
-            total: Expr = _ZERO
+            total: Expr = ZERO
             for coefficient, part in measure.terms:
                 total = total + coefficient * self._expression(part, inputs)
             return total
@@ -216,10 +218,17 @@ class Packing:
     def bearings(self) -> list[tuple[int, Measure, float, float | None]]:
         """Measures that count turns: their place in the layout, the measure, what the angle of a fixed body adds to it,
         and, for a lead, its rho."""
-        order = sorted(range(len(self._pieces)), key=lambda k: self._pieces[k][0])
-        place = {old: new for new, old in enumerate(order)}
+        place = self._places()
         found = [(place[old], *rest) for old, rest in self._with_bearing.items()]
         return [item for item in found if item[3] is None or item[3] != 0.0]
+
+    def keys(self) -> dict[tuple[int, _Key], int]:
+        """Measures that count turns, with their place in the layout: the same measure has the same key everywhere."""
+        return {self._pieces[old]: place for old, place in self._places().items() if old in self._with_bearing}
+
+    def _places(self) -> dict[int, int]:
+        order = sorted(range(len(self._pieces)), key=lambda k: self._pieces[k][0])
+        return {old: new for new, old in enumerate(order)}
 
     @property
     def pushes(self) -> list[Push]:
@@ -254,17 +263,7 @@ class Packing:
 
     def push(self, push: Push) -> None:
         """Enters a load. One that never changes becomes a constant force."""
-        needed = free_symbols(push.law)
-        names = needed - self.numbers.values.keys() - {"pi"}
-        law = push.law
-        linear: tuple[float, float, float] | None = None
-        if names <= {VALUE.name, RATE.name}:
-            c1, c2 = differentiate(law, VALUE.name), differentiate(law, RATE.name)
-            if not (free_symbols(c1) | free_symbols(c2)) & {VALUE.name, RATE.name}:
-                rest = substitute(law, {VALUE.name: _ZERO, RATE.name: _ZERO})
-                values = [constant_value(c, self.numbers.values) for c in (rest, c1, c2)]
-                if None not in values:
-                    linear = (float(values[0] or 0.0), float(values[1] or 0.0), float(values[2] or 0.0))
+        linear = linear_law(push.law, self.numbers.values)
         if linear is not None and not isinstance(push.measure, RateMeasure):
             if linear[1:] == (0.0, 0.0) and self._is_constant(push.measure, linear[0]):
                 return
@@ -272,7 +271,7 @@ class Packing:
             linear = (linear[0] - linear[1] * origin, linear[1], linear[2])
         for _name, other in push.measures:
             self.row(other)
-        works = linear is None or linear[2] != 0.0 or isinstance(push.measure, RateMeasure)
+        works = stored_law(push, self.numbers.values) is None
         self._pushes.append((self.row(push.measure), push, linear, works))
 
     def _is_constant(self, measure: Measure, force: float) -> bool:
@@ -543,8 +542,30 @@ def _schur(held: Sequence[Sequence[tuple[int, int, float | None]]], inverse_mass
     }
 
 
+def linear_law(law: Expr, values: Mapping[str, float]) -> tuple[float, float, float] | None:
+    """(c0, c1, c2) of a law c0 + c1 value + c2 rate; None for any other."""
+    names = free_symbols(law) - values.keys() - {"pi"}
+    if not names <= {VALUE.name, RATE.name} or has_jump(law, names):
+        return None
+    c1, c2 = differentiate(law, VALUE.name), differentiate(law, RATE.name)
+    if (free_symbols(c1) | free_symbols(c2)) & {VALUE.name, RATE.name}:
+        return None
+    c0 = substitute(law, {VALUE.name: ZERO, RATE.name: ZERO})
+    found = [constant_value(c, values) for c in (c0, c1, c2)]
+    a, b, c = found
+    return None if a is None or b is None or c is None else (a, b, c)
+
+
+def stored_law(push: Push, values: Mapping[str, float]) -> tuple[float, float] | None:
+    """(c0, c1) of a load whose law is c0 + c1 value, so that its energy is stored; None for others, whose work is
+    integrated with the motion."""
+    linear = linear_law(push.law, values)
+    if linear is None or linear[2] != 0.0 or isinstance(push.measure, RateMeasure):
+        return None
+    return linear[:2]
+
+
 # -- small things -----------------------------------------------------------------------------
-_ZERO: Expr = ZERO
 
 
 def _exact(value: float) -> Expr:
