@@ -224,6 +224,11 @@ def test_crossings_are_found_with_their_direction() -> None:
     assert [k for _t, _n, k in found] == ["falling", "rising", "falling"]
 
 
+def test_an_event_can_be_asked_for_in_one_direction() -> None:
+    assert [kind for _t, _n, kind in oscillating(["x = 0 rising"])] == ["rising"]
+    assert [kind for _t, _n, kind in oscillating(["x = 0 falling"])] == ["falling", "falling"]
+
+
 def test_two_events_at_one_instant_are_both_reported_in_their_order() -> None:
     found = oscillating(["rate(x) = -1.5 m/s", "x = 0"], until=0.5)
     at = [item for item in found if item[0] == pytest.approx(math.pi / 10, abs=1e-5)]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.model.elements import RateMeasure
-from freebody.numeric.engine.packing import stored_law
+from freebody.numeric.engine.laws import stored_law
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:

@@ -17,7 +17,8 @@ from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
-from freebody.numeric.engine.engine import METHODS, Engine, Watch
+from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.energy import EnergyBalance, energy_balance
@@ -36,7 +37,8 @@ class Simulator:
 
     def __init__(self, system: System, values: Mapping[str, float] | None = None, events: Sequence[str] = ()) -> None:
         """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
-        "theta' = 0"; one that begins with "stop when" ends the motion. Raises CannotAnswer naming parameters without a
+        "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
+        the motion. Raises CannotAnswer naming parameters without a
         value, or what contradicts itself at the start."""
         self.system = system
         self.reference = Reference(system, values)
@@ -297,8 +299,12 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
     for text in events:
         stops = text.strip().lower().startswith("stop when")
         words = text.strip()[len("stop when") :].strip() if stops else text.strip()
+        asked, direction = words, 0
+        for word, sign in (("rising", 1), ("falling", -1)):
+            if asked.endswith(f" {word}"):
+                asked, direction = asked.removesuffix(word).strip(), sign
         try:
-            question = simulator.system.question(f"time when {words}")
+            question = simulator.system.question(f"time when {asked}")
         except ModelError as error:
             measures = simulator.system.measures
             listed = f" Named measures: {', '.join(measures)}." if measures else ""
@@ -309,7 +315,7 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
             raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")
         value = simulator.reference.number(event.value)
         size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
-        found.append(Watch(words, event.measure, event.order, value, is_terminal=stops, size=size))
+        found.append(Watch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))
     return found
 
 

@@ -24,7 +24,8 @@ from freebody.numeric.engine.course import Happening
 from freebody.numeric.engine.layout import Floats
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Motion, Watch
+    from freebody.numeric.engine.engine import Watch
+    from freebody.numeric.engine.motion import Motion
 
 _optimize: Any = scipy.optimize
 N_PARTS = 4

@@ -23,7 +23,8 @@ from freebody.numeric.engine.layout import Floats, Layout
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine, Motion
+    from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.engine.motion import Motion
 
 _DIFFERENCE = 1e-7
 _MIN_RTOL = 1e-12

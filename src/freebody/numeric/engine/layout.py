@@ -14,6 +14,7 @@ The gradient of a row is a list of slots: a body, and where its three entries be
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -116,25 +117,25 @@ def room_for(layout: Layout) -> Room:
         )
     )
 
-    def floats(*shape: int) -> Any:
+    def empty(*shape: int) -> Any:
         return np.zeros(shape)
 
     room = Room(
-        turn=floats(n, 2),
-        measures=floats(n_measures, 4),
-        gradient=floats(n_entries),
-        rows=floats(n_rows, 5),
-        registers=floats(max(1, len(layout.tape)), 4),
-        product_weight=floats(len(layout.product)),
-        held=floats(n_held, 6),
-        force=floats(3 * n),
-        weighted=floats(len(layout.held_slots)),
-        schur=floats(int(layout.column_ptr[-1])),
-        diagonal=floats(n_held),
-        step=floats(n_held),
-        multiplier=floats(n_held),
-        acceleration=floats(3 * n),
-        info=floats(8),
+        turn=empty(n, 2),
+        measures=empty(n_measures, 4),
+        gradient=empty(n_entries),
+        rows=empty(n_rows, 5),
+        registers=empty(max(1, len(layout.tape)), 4),
+        product_weight=empty(len(layout.product)),
+        held=empty(n_held, 6),
+        force=empty(3 * n),
+        weighted=empty(len(layout.held_slots)),
+        schur=empty(int(layout.column_ptr[-1])),
+        diagonal=empty(n_held),
+        step=empty(n_held),
+        multiplier=empty(n_held),
+        acceleration=empty(3 * n),
+        info=empty(8),
     )
     fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)
     return room
@@ -151,3 +152,19 @@ def example_of(kind: type[T]) -> T:
     annotations: dict[str, Any] = kind.__annotations__
     make: Any = kind
     return make(**{name: empty[annotation.__forward_arg__] for name, annotation in annotations.items()})
+
+
+# -- making arrays ----------------------------------------------------------------------------
+def ints(values: Any, n_dimensions: int = 1, width: int = 2) -> Any:
+    array = np.array(values, dtype=np.int32)
+    if array.size == 0:
+        array = array.reshape((0,) if n_dimensions == 1 else (0, width))
+    return np.ascontiguousarray(array)
+
+
+def floats(values: Any) -> Floats:
+    return np.ascontiguousarray(np.array(values, dtype=np.float64))
+
+
+def pointers(parts: Sequence[Sequence[Any]]) -> Any:
+    return ints(np.concatenate(([0], np.cumsum([len(part) for part in parts]))))

@@ -15,10 +15,12 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RATE, VALUE, Component, Held, Push, RateMeasure
-from freebody.numeric.engine.layout import Floats, Layout
+from freebody.numeric.engine.complement import held_entries, schur_complement
+from freebody.numeric.engine.laws import linear_law, stored_law
+from freebody.numeric.engine.layout import Floats, Layout, floats, ints, pointers
 from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
-from freebody.numeric.engine.ordering import elimination_order, symbolic_factor
-from freebody.numeric.engine.tapes import Tapes, constant_value
+from freebody.numeric.engine.ordering import elimination_order
+from freebody.numeric.engine.tapes import Tapes
 from freebody.numeric.numbers import Numbers
 
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
@@ -354,39 +356,39 @@ class Packing:
         held_slots = [held_slots[k] for k in sequence]
         masses = self._masses()
         unchanging = self._unchanging(n_entries, kinds, starts, measure_numbers)
-        entries = [_entries(slots, unchanging, masses["inverse_mass"]) for slots in held_slots]
+        entries = [held_entries(slots, unchanging, masses["inverse_mass"]) for slots in held_slots]
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in bases]
         layout = Layout(
             **masses,
             constant_force=self._constant_force.ravel().copy(),
-            kinds=_ints(kinds),
-            starts=_ints(starts[:-1]),
-            measure_bodies=_ints(measure_bodies, 2),
-            measure_numbers=_floats(measure_numbers),
-            term_ptr=_pointers(base_terms),
-            term_measure=_ints([k for terms in base_terms for k, _c in terms]),
-            term_coefficient=_floats([c for terms in base_terms for _k, c in terms]),
-            row_constant=_floats([b.constant for b in bases] + [0.0] * (len(rows.slots) - len(bases))),
-            slot_ptr=_pointers(rows.slots),
-            slots=_ints([slot for slots in rows.slots for slot in slots], 2),
-            mix=_ints([m[:2] for m in rows.mix], 2),
-            mix_coefficient=_floats([m[2] for m in rows.mix]),
-            cleared=_ints(rows.cleared),
-            rated=_ints(sorted(r for r in rated if r < len(bases))),
-            product=_ints(products, 2, 3),
-            product_mix=_ints(rows.product_mix, 2, 3),
-            composed=_ints(composed, 2),
-            composed_mix=_ints(rows.composed_mix, 2, 4),
-            tape_ptr=_ints(tapes.ptr),
-            tape=_ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
-            tape_number=_floats(tapes.constants),
-            held=_ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in held], 2, 4),
-            held_scale=_floats([h["scale"] for h in held]),
-            held_ptr=_pointers(entries),
-            held_slots=_ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
-            push=_ints([(p["row"], p["tape"], p["works"]) for p in pushes], 2, 3),
-            push_law=_floats(np.array([p["law"] for p in pushes]).reshape(-1, 3)),
-            **_schur(entries, masses["inverse_mass"]),
+            kinds=ints(kinds),
+            starts=ints(starts[:-1]),
+            measure_bodies=ints(measure_bodies, 2),
+            measure_numbers=floats(measure_numbers),
+            term_ptr=pointers(base_terms),
+            term_measure=ints([k for terms in base_terms for k, _c in terms]),
+            term_coefficient=floats([c for terms in base_terms for _k, c in terms]),
+            row_constant=floats([b.constant for b in bases] + [0.0] * (len(rows.slots) - len(bases))),
+            slot_ptr=pointers(rows.slots),
+            slots=ints([slot for slots in rows.slots for slot in slots], 2),
+            mix=ints([m[:2] for m in rows.mix], 2),
+            mix_coefficient=floats([m[2] for m in rows.mix]),
+            cleared=ints(rows.cleared),
+            rated=ints(sorted(r for r in rated if r < len(bases))),
+            product=ints(products, 2, 3),
+            product_mix=ints(rows.product_mix, 2, 3),
+            composed=ints(composed, 2),
+            composed_mix=ints(rows.composed_mix, 2, 4),
+            tape_ptr=ints(tapes.ptr),
+            tape=ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
+            tape_number=floats(tapes.constants),
+            held=ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in held], 2, 4),
+            held_scale=floats([h["scale"] for h in held]),
+            held_ptr=pointers(entries),
+            held_slots=ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
+            push=ints([(p["row"], p["tape"], p["works"]) for p in pushes], 2, 3),
+            push_law=floats(np.array([p["law"] for p in pushes]).reshape(-1, 3)),
+            **schur_complement(entries, masses["inverse_mass"]),
         )
         found = {measure: number[where] for measure, where in self._by_measure.items()}
         return layout, sequence, found
@@ -394,7 +396,7 @@ class Packing:
     def _unchanging(self, n_entries: int, kinds: Any, starts: Any, numbers: Floats) -> dict[int, float]:
         """Gradient entries of measures that are the same in every pose, with their values."""
         gradient = np.zeros(n_entries)
-        fill(_ints(kinds), _ints(starts), numbers, gradient)
+        fill(ints(kinds), ints(starts), numbers, gradient)
         found: dict[int, float] = {}
         for index, kind in enumerate(KINDS):
             size = 3 * kind.n_bodies
@@ -417,7 +419,7 @@ class Packing:
         lent = np.where(turns & (masses == 0.0), _MASSLESS * typical, 0.0)
         used = masses + lent
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
-        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": _ints([int(lent.any())])}
+        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": ints([int(lent.any())])}
 
     def _written_held(self, tapes: Tapes, number: Mapping[_Where, int]) -> list[dict[str, Any]]:
         written: list[dict[str, Any]] = []
@@ -500,71 +502,6 @@ class _Rows:
             self.composed_mix += pieces or [(0, k, -1, m)]
 
 
-def _entries(
-    slots: Sequence[tuple[int, int]], unchanging: Mapping[int, float], inverse_mass: Floats
-) -> list[tuple[int, int, float | None]]:
-    """(coordinate, gradient entry, its value if it never changes) of a held row, without those that move nothing."""
-    listed = [(3 * b + i, o + i, unchanging.get(o + i)) for b, o in slots for i in range(3)]
-    return [(c, o, fixed) for c, o, fixed in listed if fixed != 0.0 and inverse_mass[c] > 0.0]
-
-
-def _schur(held: Sequence[Sequence[tuple[int, int, float | None]]], inverse_mass: Floats) -> dict[str, Any]:
-    """Which pairs of entries make up J M^-1 J^T, what of it never changes, and where its factor stands."""
-    at: dict[int, list[tuple[int, int, int, float | None]]] = {}
-    slot = 0
-    for r, entries in enumerate(held):
-        for coordinate, offset, fixed in entries:
-            at.setdefault(coordinate, []).append((r, slot, offset, fixed))
-            slot += 1
-    pairs: dict[tuple[int, int], list[tuple[int, int]]] = {(r, r): [] for r in range(len(held))}
-    base: dict[tuple[int, int], float] = {}
-    for coordinate, touching in at.items():
-        for r, slot_r, _offset, fixed_r in touching:
-            for s, _slot, offset_s, fixed_s in touching:
-                if s > r:
-                    continue
-                pairs.setdefault((r, s), [])
-                if fixed_r is not None and fixed_s is not None:
-                    base[r, s] = base.get((r, s), 0.0) + fixed_r * fixed_s * float(inverse_mass[coordinate])
-                else:
-                    pairs[r, s].append((slot_r, offset_s))
-    factor = symbolic_factor(len(held), {(r, s) for r, s in pairs if r > s})
-    listed = sorted(factor.place, key=lambda key: factor.place[key])
-    added = [pairs.get(key, []) for key in listed]
-    return {
-        "schur_base": _floats([base.get(key, 0.0) for key in listed]),
-        "pair_ptr": _pointers(added),
-        "pair_a": _ints([a for entry in added for a, _b in entry]),
-        "pair_b": _ints([b for entry in added for _a, b in entry]),
-        "column_ptr": factor.column_ptr,
-        "column_row": factor.column_row,
-        "target": factor.target,
-    }
-
-
-def linear_law(law: Expr, values: Mapping[str, float]) -> tuple[float, float, float] | None:
-    """(c0, c1, c2) of a law c0 + c1 value + c2 rate; None for any other."""
-    names = free_symbols(law) - values.keys() - {"pi"}
-    if not names <= {VALUE.name, RATE.name} or has_jump(law, names):
-        return None
-    c1, c2 = differentiate(law, VALUE.name), differentiate(law, RATE.name)
-    if (free_symbols(c1) | free_symbols(c2)) & {VALUE.name, RATE.name}:
-        return None
-    c0 = substitute(law, {VALUE.name: ZERO, RATE.name: ZERO})
-    found = [constant_value(c, values) for c in (c0, c1, c2)]
-    a, b, c = found
-    return None if a is None or b is None or c is None else (a, b, c)
-
-
-def stored_law(push: Push, values: Mapping[str, float]) -> tuple[float, float] | None:
-    """(c0, c1) of a load whose law is c0 + c1 value, so that its energy is stored; None for others, whose work is
-    integrated with the motion."""
-    linear = linear_law(push.law, values)
-    if linear is None or linear[2] != 0.0 or isinstance(push.measure, RateMeasure):
-        return None
-    return linear[:2]
-
-
 # -- small things -----------------------------------------------------------------------------
 
 
@@ -580,18 +517,3 @@ def _sum(a: _Base, b: _Base, factor: float) -> _Base:
     for k, c in b.terms:
         terms[k] = terms.get(k, 0.0) + factor * c
     return _Base(a.constant + factor * b.constant, tuple(terms.items()))
-
-
-def _ints(values: Any, n_dimensions: int = 1, width: int = 2) -> Any:
-    array = np.array(values, dtype=np.int32)
-    if array.size == 0:
-        array = array.reshape((0,) if n_dimensions == 1 else (0, width))
-    return np.ascontiguousarray(array)
-
-
-def _floats(values: Any) -> Floats:
-    return np.ascontiguousarray(np.array(values, dtype=np.float64))
-
-
-def _pointers(parts: Sequence[Sequence[Any]]) -> Any:
-    return _ints(np.concatenate(([0], np.cumsum([len(part) for part in parts]))))

@@ -266,3 +266,6 @@ DOP853 = tableau(
         },
     ],
 )
+
+# methods by name; the implicit one borrows the room of a tableau
+METHODS: Mapping[str, Tableau] = {"dop853": DOP853, "dopri5": DOPRI5, "radau5": CLASSICAL, "rk4": CLASSICAL}

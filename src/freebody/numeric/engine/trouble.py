@@ -11,7 +11,8 @@ from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine, Run
+    from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.engine.stepping import Run
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it

@@ -1,0 +1,310 @@
+"""One run of the engine under way: steps in chunks, events, trouble, and the arrays that it leaves."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.language.expression import free_symbols, has_jump
+from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.course import Course, Happening, Status, Tracks
+from freebody.numeric.engine.implicit import Implicit
+from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
+from freebody.numeric.engine.tableaus import METHODS
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine, Watch
+
+CHUNK = 0.1  # seconds between looks at the clock and the keyboard
+Progress = Callable[[float, int], None]
+
+
+class Motion:
+    """One run under way."""
+
+    def __init__(
+        self,
+        engine: Engine,
+        y: Floats,
+        start: float,
+        until: float,
+        tolerance: float,
+        method: str,
+        step: float,
+        longest: float,
+        outputs: Floats,
+    ) -> None:
+        self.engine = engine
+        self.is_automatic, self.method = method == "auto", "dop853" if method == "auto" else method
+        self.start, self.until = start, until
+        self.tableau = METHODS[self.method]
+        self.run = engine.new_run(y, self.tableau, outputs)
+        clock = self.run.clock
+        clock[stepping.END], clock[stepping.TOLERANCE], clock[stepping.LENGTH] = until, tolerance, engine.numbers.length
+        clock[stepping.LONGEST], clock[stepping.STEP] = longest, step
+        self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
+        self.tracks: list[tuple[float, Floats]] = []
+        self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
+        self.happenings: list[Happening] = []
+        self.implicit: Implicit | None = None
+
+    # -- the loop -----------------------------------------------------------------------------
+    def course(self, began: float, max_seconds: float, max_steps: int, progress: Progress | None) -> Course:
+        clock, count = self.run.clock, self.run.count
+        status, message, note = Status.FINISHED, "", ""
+        if not self._begin():
+            status, message = Status.UNREACHABLE, "the start does not hold what is held"
+        else:
+            size = 64
+            if self.method == "radau5":
+                self.implicit = Implicit(self, float(clock[stepping.STEP]))
+            try:
+                while clock[stepping.NOW] < self.until:
+                    if time.perf_counter() - began > max_seconds or count[stepping.STEPS] >= max_steps:
+                        status = Status.TOO_LONG
+                        message = f"stopped at t = {clock[stepping.NOW]:.6g} s after {count[stepping.STEPS]} steps"
+                        jumping = [p.name for p in self.engine.pushes if has_jump(p.law, free_symbols(p.law))]
+                        if jumping:
+                            message += f"; the law of {', '.join(jumping)} jumps, which takes many small steps"
+                        break
+                    at = time.perf_counter()
+                    result = self._advance(min(size, max_steps - int(count[stepping.STEPS])))
+                    took = time.perf_counter() - at
+                    size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
+                    if progress is not None:
+                        progress(float(clock[stepping.NOW]), int(count[stepping.STEPS]))
+                    if result == stepping.LOOK:
+                        self._track()
+                    if result == stepping.LOOK and self.engine.watches and self._look():
+                        status = Status.EVENT
+                        message = f"{self.happenings[-1].name} at t = {self.happenings[-1].time:.9g} s"
+                        break
+                    if result == stepping.TOO_SMALL:
+                        status, message = self._trouble()
+                        break
+                    if result == stepping.STIFF_FOUND:
+                        count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
+                        stiff = f"stiff from t = {clock[stepping.NOW]:.6g} s"
+                        if self.is_automatic:
+                            self.implicit = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
+                            self.method, note = "dop853, then radau5", f"{stiff}, where the method changed to radau5"
+                        else:
+                            note = f"{stiff}: radau5 takes fewer steps"
+            except KeyboardInterrupt:
+                status, message = Status.INTERRUPTED, f"interrupted at t = {clock[stepping.NOW]:.6g} s"
+        return self._collected(status, "; ".join(part for part in (message, note) if part), time.perf_counter() - began)
+
+    def _track(self) -> None:
+        if self.engine.is_tracked:
+            self.tracks.append((float(self.run.clock[stepping.NOW]), self.engine.near()))
+
+    def _advance(self, n: int) -> int:
+        e = self.engine
+        if self.implicit is not None:
+            for _ in range(min(n, 64)):
+                result = self.implicit.advance()
+                if result != stepping.PAUSED:
+                    return result
+            return stepping.PAUSED
+        return int(stepping.advance(e.layout, e.room, self.tableau, self.run, n))
+
+    def _begin(self) -> bool:
+        e, run = self.engine, self.run
+        clock, y = run.clock, run.states[0]
+        n = 3 * (e.n_bodies + 1)
+        clock[stepping.NOW] = clock[stepping.BEFORE] = self.start
+        # a speed that moves nothing by a thousandth of its size within the whole time does not matter
+        slowest = 1e-3 / (self.until - self.start)
+        clock[stepping.SPEED] = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=slowest))
+        if not stepping.visit(e.layout, e.room, run, -1.0, y, self.start, run.slopes[0], 0):
+            return False
+        if not np.isfinite(run.slopes[0]).all():
+            return False
+        run.count[stepping.LEFT_OUT] = int(e.room.info[dynamics.N_LEFT_OUT])
+        clock[stepping.BEST_PIVOT] = e.room.info[dynamics.SMALLEST_PIVOT]
+        e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
+        run.multiplier[:] = e.room.multiplier
+        fastest = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
+        hardest = float((np.abs(run.slopes[0][n : 2 * n]) / e.unit).max(initial=0.0))
+        rate = fastest + math.sqrt(hardest)
+        order, is_adaptive = int(self.tableau.sizes[2]), self.method != "rk4"
+        h = self.until - self.start
+        if is_adaptive and rate > 0.0:
+            h = min(h, 0.1 / rate * (clock[stepping.TOLERANCE] * 1e6) ** (1.0 / order))
+        if clock[stepping.STEP] == 0.0:
+            clock[stepping.STEP] = h if is_adaptive else h / 1000.0
+        self._store_start()
+        self._track()
+        if e.watches:
+            self.values_before = self._values()
+            for watch, value in zip(e.watches, self.values_before, strict=True):
+                if abs(value) <= 1e-12 * watch.size and watch.measure is not None:
+                    self.happenings.append(Happening(self.start, watch.name, "start"))
+        return True
+
+    def _store_start(self) -> None:
+        """Output times that are not after the start get the start."""
+        run, e = self.run, self.engine
+        k = 0
+        while k < len(run.out_t) and run.out_t[k] <= self.start:
+            run.out_y[k] = run.states[0]
+            run.out_a[k] = e.room.acceleration
+            run.out_multiplier[k] = e.room.multiplier
+            k += 1
+        run.count[stepping.OUTPUTS] = k
+
+    # -- events -------------------------------------------------------------------------------
+    def _values(self) -> list[float]:
+        """What is watched, at the instant looked at last."""
+        rows, multiplier = self.engine.room.rows, self.engine.room.multiplier
+        values: list[float] = []
+        for watch, row in zip(self.engine.watches, self.engine.watched_rows, strict=True):
+            if watch.measure is None:
+                values.append(watch.sign * float(multiplier[self.engine.place_of[watch.held]]))
+            else:
+                column = dynamics.VALUE if watch.order == 0 else dynamics.RATE
+                values.append(float(rows[row, column]) - watch.value)
+        return values
+
+    def values_at(self, s: float, y: Floats, t: float) -> list[float]:
+        """What is watched at the part s of the last step; y becomes the state there."""
+        e = self.engine
+        stepping.visit(e.layout, e.room, self.run, s, y, t, self._slope, 0)
+        return self._values()
+
+    def step_of(self, h: float) -> tuple[Floats, list[float], list[float]] | None:
+        """The state after a step of the given length from where the last step began, what is watched there, and its
+        rates; None if there is no such step."""
+        e, run = self.engine, self.run
+        if self.implicit is not None:
+            after = self.implicit.state_after(h)
+            return None if after is None else self._seen(after, float(run.clock[stepping.BEFORE]) + h)
+        own = e.new_run(run.states[1], self.tableau, np.zeros(0))
+        own.clock[:] = run.clock
+        stepping.visit(e.layout, e.room, own, -1.0, own.states[0], float(run.clock[stepping.BEFORE]), own.slopes[0], 1)
+        own.clock[stepping.NOW], own.clock[stepping.STEP] = run.clock[stepping.BEFORE], h
+        own.clock[stepping.END], own.clock[stepping.TOLERANCE] = run.clock[stepping.BEFORE] + h, 1e6
+        own.count[stepping.LEFT_OUT], own.count[stepping.IS_CAREFUL] = run.count[stepping.LEFT_OUT], 1
+        near = e.room.measures[:, NEAR].copy()
+        result = stepping.advance(e.layout, e.room, self.tableau, own, 1)
+        e.room.measures[:, NEAR] = near
+        if result not in (stepping.REACHED, stepping.PAUSED) or own.clock[stepping.NOW] < own.clock[stepping.END]:
+            return None
+        return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
+
+    def _seen(self, state: Floats, t: float) -> tuple[Floats, list[float], list[float]]:
+        e = self.engine
+        values = self.values_at(-1.0, state, t)
+        rates = [0.0 if row < 0 else float(e.room.rows[row, dynamics.RATE]) for row in e.watched_rows]
+        return state, values, rates
+
+    def say_zero(self, watch: Watch, t: float) -> None:
+        """Notes, once, that something is zero throughout."""
+        if all(h.name != watch.name or h.kind != "zero" for h in self.happenings) and watch.measure is not None:
+            self.happenings.append(Happening(t, watch.name, "zero"))
+
+    def add(self, happening: Happening, state: Floats | None) -> None:
+        """Notes an event, and the motion at its instant."""
+        e = self.engine
+        self.happenings.append(happening)
+        if state is not None:
+            self.values_at(-1.0, state, happening.time)
+            n = 3 * (e.n_bodies + 1)
+            self.extra.append((happening.time, state, self._slope[n : 2 * n].copy(), e.room.multiplier.copy()))
+
+    def _look(self) -> bool:
+        """Finds the events of the last step; True if a terminal one ends the motion there."""
+        from freebody.numeric.engine.events import found_in_step
+
+        return found_in_step(self)
+
+    # -- trouble ------------------------------------------------------------------------------
+    def _trouble(self) -> tuple[Status, str]:
+        from freebody.numeric.engine.trouble import diagnosed
+
+        return diagnosed(self.engine, self.run)
+
+    # -- the result ---------------------------------------------------------------------------
+    def _collected(self, status: Status, message: str, wall: float) -> Course:
+        e, run = self.engine, self.run
+        n = 3 * (e.n_bodies + 1)
+        k = int(run.count[stepping.OUTPUTS])
+        now = float(run.clock[stepping.NOW])
+        times = [float(t) for t in run.out_t[:k]]
+        states = [run.out_y[i] for i in range(k)]
+        accelerations = [run.out_a[i] for i in range(k)]
+        multipliers = [run.out_multiplier[i] for i in range(k)]
+        n_slopes = run.slopes[0]
+        extra = list(self.extra)
+        if not times or times[-1] < now:
+            extra.append((now, run.states[0].copy(), n_slopes[n : 2 * n].copy(), run.multiplier.copy()))
+        known = set(times)
+        for t, y, a, m in extra:
+            if t not in known:
+                known.add(t)
+                times.append(t)
+                states.append(y)
+                accelerations.append(a)
+                multipliers.append(m)
+        order = np.argsort(times, kind="stable")
+        last = self.happenings[-1].time if status is Status.EVENT else math.inf
+        order = np.array([i for i in order if times[i] <= last], dtype=np.intp)
+        Y = np.array(states)[order]
+        multiplier_rows = np.array(multipliers).reshape(len(times), -1)[order][:, e.place_of]
+        T = np.array(times)[order]
+        shape = (len(T), e.n_bodies + 1, 3)
+        return Course(
+            status=status,
+            message=message,
+            times=T,
+            poses=Y[:, :n].reshape(shape),
+            velocities=Y[:, n : 2 * n].reshape(shape),
+            accelerations=np.array(accelerations)[order].reshape(shape),
+            multipliers=multiplier_rows,
+            unique=self._unique(T, Y, multiplier_rows.shape),
+            work=Y[:, -1].copy(),
+            happenings=tuple(self.happenings),
+            n_steps=int(run.count[stepping.STEPS]),
+            n_evaluations=int(run.count[stepping.EVALUATIONS]),
+            n_rejected=int(run.count[stepping.REJECTED]),
+            n_regularised=int(run.count[stepping.REGULARISED]),
+            wall_time=wall,
+            place_gap=float(run.clock[stepping.PLACE_GAP]),
+            motion_gap=float(run.clock[stepping.MOTION_GAP]),
+            last_step=float(run.clock[stepping.STEP]),
+            method=self.method,
+            tracks=Tracks.of(e.turning, self.tracks),
+            near=e.room.measures[:, NEAR].copy(),
+        )
+
+    def _unique(self, times: Floats, states: Floats, shape: tuple[int, ...]) -> Any:
+        """Which multipliers are unique, looked up where rows depend on each other."""
+        e = self.engine
+        unique = np.ones(shape, dtype=bool)
+        if not shape[1]:
+            return unique
+        out = np.zeros(e.n_y)
+        known: list[Any] = []
+        for k, t in enumerate(times):
+            if len(known) >= 8 and all((m == known[0]).all() for m in known):
+                unique[k] = ~known[0]  # rows that depend on each other everywhere
+                continue
+            stepping.visit(e.layout, e.room, self.run, -1.0, states[k].copy(), float(t), out, 1)
+            if e.room.info[dynamics.IS_REGULARISED] > 0.0 or e.room.info[dynamics.N_LEFT_OUT] > 0.0:
+                mask = e.non_unique()
+                unique[k] = ~mask
+                known.append(mask)
+            elif k == 0 and self.run.count[stepping.REGULARISED] == 0:
+                return unique
+        return unique
+
+    @property
+    def _slope(self) -> Floats:
+        if not hasattr(self, "_slope_room"):
+            self._slope_room = np.zeros(self.engine.n_y)
+        return self._slope_room
