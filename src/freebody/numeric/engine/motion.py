@@ -97,7 +97,13 @@ class Motion:
                             note = f"{stiff}: radau5 takes fewer steps"
             except KeyboardInterrupt:
                 status, message = Status.INTERRUPTED, f"interrupted at t = {clock[stepping.NOW]:.6g} s"
-        return self._collected(status, "; ".join(part for part in (message, note) if part), time.perf_counter() - began)
+        if clock[stepping.ALLOWED] > 1.0:
+            loose = (
+                f"near singular poses steps were accepted with up to {clock[stepping.ALLOWED]:.0e} times the tolerance"
+            )
+            note = f"{note}; {loose}" if note else loose
+        message = "; ".join(part for part in (message, note) if part)
+        return self._collected(status, message, time.perf_counter() - began)
 
     def _track(self) -> None:
         if self.engine.is_tracked:
