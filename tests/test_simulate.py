@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 import freebody as fb
 from freebody.model.question import Multiplier
 from freebody.numeric.engine.course import Status
+from freebody.study.dataset import reaction_names
 from freebody.study.quantities import multiplier_row
 from mechanisms import ladder
 
@@ -157,7 +158,7 @@ measures: {theta: angle of rod}
 def test_the_tension_of_a_pendulum_is_three_times_its_weight_at_the_bottom() -> None:
     result = A01.simulate(3.0, tolerance=1e-12, events=["x = 0"])
     at = [int(np.argmin(np.abs(result.course.times - e.time))) for e in result.events]
-    values = np.abs(np.asarray(result.dataset[result.system.held[0].name]))
+    values = np.abs(np.asarray(result.dataset["string.tension"]))
     assert values[at] == pytest.approx(3 * G, rel=1e-9)
 
 
@@ -432,9 +433,8 @@ def test_tooth_forces_and_tensions_at_the_start_are_those_of_the_closed_forms(na
     for question, answer in zip(system.questions, system.solve().answers, strict=True):
         if isinstance(question.quantity, Multiplier) and question.event is None and isinstance(answer.value, float):
             row = multiplier_row(question.quantity, system)
-            assert float(result.dataset[row.name][0]) == pytest.approx(answer.value, rel=1e-8, abs=1e-10), (
-                answer.question
-            )
+            name = reaction_names(system)[system.held.index(row)]
+            assert float(result.dataset[name][0]) == pytest.approx(answer.value, rel=1e-8, abs=1e-10), answer.question
 
 
 # -- arguments and files ----------------------------------------------------------------------
@@ -540,3 +540,58 @@ def test_energy_balances_whatever_the_law_of_a_load(law: str) -> None:
     text = OSCILLATOR.replace("-k*x - c*rate(x)", law)
     text = text.replace("c: {value: 0 N s/m", "L: 1 m, v: 1 m/s, c: {value: 3 N s/m")
     assert model(text).simulate(2.0, tolerance=1e-10).energy.relative_error < 1e-8
+
+
+def test_a_skate_on_an_incline_moves_as_its_closed_form_says() -> None:
+    # theta = w t,  v = (g sin(alpha)/w) (cos(w t) - 1) along the blade (Neimark & Fufaev, Nonholonomic Systems)
+    skate = model("""
+parameters: {m: 1.5 kg, I: 0.2 kg m^2, g: 9.81 m/s^2, alpha: 20 deg}
+bodies: {b: {body: {mass: m, inertia: I}}}
+connections: {blade: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+loads: {w: {gravity: g*sin(alpha)}}
+measures: {x: x of b, y: y of b, theta: angle of b}
+start: {x: 0 m, y: 0 m, theta: 0 deg, rate(x): 0 m/s, rate(theta): 1 rad/s}
+""")
+    result = skate.simulate(3.0, every=0.5)
+    t = result.course.times
+    v = G * math.sin(math.radians(20)) * (np.cos(t) - 1.0)
+    assert result.series["x"][1] == pytest.approx(v * np.cos(t), abs=1e-8)
+    assert result.series["y"][1] == pytest.approx(v * np.sin(t), abs=1e-8)
+    assert result.course.n_steps < 100
+    slip = result.series["y"][1] * np.cos(t) - result.series["x"][1] * np.sin(t)
+    assert np.abs(slip).max() < 1e-10
+
+
+@pytest.mark.parametrize("far", ["150 m", "1e4 m"])
+def test_a_start_far_from_the_size_of_the_bodies_is_assembled(far: str) -> None:
+    particle = model(f"bodies: {{b: {{particle: {{mass: 1 kg}}}}}}\nmeasures: {{x: x of b}}\nstart: {{x: {far}}}\n")
+    assert particle.simulate(1.0).course.poses[0, 0, 0] == pytest.approx(float(far.split(maxsplit=1)[0]))
+    wheel = model("""
+parameters: {m: 1 kg, R: 0.005 m, g: 9.81 m/s^2}
+bodies: {d: {disk: {mass: m, radius: R}}}
+connections: {c: {rolling: {body: d, on: ground.l}}}
+ground: {lines: {l: {along: -10 deg}}}
+loads: {w: {gravity: g}}
+measures: {s: travel of d along -10 deg}
+start: {s: 2 m, rate(s): 0}
+""")
+    result = wheel.simulate(1.0, tolerance=1e-11)
+    assert result.series["s"][0][-1] == pytest.approx(2 + G * math.sin(math.radians(10)) / 3, rel=1e-9)
+
+
+def test_arguments_that_would_be_ignored_or_never_end_are_refused() -> None:
+    for options, message in (
+        ({"step": 0.001}, "rk4"),
+        ({"every": 1e-9}, "output times"),
+        ({"max_seconds": math.nan}, "max_seconds"),
+        ({"max_seconds": -1.0}, "max_seconds"),
+    ):
+        with pytest.raises(fb.InputError, match=message):
+            A01.simulate(1.0, **options)  # type: ignore[arg-type]
+    with pytest.raises(fb.InputError, match="not positive"):
+        model(OSCILLATOR).simulate(1.0, values={"m": -1.0})
+
+
+def test_what_leaves_zero_at_the_start_is_listed_once() -> None:
+    found = oscillating(["rate(x) = 0", "x = 0.3 m"], until=0.5)
+    assert [(t, kind) for t, _n, kind in found] == [(0.0, "start"), (0.0, "start")]

@@ -118,7 +118,7 @@ class Placing:
                     break  # a stationary point of the gaps: nearer than this it does not get from here
                 mu = damping * float(F @ F)
                 step = -D * (A.T @ _damped(A @ A.T, mu, F))
-            step = step * min(1.0, 0.5 / max(float(self.sizes.relative(step).max(initial=0.0)), 1e-300))
+            step = self.sizes.clipped(step, float(np.abs(F).max(initial=0.0)))
             there = self._gaps(here.q + step, equations, t, here.branches)
             if there is not None and np.linalg.norm(there.weights * there.gaps) < np.linalg.norm(F):
                 here, damping = there, max(0.1 * damping, 1e-12)

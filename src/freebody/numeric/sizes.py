@@ -29,6 +29,7 @@ class Sizes:
     mass: float  # of the heaviest body [kg]
     unit_moves: Array  # a move by the typical length, a turn by a radian
     small_moves: Array  # D: 1/sqrt(mass) for every coordinate
+    turning: NDArray[np.bool_]  # which coordinates are angles
 
     @classmethod
     def of(cls, masses: Array, turning: NDArray[np.bool_], length: float) -> Sizes:
@@ -39,7 +40,15 @@ class Sizes:
             float(masses[~turning].max(initial=0.0)) or 1.0,
             np.where(turning, 1.0, length),
             _small_moves(masses, turning, length),
+            turning,
         )
+
+    def clipped(self, step: Array, reach: float) -> Array:
+        """A step shortened so that nothing moves by more than half of the size of the system, or half of `reach` sizes
+        where that is more, and nothing turns by more than half a radian."""
+        moved = self.relative(step)
+        far = float(moved[~self.turning].max(initial=0.0)) / max(1.0, reach)
+        return step * min(1.0, 0.5 / max(far, float(moved[self.turning].max(initial=0.0)), 1e-300))
 
     def relative(self, step: Array) -> Array:
         """A move by the size of the system, a turn in radians."""

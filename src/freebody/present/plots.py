@@ -80,13 +80,20 @@ def save(figure: Figure, path: str | Path) -> Path:
     return path
 
 
+def _nearest(name: str, everything: Iterable[str], series: Sequence[str]) -> str:
+    """The nearest of all curves, or else the measures, reactions and loads that there are."""
+    nearest = did_you_mean(name, everything)
+    return nearest if "Did you mean" in nearest else f" There is: {', '.join(series)}, and crank.x for a body crank."
+
+
 def curves(dataset: xr.Dataset, names: Sequence[str] = ()) -> Iterator[Curve]:
     """The curves that names stand for. Raises InputError naming all that are not there."""
     everything = _offered(dataset)
     chosen = list(names) or _usual(dataset)
     unknown = [name for name in chosen if name not in everything]
     if unknown:
-        raise InputError("\n".join(f"there is no curve {n}.{did_you_mean(n, everything)}" for n in unknown))
+        series = [str(name) for name in dataset.data_vars if dataset[name].dims == ("time",)]
+        raise InputError("\n".join(f"there is no curve {n}.{_nearest(n, everything, series)}" for n in unknown))
     for each in dict.fromkeys(part for name in chosen for part in everything[name]):
         yield _curve(dataset, each)
 

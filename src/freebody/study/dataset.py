@@ -4,7 +4,7 @@
     body_position (time, body, axis)           of mass centres, ground components [m]; body_velocity, body_acceleration
     body_angle (time, body)                    [rad]; body_angular_velocity, body_angular_acceleration
     <measure>, <measure>_rate, <measure>_acceleration      every named measure
-    <connection>.<component>                   every reaction, positive as it is named (a tension pulls)
+    <connection>.<reaction>                    every reaction, positive as it is named (a tension pulls): `rope.tension`
     <load>.force                               every load that acts along one measure (springs and dampers: pulling)
     kinetic_energy, potential_energy, work     [J]
 
@@ -26,6 +26,7 @@ from freebody.model.elements import RATE, VALUE, Push, RateMeasure
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.study.observed import observed
+from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.study.simulate import Simulation
@@ -88,8 +89,19 @@ def _named(unit: str, long_name: str) -> dict[str, str]:
     return {"units": unit, "long_name": long_name}
 
 
+def reaction_names(system: System) -> list[str]:
+    """What the reaction of each held row is called: `rope.tension`, `contact.normal_force` by its name, or `A.x` by its
+    component where a connection has several of the same name."""
+    called = [(row.connection, row.reaction) for row in system.held]
+    return [
+        f"{row.connection}.{row.reaction}".replace(" ", "_") if called.count(pair) == 1 else row.name.replace(" ", "_")
+        for row, pair in zip(system.held, called, strict=True)
+    ]
+
+
 def _reactions(result: Simulation) -> dict[str, Any]:
     data: dict[str, Any] = {}
+    names = reaction_names(result.system)
     for k, row in enumerate(result.system.held):
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
@@ -99,7 +111,7 @@ def _reactions(result: Simulation) -> dict[str, Any]:
             attributes["non_unique"] = (
                 "connections hold the same thing more than once: this reaction has no unique value"
             )
-        data[row.name] = ("time", values, attributes)
+        data[names[k]] = ("time", values, attributes)
     return data
 
 

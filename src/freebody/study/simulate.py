@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float, int], None]
 N_OUTPUTS = 1001
+MOST_OUTPUTS = 2_000_000
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
 
 
@@ -41,6 +42,9 @@ class Simulator:
         the motion. Raises CannotAnswer naming parameters without a
         value, or what contradicts itself at the start."""
         self.system = system
+        for name, value in (values or {}).items():
+            if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
+                raise InputError(f"{name} = {value:g} is not positive; the model says that it is")
         self.reference = Reference(system, values)
         q = self.reference.assemble()
         v = self.reference.velocities(q)
@@ -241,7 +245,7 @@ def simulate(
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
     """
-    _check(until, tolerance, method, step, every)
+    _check(until, tolerance, method, step, every, max_seconds)
     simulator = Simulator(system, values, events) if from_result is None else from_result.simulator
     start = 0.0 if from_result is None else from_result.t_end
     state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
@@ -277,16 +281,22 @@ def simulate(
     return Simulation(system, simulator, course, tolerance, trusted)
 
 
-def _check(until: float, tolerance: float, method: str, step: float | None, every: float | None) -> None:
+def _check(
+    until: float, tolerance: float, method: str, step: float | None, every: float | None, max_seconds: float
+) -> None:
     if not (math.isfinite(until) and until > 0.0):
         raise InputError(f"the motion must last for a positive time, not {until:g} s")
     if not 1e-14 <= tolerance <= 1e-1:
         raise InputError(f"the tolerance must be between 1e-14 and 0.1, not {tolerance:g}")
     if method not in ("auto", *METHODS):
         raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}")
-    for name, value in (("step", step), ("every", every)):
+    for name, value in (("step", step), ("every", every), ("max_seconds", max_seconds)):
         if value is not None and not value > 0.0:
             raise InputError(f"{name} must be positive, not {value:g} s")
+    if step is not None and method != "rk4":
+        raise InputError(f"a step of {step:g} s is for the method rk4; {method} chooses its steps by the tolerance")
+    if every is not None and until / every > MOST_OUTPUTS:
+        raise InputError(f"every {every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
 
 
 def _is_driven(system: System) -> bool:

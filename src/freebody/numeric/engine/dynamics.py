@@ -58,8 +58,8 @@ def kinematics(L, S, q, v, t):
         G[o + 2] += c * G[i + 2]
     for k in range(len(L.rated)):
         S.rows[L.rated[k], RATE] = along(L, S, L.rated[k], v)
-    products(L, S, v)
     composed(L, S, t)
+    products(L, S, v)  # their coefficients may be expressions
     for k in range(len(L.held)):
         tape = L.held[k, 1]
         if tape >= 0:

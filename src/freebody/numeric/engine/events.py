@@ -91,6 +91,8 @@ def _zeros(
         return found
     # no crossing between the points: the least value may touch zero, or cross it twice
     k = int(np.abs(column).argmin())
+    if k == 0 and abs(column[0]) <= zero:
+        return found  # it leaves the zero at which it started
     low, high = parts[max(0, k - 1)], parts[min(len(parts) - 1, k + 1)]
     scale = float(np.abs(column).max())
     if 0 < k < len(parts) - 1 or abs(column[k]) < 0.2 * scale:
