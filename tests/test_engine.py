@@ -50,6 +50,7 @@ def assert_alike(system: fb.System) -> None:
     engine = Engine(reference.numbers())
     y = engine.state(*reference.by_body(q, v))
     engine.align(y, 0.2, snapshot.value)
+    engine.evaluate(y + 0.01 * np.sin(np.arange(len(y))), 0.5)  # nothing of another instant may be left
     accelerations, multipliers = engine.evaluate(y, 0.2)
     scale = 1.0 + np.abs(snapshot.accelerations).max(initial=0.0)
     assert np.abs(reference.by_column(accelerations) - snapshot.accelerations).max(initial=0.0) < 1e-9 * scale
@@ -245,14 +246,39 @@ def test_kernels_are_kept_under_the_digest_of_their_sources() -> None:
 
 
 # -- motions ----------------------------------------------------------------------------------
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_both_routes_follow_the_same_motion_of_an_example(name: str) -> None:
-    system = fb.System.load(ROOT / "examples" / f"{name}.yaml")
-    result = system.simulate(0.1, tolerance=1e-12, every=0.1)
-    reference = Reference(system)
+def assert_same_motion(system: fb.System) -> None:
+    values = {p.name: 0.7 + 0.1 * k for k, p in enumerate(system.parameters.values()) if p.value is None}
+    result = system.simulate(0.1, tolerance=1e-12, every=0.1, values=values)
+    reference = Reference(system, values)
     q = reference.assemble()
     slow = reference.integrate((q, reference.velocities(q)), 0.1).snapshots[-1]
     fast = reference.by_column(result.course.poses[-1])
     assert np.abs(fast - slow.q).max() < 1e-9 * (1.0 + np.abs(slow.q).max())
     velocities = reference.by_column(result.course.velocities[-1])
     assert np.abs(velocities - slow.v).max() < 1e-8 * (1.0 + np.abs(slow.v).max())
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_both_routes_follow_the_same_motion_of_an_example(name: str) -> None:
+    assert_same_motion(fb.System.load(ROOT / "examples" / f"{name}.yaml"))
+
+
+@pytest.mark.parametrize("kind", sorted(KINDS))
+def test_both_routes_follow_the_same_motion_of_every_connection_and_load(kind: str) -> None:
+    system = fb.System.from_text(KINDS[kind].example)
+    if fb.Simulator(system).degrees_of_freedom:
+        assert_same_motion(system)
+
+
+def test_a_velocity_constraint_with_expressions_keeps_the_order_of_a_method() -> None:
+    sleigh = fb.System.from_text("""
+bodies: {b: {body: {mass: 3 kg, inertia: 0.5 kg m^2, center_of_mass: [0.4 m, 0]}}}
+measures: {x: x of b, y: y of b, theta: angle of b}
+connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+parameters: {v: 2 m/s, w: 1.5 rad/s}
+start: {x: 0, y: 0, theta: 0, rate(x): v, rate(theta): w}
+""")
+    simulator = fb.Simulator(sleigh)
+    exact = simulator.run(1.0, tolerance=1e-13).poses[-1, 0]
+    errors = [np.abs(simulator.run(1.0, method="rk4", step=h).poses[-1, 0] - exact).max() for h in (0.02, 0.01)]
+    assert errors[0] / errors[1] == pytest.approx(16.0, rel=0.3)
