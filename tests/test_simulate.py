@@ -595,3 +595,19 @@ def test_arguments_that_would_be_ignored_or_never_end_are_refused() -> None:
 def test_what_leaves_zero_at_the_start_is_listed_once() -> None:
     found = oscillating(["rate(x) = 0", "x = 0.3 m"], until=0.5)
     assert [(t, kind) for t, _n, kind in found] == [(0.0, "start"), (0.0, "start")]
+
+
+@pytest.mark.parametrize("length", ["1e6 m", "1 m", "1e-4 m"])
+def test_a_motion_does_not_depend_on_the_size_of_the_system(length: str) -> None:
+    pendulum = model(f"""
+bodies: {{b: {{particle: {{mass: 1 kg}}}}}}
+connections: {{l: {{link: [ground.O, b, {length}]}}}}
+loads: {{g: {{gravity: 9.81}}}}
+measures: {{theta: angle of line from ground.O to b from down}}
+start: {{theta: 0.1 rad}}
+""")
+    # T = 2 pi sqrt(L/g) (1 + a^2/16 + 11 a^4/3072 + 173 a^6/737280 + ...)
+    period = 2 * math.pi * math.sqrt(float(length.split()[0]) / G) * (1 + 1e-2 / 16 + 11e-4 / 3072 + 173e-6 / 737280)
+    result = pendulum.simulate(5 * period, tolerance=1e-10, every=5 * period)
+    assert result.series["theta"][0][-1] == pytest.approx(0.1, abs=1e-9)
+    assert 90 < result.course.n_steps < 115

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.units import LENGTH
 from freebody.numeric.jets import Array
 from freebody.system.system import System
 
@@ -56,13 +57,16 @@ class Sizes:
 
 
 def typical_length(system: System, number: Callable[[Expr], float]) -> float:
-    """How far points are from mass centres and from the origin, at most [m]."""
+    """How far points are from mass centres and from the origin, and how long held lengths are, at most [m]."""
     lengths = [0.0]
     for body in system.bodies.values():
         for x, y in [*body.points.values(), *([body.start.at[1]] if body.start.at else [])]:
             lengths.append(math.hypot(number(x), number(y)))
         if body.radius is not None:
             lengths.append(abs(number(body.radius)))
+    for row in system.held:
+        if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
+            lengths.append(abs(number(row.target)))
     return max(lengths) or 1.0
 
 
