@@ -242,6 +242,7 @@ def test_simulate_prints_one_json_document_and_writes_what_is_asked(tmp_path: Pa
         (["--until", "1", "--out", "/nowhere/run.nc"], "no folder"),
         (["--until", "1", "--set", "q=3"], "no parameter q"),
         (["--until", "1", "--event", "thta = 0"], "Did you mean theta"),
+        (["--until", "1", "--plot", "run.png", "--show", "rod.tensoin"], "Did you mean rod.tension"),
     ],
 )
 def test_simulate_refuses_arguments_without_sense(options: list[str], message: str) -> None:

@@ -276,6 +276,7 @@ loads: {g: {gravity: 9.81}}
     result = system.simulate(1.0, tolerance=1e-11)
     first = result.events[0]
     assert "push" in first.name
+    assert "would have to push" in result.message
     # slack where v^2 = g L cos(from the top): cos = (v0^2/(g L) - 2)/3
     above = np.arccos((25 / G - 2) / 3)
     k = int(np.argmin(np.abs(result.course.times - first.time)))
@@ -613,3 +614,17 @@ start: {{theta: 0.1 rad}}
     result = pendulum.simulate(5 * period, tolerance=1e-10, every=5 * period)
     assert result.series["theta"][0][-1] == pytest.approx(0.1, abs=1e-9)
     assert 90 < result.course.n_steps < 115
+
+
+def test_a_string_that_would_have_to_push_from_the_start_is_said_to() -> None:
+    # thrown slowly over the top: m g > m v^2/L, so the string is slack at once
+    system = model("""
+bodies: {ball: {particle: {mass: 1 kg}, at: [0, 1 m], velocity: [1 m/s, 0]}}
+connections: {s: {string: [ground.O, ball]}}
+ground: {points: {O: [0, 0]}}
+loads: {g: {gravity: 9.81}}
+""")
+    result = system.simulate(0.1)
+    assert (result.events[0].time, result.events[0].kind) == (0.0, "start")
+    assert "from t = 0 s on" in result.message
+    assert float(result.dataset["s.tension"][0]) == pytest.approx(1.0 - G)

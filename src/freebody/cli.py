@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+
+if TYPE_CHECKING:
+    from freebody.system.system import System
 
 app = typer.Typer(
     name="freebody",
@@ -111,6 +114,8 @@ def simulate(
     if set_:
         system = system.with_parameters(**dict(_assignment(text) for text in set_))
     _check_outputs(out, plot, animate)
+    if show:
+        _check_shown(system, show)
     seconds = _seconds(until, "--until")
     with told_compiling():
         from freebody.study.simulate import simulate as run
@@ -163,6 +168,22 @@ def _check_outputs(out: Path | None, plot: Path | None, animate: Path | None) ->
         from freebody.study.files import check_path
 
         check_path(animate, (".html", ".gif", ".mp4"))
+
+
+def _check_shown(system: System, show: list[str]) -> None:
+    """Curves that there will not be are told before the run."""
+    from freebody.errors import InputError
+    from freebody.model.names import did_you_mean
+    from freebody.study.dataset import series_names
+
+    known = series_names(system)
+    bodies = [body.name for body in system.moving]
+    for name in show:
+        if name not in known and name.partition(".")[0] not in bodies and not name.startswith("body_"):
+            nearest = did_you_mean(name, known)
+            if "Did you mean" not in nearest:
+                nearest = f" There is: {', '.join(known)}, and crank.x for a body crank."
+            raise InputError(f"--show {name}: there is no such curve.{nearest}")
 
 
 def _assignment(text: str) -> tuple[str, str]:

@@ -99,6 +99,18 @@ def reaction_names(system: System) -> list[str]:
     ]
 
 
+def series_names(system: System) -> list[str]:
+    """What a dataset of the system has over time alone: measures, reactions, loads and energies."""
+    of_measures = [f"{name}{suffix}" for name in system.measures for suffix in ("", "_rate", "_acceleration")]
+    of_loads = [f"{push.load}.force" for push in _single(system)]
+    return [*of_measures, *reaction_names(system), *of_loads, "kinetic_energy", "potential_energy", "work"]
+
+
+def _single(system: System) -> list[Push]:
+    """Loads that act along one measure."""
+    return [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
+
+
 def _reactions(result: Simulation) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.system)
@@ -118,7 +130,7 @@ def _reactions(result: Simulation) -> dict[str, Any]:
 def _loads(result: Simulation) -> dict[str, Any]:
     """Loads that act along one measure, by their laws."""
     system = result.system
-    single = [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
+    single = _single(system)
     measures = {f"{p.name}@": p.measure for p in single}
     measures |= {name: m for p in single for name, m in p.measures}
     found = observed(result, measures)

@@ -272,6 +272,7 @@ def simulate(
         start=start,
         near=near,
     )
+    course = _with_condition(course, simulator)
     trusted = None
     if verify:
         finer = simulator.run(
@@ -347,6 +348,16 @@ def _pulls(system: System) -> list[Watch]:
         for k, row in enumerate(system.held)
         if row.unilateral
     ]
+
+
+def _with_condition(course: Course, simulator: Simulator) -> Course:
+    """The message says from when on an ideal string or contact does what it cannot: the motion beyond is not its."""
+    names = {watch.name for watch in simulator.engine.watches if watch.measure is None}
+    first = next((e for e in course.happenings if e.name in names), None)
+    if first is None:
+        return course
+    said = f"from t = {first.time:.6g} s on {first.name}: the motion beyond holds only if it could"
+    return replace(course, message=f"{course.message}; {said}" if course.message else said)
 
 
 def _last_state(result: Simulation) -> Array:

@@ -45,7 +45,7 @@ class Motion:
         self.tableau = METHODS[self.method]
         self.run = engine.new_run(y, self.tableau, outputs)
         clock = self.run.clock
-        clock[stepping.END], clock[stepping.TOLERANCE], clock[stepping.LENGTH] = until, tolerance, engine.numbers.length
+        clock[stepping.END], clock[stepping.TOLERANCE] = until, tolerance
         clock[stepping.LONGEST], clock[stepping.STEP] = longest, step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
         self.tracks: list[tuple[float, Floats]] = []
@@ -149,7 +149,10 @@ class Motion:
         if e.watches:
             self.values_before = self._values()
             for watch, value in zip(e.watches, self.values_before, strict=True):
-                if abs(value) <= 1e-12 * watch.size and watch.measure is not None:
+                is_zero = watch.measure is not None and abs(value) <= 1e-12 * watch.size
+                # a reaction that must not change its sign may have the wrong one from the start
+                is_wrong = watch.measure is None and value < -1e-9 * watch.size
+                if is_zero or is_wrong:
                     self.happenings.append(Happening(self.start, watch.name, "start"))
         return True
 

@@ -42,7 +42,6 @@ N_CLOCK = 16
     STEP,
     END,
     TOLERANCE,
-    LENGTH,
     SPEED,
     LONGEST,
     PLACE_GAP,
@@ -53,7 +52,7 @@ N_CLOCK = 16
     LOWEST_PIVOT,
     ALLOWED,
     MOVED,
-) = range(15)
+) = range(14)
 N_COUNT = 12
 (
     STEPS,
