@@ -106,7 +106,7 @@ _DOUBLE = (  # angular acceleration of the upper rod
 )
 _LOWER = f"(-m1*(L1*{_DOUBLE} + g*sin(theta1))/sin(theta1 - theta2))"  # tension of the lower rod
 _CART = "((F + m*L*rate(theta)**2*sin(theta)/2 + 3*m*g*sin(theta)*cos(theta)/4)/(M + m - 3*m*cos(theta)**2/4))"
-_SWING = "(-m*d*(g*sin(theta) + a0*cos(theta))/(I + m*d**2))"
+_SWING = "(-m*d*(g*sin(theta) + rate(rate(x0))*cos(theta))/(I + m*d**2))"
 _HOIST = "(-R*(2*T + m*R*g)/(4*I + m*R**2))"
 _BELT = "(I1*r2**2 + I2*r1**2)"
 _FALL = "(3*g*cos(theta)/(2*L))"
@@ -134,9 +134,10 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # MK art. 6/4, moments about the accelerated hinge; the driver moves the mass centre, x_G = x + d sin(theta)
     "body_on_driven_roller": {
+        "conserved": "-m*d*sin(theta)*(g + rate(x0)*rate(theta))",  # dH_O/dt = M_O - v_O x P
         "equation": _SWING,
-        "momentum": "(I + m*d**2)*rate(theta) + m*d*a0*t*cos(theta)",
-        "force": f"m*(a0 + d*{_SWING}*cos(theta) - d*rate(theta)**2*sin(theta))",
+        "momentum": "(I + m*d**2)*rate(theta) + m*d*rate(x0)*cos(theta)",
+        "force": f"m*(rate(rate(x0)) + d*{_SWING}*cos(theta) - d*rate(theta)**2*sin(theta))",
     },
     # Lagrange: (M + m) x'' + m L/2 (theta'' c - theta'^2 s) = F, m L^2/3 theta'' + m L/2 x'' c = -m g L/2 s
     "cart_and_pendulum": {

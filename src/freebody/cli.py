@@ -263,6 +263,36 @@ def modes(
 
 
 @app.command()
+def conserved(
+    file: ModelFile,
+    as_json: Json = False,
+    question: Annotated[
+        str | None,
+        typer.Option("--find", help="Judge this quantity, as 'angular momentum of body about roller'."),
+    ] = None,
+) -> None:
+    """Tell what is conserved, and under which conditions; without a question in the file, search."""
+    from importlib import import_module
+
+    from freebody.present.simulation import told_compiling
+    from freebody.study.conserved import conserved as judge
+    from freebody.system.system import System
+
+    system = System.load(file)
+    with told_compiling():
+        import_module("freebody.study.witness")
+    found = judge(system, question)
+    if as_json:
+        _print_json(found.to_plain())
+    else:
+        from freebody.present.conservation import conservation_lines
+
+        print("\n".join(conservation_lines(found)))
+    if not found.is_complete:
+        raise typer.Exit(1)
+
+
+@app.command()
 def examples(
     name: Annotated[str | None, typer.Argument(help="An example to copy.")] = None,
     to: Annotated[Path, typer.Option("--to", help="Where to copy it.")] = Path(),

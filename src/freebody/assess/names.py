@@ -17,21 +17,22 @@ class Names:
 
     def __init__(self, model: SymbolicModel, system: System) -> None:
         self._model = model
+        self._elements = dict(model.parameters)
         self._moving: dict[str, Measure | Ratio] = dict(system.offered)
         self.dimensions = {name: m.dimension for name, m in system.offered} | {"t": TIME}
         for c in model.coordinates:
             self._moving[c.name] = model.field.variable(c.index)
             self.dimensions[c.name] = DIMENSIONLESS if c.is_angle else LENGTH
         self._moving |= system.measures
+        self._functions = {p.name: self._elements[p.name] for p in system.parameters.values() if p.form is not None}
         self.dimensions |= system.dimensions()
-        self._elements = dict(model.parameters)
         for c in model.coordinates:
             if c.index in model.start_symbols:
                 self._elements[f"{c.name}_0"] = model.start_symbols[c.index]
                 self.dimensions[f"{c.name}_0"] = self.dimensions[c.name]
 
     def __contains__(self, key: str) -> bool:
-        return key in self._elements or key in self._moving or _rated(key) in self._moving
+        return key in self._elements or key in self._moving or _rated(key) in self._moving | self._functions
 
     def element(self, key: str) -> Ratio:
         """The element of a name or of "rate(name)"."""

@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import random
 from typing import TYPE_CHECKING, Any
 
-from freebody.language.expression import Expr, free_symbols, replace_rates, substitute
+from freebody.errors import ExpressionError, InputError
+from freebody.language.expression import (
+    ZERO,
+    Expr,
+    differentiate,
+    evaluate,
+    free_symbols,
+    replace_rates,
+    substitute,
+)
 from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, Push
 from freebody.model.spec import Formula
 
@@ -48,4 +59,39 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
         own = [name for name, other in used if other == measure]
         for name in own:  # the law of the measure itself, not of another one
             expr = substitute(replace_rates(expr, {name: RATE}), {name: VALUE})
-        return [Push("", measure, expr, tuple(item for item in used if item[0] not in own))]
+        rest = tuple(item for item in used if item[0] not in own)
+        alone = _in_the_measure(expr, measure, [name for name, _measure in rest])
+        return [Push("", measure, expr, rest) if alone is None else Push("", measure, alone)]
+
+
+def _in_the_measure(expr: Expr, measure: Measure, used: list[str]) -> Expr | None:
+    """A law in several measures that contains them only as its own measure is made of them: k*(x2 - x1) as a law of
+    x2 - x1. None where it is not of that form."""
+    if not used or not isinstance(measure, Composed) or replace_rates(expr, dict.fromkeys(used, RATE)) != expr:
+        return None
+    for name in used:
+        slope = differentiate(measure.expression, name)
+        if free_symbols(slope) & set(used) or slope == ZERO:
+            continue
+        try:
+            offset = substitute(measure.expression, {name: ZERO})
+            turned = substitute(expr, {name: (VALUE - offset) / slope})
+            if all(_is_free_of(turned, other) for other in used):
+                return substitute(turned, dict.fromkeys(used, ZERO))
+        except (ZeroDivisionError, ExpressionError):
+            continue
+    return None
+
+
+def _is_free_of(expr: Expr, name: str) -> bool:
+    """Whether the derivative by a name is zero at random numbers."""
+    slope = differentiate(expr, name)
+    rng = random.Random(3)
+    for _ in range(5):
+        values = {symbol: rng.uniform(0.3, 1.7) for symbol in free_symbols(expr) | {name}}
+        try:
+            if abs(float(evaluate(slope, values))) > 1e-9:
+                return False
+        except (ValueError, ArithmeticError, InputError):
+            return False
+    return True

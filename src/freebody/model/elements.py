@@ -27,7 +27,8 @@ Sign = Literal["positive", "nonnegative", "any"]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A symbol with an optional value in SI units."""
+    """A symbol with an optional value in SI units, or a function of time: then `form` is what it is in numbers, and
+    formulas keep its symbol."""
 
     name: str
     dimension: Dimension
@@ -36,6 +37,7 @@ class Parameter:
     acute: bool = False
     unit: str = ""
     is_angle: bool = False
+    form: Expr | None = None
 
 
 @dataclass(frozen=True)
@@ -139,6 +141,12 @@ class Held:
     if_needed: bool = False  # held only where the other connections leave it free
     unilateral: bool = False  # an ideal string or contact: the reaction must not be negative
     connection: str = ""
+    general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
+
+    @property
+    def in_symbols(self) -> Expr | None:
+        """The target as formulas have it."""
+        return self.target if self.general is None else self.general
 
     @property
     def name(self) -> str:
@@ -155,6 +163,12 @@ class Push:
     law: Expr
     measures: tuple[tuple[str, Measure], ...] = ()  # named measures in the law
     load: str = ""
+    general: Expr | None = None  # the law with functions of time as symbols; None: it contains none
+
+    @property
+    def in_symbols(self) -> Expr:
+        """The law as formulas have it."""
+        return self.law if self.general is None else self.general
 
     @property
     def name(self) -> str:

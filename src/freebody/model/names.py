@@ -81,8 +81,9 @@ class Names:
             self.problems.append(noted)
 
     # -- expressions --------------------------------------------------------------------------
-    def dimensions(self) -> dict[str, Dimension]:
-        return {p.name: p.dimension for p in self.parameters.values()}
+    def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
+        """Of the parameters; functions of time are among them where time may be."""
+        return {p.name: p.dimension for p in self.parameters.values() if p.form is None or in_time}
 
     def formula(
         self,
@@ -92,7 +93,7 @@ class Names:
         extra: Mapping[str, Dimension] | None = None,
     ) -> Expr:
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
-        known = self.dimensions() | dict(extra or {})
+        known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
             self.problem(f"expected a number or an expression, found {value!r}", None, *path)
             return ZERO
@@ -108,6 +109,9 @@ class Names:
         if free_symbols(expr) & self.broken:
             return ZERO
         unknown = sorted(free_symbols(expr) - set(known))
+        if unknown and unknown[0] in self.parameters:
+            message = f"{unknown[0]} is a function of time; it may stand in drivers and in the laws of loads only"
+            return self._quantity(value, dimension, path, message)
         if unknown:
             message = (
                 f"{unknown[0]} in '{value}' is not a parameter.{did_you_mean(unknown[0], known)}"

@@ -66,6 +66,15 @@ class OfPoint:
 
 
 @dataclass(frozen=True)
+class InstantCentre:
+    """The point of the plane where two bodies have the same velocity."""
+
+    body: str
+    relative_to: str = GROUND
+    dimension: Dimension = LENGTH
+
+
+@dataclass(frozen=True)
 class Multiplier:
     """What one row of a connection transmits: tension, normal force, tooth force ..."""
 
@@ -110,21 +119,27 @@ class Energy:
     dimension: Dimension = ENERGY
 
 
+# Of which bodies: None means all of them.
+Group = str | tuple[str, ...] | None
+SYSTEM_CENTER = "mass center"
+
+
 @dataclass(frozen=True)
 class Momentum:
-    """Linear momentum of the system or one body: a vector or a component."""
+    """Linear momentum of the system, of one body or of several: a vector or a component."""
 
-    body: str | None = None
+    body: Group = None
     along: Direction | None = None
     dimension: Dimension = MOMENTUM
 
 
 @dataclass(frozen=True)
 class Spin:
-    """Angular momentum of the system or one body about a point (default: the mass centre of the body)."""
+    """Angular momentum of the system, of one body or of several about a point, or about the mass centre of those
+    bodies (the default for one body; else the origin)."""
 
-    body: str | None = None
-    about: Point | None = None
+    body: Group = None
+    about: Point | Literal["mass center"] | None = None
     dimension: Dimension = ANGULAR_MOMENTUM
 
 
@@ -193,9 +208,37 @@ class Freedom:
     dimension: Dimension = DIMENSIONLESS
 
 
+@dataclass(frozen=True)
+class GeneralizedMomentum:
+    """dL/du of a generalized coordinate."""
+
+    coordinate: str
+    dimension: Dimension
+
+
+@dataclass(frozen=True)
+class JacobiIntegral:
+    """sum of u dL/du, minus L: the energy where nothing is driven."""
+
+    dimension: Dimension = ENERGY
+
+
+@dataclass(frozen=True)
+class Conserved:
+    """Whether, or when, a quantity stays constant."""
+
+    of: Quantity
+    name: str
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension / TIME
+
+
 Quantity = (
     OfMeasure
     | OfPoint
+    | InstantCentre
     | Multiplier
     | Wrench
     | LoadForce
@@ -209,6 +252,9 @@ Quantity = (
     | Small
     | Equilibrium
     | Freedom
+    | GeneralizedMomentum
+    | JacobiIntegral
+    | Conserved
 )
 
 
@@ -251,6 +297,7 @@ class Form:
 FORMS: list[Form] = []
 _POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
 _NAME = r"[A-Za-z_]\w*"
+_GROUP = rf"{_NAME}(?:(?:, | and ){_NAME})*"
 _OPENINGS = (
     "position",
     "velocity",
@@ -258,6 +305,7 @@ _OPENINGS = (
     "angular velocity",
     "angular acceleration",
     "speed",
+    "instant centre",
     "angle",
     "reaction",
     "moment",
@@ -287,6 +335,32 @@ def _form(form: str, pattern: str) -> Callable[[Reader], Reader]:
 @_form("degrees of freedom", r"(?:number of )?degrees of freedom|mobility")
 def _freedom(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     return Freedom()
+
+
+@_form(
+    "is QUANTITY conserved | when is QUANTITY conserved",
+    r"(?:(?:is|when is|whether) (?:the )?(?P<of>.+?) (?:is )?conserved\??|conservation of (?:the )?(?P<named>.+))",
+)
+def _conserved(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    text = str(found["of"] or found["named"])
+    of = read_quantity(names, text, path)
+    if of is None or isinstance(of, (OfMeasure, OfPoint, Momentum, Spin, Energy, GeneralizedMomentum, JacobiIntegral)):
+        return None if of is None else Conserved(of, text)
+    names.problem(f"'{text}' is nothing that a motion keeps; ask for a momentum, an energy or a measure", None, *path)
+    return None
+
+
+@_form("generalized momentum of COORDINATE", rf"generali[sz]ed momentum of (?P<of>{_NAME})")
+def _generalized_momentum(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of = str(found["of"])
+    measure = names.measures.get(of)
+    unit = DIMENSIONLESS if measure is None else measure.dimension
+    return GeneralizedMomentum(of, ENERGY * TIME / unit)
+
+
+@_form("Jacobi integral", r"[jJ]acobi(?:'s)? integral|generali[sz]ed energy")
+def _jacobi(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    return JacobiIntegral()
 
 
 @_form("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)")
@@ -356,6 +430,22 @@ def _speed(names: Names, found: dict[str, str | None], path: Path) -> Quantity |
 
 
 @_form(
+    "instant centre of BODY [relative to BODY]",
+    r"(?:(?:instant|instantaneous) cent(?:re|er)(?: of (?:rotation|velocity))?|velocity pole)"
+    rf" of (?P<of>{_NAME})(?: relative to (?P<rel>{_NAME}))?",
+)
+def _instant_centre(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    body = names.body(str(found["of"]), *path)
+    other = names.body(str(found["rel"] or GROUND), *path)
+    for one in (body, other):
+        if not one.turns:
+            names.problem(f"{one.name} is a particle and has no angle, so it has no instant centre", None, *path)
+    if body.name == other.name:
+        names.problem(f"{body.name} has no motion relative to itself; name another body", None, *path)
+    return InstantCentre(body.name, other.name)
+
+
+@_form(
     "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
     rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
     rf"(?:reaction|force) of (?P<of>{_NAME})"
@@ -412,23 +502,33 @@ def _energy(names: Names, found: dict[str, str | None], path: Path) -> Quantity 
 
 
 @_form(
-    "linear momentum [of BODY] [along DIRECTION]",
-    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{_NAME}))?(?: along (?P<along>.+))?",
+    "linear momentum [of BODY and BODY] [along DIRECTION]",
+    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{_GROUP}))?(?: along (?P<along>.+))?",
 )
 def _momentum(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
-    of = found["of"]
-    body = None if of is None or of == "system" else names.body(of, *path).name
+    body = _group(names, found["of"], path)
     return Momentum(body, None if found["along"] is None else names.direction(found["along"], *path))
 
 
 @_form(
-    "angular momentum [of BODY] [about POINT]",
-    rf"angular momentum(?: of (?:the )?(?P<of>{_NAME}))?(?: about (?P<about>{_POINT}))?",
+    "angular momentum [of BODY and BODY] [about POINT | about its mass center]",
+    rf"angular momentum(?: of (?:the )?(?P<of>{_GROUP}))?"
+    rf"(?: about (?:(?P<center>(?:its|their|the) (?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of mass))"
+    rf"|(?P<about>{_POINT})))?",
 )
 def _spin(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
-    of = found["of"]
-    body = None if of is None or of == "system" else names.body(of, *path).name
+    body = _group(names, found["of"], path)
+    if found["center"] is not None:
+        return Spin(body, SYSTEM_CENTER)
     return Spin(body, None if found["about"] is None else names.point(found["about"], *path))
+
+
+def _group(names: Names, text: str | None, path: Path) -> Group:
+    """The bodies of 'cart and bob'; None for the system."""
+    if text is None or text == "system":
+        return None
+    bodies = tuple(names.body(word, *path).name for word in re.split(r", | and ", text))
+    return bodies[0] if len(bodies) == 1 else bodies
 
 
 @_form("power | work of LOAD", rf"(?P<what>power|work) of (?P<of>{_NAME})")

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 ZERO = number(0)
+CORNERS = ("bottom_left", "bottom_right", "top_left", "top_right")
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,8 @@ class Shape(Spec):
     """Base of the shapes; a subclass is found by its `kind`."""
 
     kinds: ClassVar[dict[str, type[Shape]]] = {}
+    # lengths that may be left open, with the points that depend on them; () where the whole body does
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {}
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -64,7 +67,9 @@ class Rod(Shape, kind="rod"):
     """A slender uniform rod from `start` to `end`, along its own x axis; I = m L^2/12."""
 
     mass: Formula = 0
-    length: Formula
+    length: Formula | None = None
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"length": ()}
 
     def build(self, names: Names) -> Build:
         m, length = names.positive(self, "mass", MASS), names.positive(self, "length", LENGTH)
@@ -80,8 +85,10 @@ class Disk(Shape, kind="disk"):
     """A uniform disk (or cylinder, pulley, gear wheel); I = m R^2/2 unless `inertia` is given."""
 
     mass: Formula = 0
-    radius: Formula
+    radius: Formula | None = None
     inertia: Formula | None = None
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
@@ -93,8 +100,10 @@ class Ring(Shape, kind="ring"):
     """A thin ring or hoop; I = m R^2 unless `inertia` is given. Wheels may run on its inside."""
 
     mass: Formula = 0
-    radius: Formula
+    radius: Formula | None = None
     inertia: Formula | None = None
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
@@ -106,7 +115,9 @@ class Sphere(Shape, kind="sphere"):
     """A homogeneous ball; I = 2/5 m R^2 about any axis through its centre."""
 
     mass: Formula = 0
-    radius: Formula
+    radius: Formula | None = None
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
@@ -115,15 +126,21 @@ class Sphere(Shape, kind="sphere"):
 
 class Rectangle(Shape, kind="rectangle"):
     """A uniform rectangular plate or block; I = m (w^2 + h^2)/12. Points: the corners `bottom_left` ...
-    and the middles `left`, `right`, `top`, `bottom` of its sides."""
+    and the middles `left`, `right`, `top`, `bottom` of its sides. A side that is left out is zero, unless one of
+    these points is used."""
 
     mass: Formula = 0
-    width: Formula = 0
-    height: Formula = 0
+    width: Formula | None = None
+    height: Formula | None = None
+
+    open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {
+        "width": ("left", "right", *CORNERS),
+        "height": ("top", "bottom", *CORNERS),
+    }
 
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)
-        w, h = names.positive(self, "width", LENGTH), names.positive(self, "height", LENGTH)
+        w, h = (names.optional(self, side, LENGTH) or ZERO for side in ("width", "height"))
         x, y = _half(w), _half(h)
         return Build(
             m,

@@ -259,10 +259,12 @@ def _numbers(system: System, values: Mapping[str, float]) -> dict[str, float]:
     if unknown:
         known = ", ".join(system.parameters)
         raise InputError(f"there is no parameter {', '.join(unknown)}; the system has {known}")
-    given = {p.name: p.value for p in system.parameters.values()} | dict(values)
+    given = {p.name: p.value for p in system.parameters.values() if p.form is None} | dict(values)
     missing = [name for name, value in given.items() if value is None]
     if missing:
-        raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; give one under parameters")
+        open_ = [name for name in missing if name in system.unspecified]
+        where = "at its place in the model" if open_ == missing else "under parameters"
+        raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; give one {where}")
     return {name: float(value) for name, value in given.items() if value is not None}
 
 

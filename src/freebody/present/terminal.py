@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import textwrap
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, Number
@@ -11,6 +12,7 @@ from freebody.language.notation import to_pretty, to_text
 from freebody.system.system import System
 
 if TYPE_CHECKING:
+    from freebody.assess.verdict import Verdict
     from freebody.study.answer import Answer
     from freebody.study.eom import Equations
     from freebody.study.solve import Solution
@@ -93,7 +95,7 @@ def answer_lines(answer: Answer) -> Iterator[str]:
     yield from _listed("holds", answer.conditions)
     yield from _listed("note", answer.notes)
     if answer.options:
-        yield from _options(answer)
+        yield from option_lines(answer.choice, answer.options)
     if answer.author_notes:
         yield from _listed("to author", answer.author_notes)
     if answer.evidence is not None:
@@ -132,16 +134,24 @@ def _indented(text: str, by: int) -> Iterator[str]:
         yield " " * by + line
 
 
+def wrapped(label: str, text: str, width: int = 110) -> Iterator[str]:
+    """A labelled text, further lines below it."""
+    for k, line in enumerate(textwrap.wrap(text, width - 16, break_long_words=False) or [""]):
+        yield f"    {label if k == 0 else '':<12}{line}"
+
+
 def _listed(label: str, texts: tuple[str, ...]) -> Iterator[str]:
     for k, text in enumerate(texts):
         yield f"    {label if k == 0 else '':<12}{text}"
 
 
-def _options(answer: Answer) -> Iterator[str]:
-    chosen = f"({answer.choice})" if answer.choice else "none"
-    yield f"    right       {chosen}"
-    for letter, verdict in answer.options.items():
-        if letter != answer.choice:
+def option_lines(choice: str | None, options: Mapping[str, Verdict]) -> Iterator[str]:
+    """The right option, and why each other is wrong."""
+    if not options:
+        return
+    yield f"    right       {f'({choice})' if choice else 'none'}"
+    for letter, verdict in options.items():
+        if letter != choice:
             yield f"      ({letter})       {verdict.verdict}: {verdict.reason}"
 
 

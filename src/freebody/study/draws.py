@@ -87,6 +87,8 @@ def draw_parameters(system: System, rng: random.Random, spread: float, *, length
     keep theirs: a file that mixes symbols and numbers in its geometry fits together for these only."""
     values: dict[str, float] = {}
     for p in system.parameters.values():
+        if p.form is not None:
+            continue  # it follows from the others
         if not lengths and p.value is not None and p.dimension in (LENGTH, DIMENSIONLESS):
             values[p.name] = p.value
         elif p.acute:
@@ -122,7 +124,7 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
                 found.append(Draw(values, reference, q))
                 break
             except CannotAnswer as error:
-                if k == 0 and near is None and all(p.value is not None for p in system.parameters.values()):
+                if k == 0 and near is None and system.has_values:
                     raise
                 first = first or error
                 spread *= 0.6

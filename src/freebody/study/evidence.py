@@ -11,6 +11,7 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.model.question import Event, Power, Quantity, When, Work
 from freebody.numeric.reference import Snapshot
 from freebody.study.answer import Evidence
+from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
@@ -102,7 +103,7 @@ def at_instants(
     where = "at the start" if at_start else "at random poses and speeds"
     witness = Witness(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
     for k, draw in enumerate(setup.draws):
-        snapshot = draw.start() if at_start else setup.anywhere[k]
+        snapshot = moving_for(quantity, draw.start()) if at_start else setup.anywhere[k]
         numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
         exact = element_at(setup, x, draw, snapshot)
         witness.compare(draw, exact, numeric)
@@ -170,7 +171,7 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     draw = setup.draws[0]
     start = draw.start()
     if event is None:
-        values = _tuple(quantity_value(quantity, setup.system, draw.seen(start)))
+        values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
     return values[0] if len(values) == 1 else values

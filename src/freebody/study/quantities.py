@@ -5,6 +5,7 @@ A vector is a pair (x, y) of ground components.
 
 from __future__ import annotations
 
+import math
 from typing import Any, TypeVar
 
 from freebody.errors import CannotAnswer
@@ -12,7 +13,10 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import Held
 from freebody.model.question import (
+    SYSTEM_CENTER,
     Energy,
+    Group,
+    InstantCentre,
     LoadForce,
     Momentum,
     Multiplier,
@@ -39,6 +43,8 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
             return (state.value, state.rate, state.acceleration)[order](measure)
         case OfPoint(point, order, along, size):
             return _component(_point(state, point, order), along, size, state)
+        case InstantCentre(body, other):
+            return _instant_centre(body, other, system, state)
         case Multiplier():
             row = multiplier_row(quantity, system)
             return row.sign * state.multiplier(row)
@@ -53,8 +59,8 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
             return energy(what, body, system, state)
         case Momentum(body, along):
             return _component(_momentum(system, state, body), along, False, state)
-        case Spin(body, about):
-            return _spin(system, state, body, about)
+        case Spin():
+            return _spin(system, state, quantity)
         case Power(of):
             return _power(system, state, of)
         case RatioOf(top, bottom):
@@ -87,6 +93,57 @@ def _component(vector: tuple[Any, Any], along: Direction | None, size: bool, sta
     tip, foot = Point(along.body, along.components), Point(along.body, (ZERO, ZERO))
     ex, ey = state.value(Displacement(tip, foot, RIGHT)), state.value(Displacement(tip, foot, UP))
     return vector[0] * ex + vector[1] * ey
+
+
+# -- instant centres --------------------------------------------------------------------------
+FAR = 1e9  # [m]; beyond it a centre in numbers is at infinity
+
+
+def _instant_centre(body: str, other: str, system: System, state: State[Any]) -> tuple[Any, Any]:
+    """Where both bodies have the same velocity. With u_i = v_i - w_i x r_i, the velocity of the point of body i at the
+    origin, u_1 + w_1 x r = u_2 + w_2 x r, so that r = (-d_y, d_x)/w with d = u_1 - u_2 and w = w_1 - w_2.
+    Source: Norton, Design of Machinery, 5th ed. 2012, sec. 6.3."""
+    dx, dy, w = relative_motion(body, other, system, state)
+    if _vanishes(w, dx, dy):
+        pair = body if other == GROUND else f"{body} relative to {other}"
+        if _vanishes(dx) and _vanishes(dy):
+            raise CannotAnswer(
+                f"{pair} is at rest: a body that does not move has no instant centre. Give rates under start"
+            )
+        raise CannotAnswer(f"{pair} is in translation: the centre is at infinity along {_normal(dx, dy)}")
+    return -dy / w, dx / w
+
+
+def relative_motion(body: str, other: str, system: System, state: State[Any]) -> tuple[Any, Any, Any]:
+    """Relative velocity of the points of two bodies that are at the origin, and the relative angular velocity."""
+    (ux, uy, w), (vx, vy, w_other) = (_motion_at_origin(state, system, name) for name in (body, other))
+    return ux - vx, uy - vy, w - w_other
+
+
+def _motion_at_origin(state: State[Any], system: System, body: str) -> tuple[Any, Any, Any]:
+    if system.bodies[body].fixed:
+        return 0, 0, 0
+    point = system.bodies[body].center
+    (x, y), (vx, vy), w = _point(state, point, 0), _point(state, point, 1), _turning(state, body)
+    return vx + w * y, vy - w * x, w
+
+
+def _vanishes(x: Any, *others: Any) -> bool:
+    """True for an element that is zero, or a number that is nothing beside others."""
+    if isinstance(x, (int, float)):
+        return abs(x) <= max((abs(float(other)) for other in others), default=0.0) / FAR
+    return bool(x.is_zero())
+
+
+def _normal(dx: Any, dy: Any) -> str:
+    """The direction across a velocity, in words."""
+    if _vanishes(dx, dy):
+        return "right"
+    if _vanishes(dy, dx):
+        return "up"
+    if isinstance(dx, (int, float)):
+        return f"{math.degrees(math.atan2(float(dx), -float(dy))) % 180.0:.6g} deg"
+    return "the normal of its velocity"
 
 
 # -- forces -----------------------------------------------------------------------------------
@@ -170,24 +227,56 @@ def _turning(state: State[Any], body: str) -> Any:
     return state.rate(Angle(body))
 
 
-def _momentum(system: System, state: State[Any], body: str | None) -> tuple[Any, Any]:
+def _momentum(system: System, state: State[Any], body: Group) -> tuple[Any, Any]:
     px: Any = 0
     py: Any = 0
     for b in system.moving:
-        if body is None or b.name == body:
+        if is_among(b.name, body):
             vx, vy = _point(state, b.mass_center, 1)
             px, py = px + state.scalar(b.mass) * vx, py + state.scalar(b.mass) * vy
     return px, py
 
 
-def _spin(system: System, state: State[Any], body: str | None, about: Point | None) -> Any:
-    """H_O = sum I w + m (r - r_O) x v, with absolute velocities."""
+def is_among(name: str, group: Group) -> bool:
+    """Whether a body is one of those that are meant."""
+    return group is None or name == group or (isinstance(group, tuple) and name in group)
+
+
+def point_about(system: System, state: State[Any], quantity: Spin) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+    """Position and velocity of the point about which an angular momentum is meant."""
+    group, about = quantity.body, quantity.about
+    if about == SYSTEM_CENTER:
+        return _mass_center(system, state, group)
     if about is None:
-        about = ORIGIN if body is None else system.bodies[body].mass_center
-    ox, oy = _point(state, about, 0)
+        about = system.bodies[group].mass_center if isinstance(group, str) else ORIGIN
+    assert isinstance(about, Point)
+    return _point(state, about, 0), _point(state, about, 1)
+
+
+def _mass_center(system: System, state: State[Any], group: Group) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+    """r_C = sum m r / sum m"""
+    total: Any = 0
+    x: Any = 0
+    y: Any = 0
+    for b in system.moving:
+        if is_among(b.name, group):
+            m = state.scalar(b.mass)
+            bx, by = _point(state, b.mass_center, 0)
+            total, x, y = total + m, x + m * bx, y + m * by
+    px, py = _momentum(system, state, group)
+    try:
+        _ = x / total
+    except ZeroDivisionError:
+        raise CannotAnswer("these bodies have no mass, and so no mass centre") from None
+    return (x / total, y / total), (px / total, py / total)
+
+
+def _spin(system: System, state: State[Any], quantity: Spin) -> Any:
+    """H_O = sum I w + m (r - r_O) x v, with absolute velocities."""
+    (ox, oy), _velocity = point_about(system, state, quantity)
     total: Any = 0
     for b in system.moving:
-        if body is None or b.name == body:
+        if is_among(b.name, quantity.body):
             x, y = _point(state, b.mass_center, 0)
             vx, vy = _point(state, b.mass_center, 1)
             total = total + state.scalar(b.mass) * ((x - ox) * vy - (y - oy) * vx)

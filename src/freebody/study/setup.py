@@ -42,7 +42,7 @@ class Setup:
     @property
     def has_values(self) -> bool:
         """True if the file gives every parameter a value."""
-        return all(p.value is not None for p in self.system.parameters.values())
+        return self.system.has_values
 
     @cached_property
     def state(self) -> SymbolicState:

@@ -14,9 +14,11 @@ from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.question import (
+    Conserved,
     Energy,
     Equilibrium,
     Freedom,
+    InstantCentre,
     OfMeasure,
     Quantity,
     Question,
@@ -120,6 +122,8 @@ class _Solver:
 
     def answer(self) -> Answer:
         q = self.question
+        if isinstance(q.quantity, Conserved):
+            return self._conserved()
         try:
             found = self._find()
         except (CannotAnswer, ZeroDivisionError) as error:
@@ -128,6 +132,31 @@ class _Solver:
         except RoutesDisagree as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
         return self._finish(found)
+
+    def _conserved(self) -> Answer:
+        """The rate of the quantity, and whether it vanishes; `study/conserved.py` has more to say."""
+        from freebody.study.conserved import Judge
+
+        q = self.question
+        found = Judge(self.setup).answer(q)
+        answer = "conserved for every motion" if found.is_conserved else "not conserved"
+        if found.is_conserved is None:
+            answer = f"conserved if and only if {' or '.join(found.conditions)}"
+        c = found.confirmation
+        return Answer(
+            q.id,
+            q.text,
+            found.rate,
+            unit_text(q.quantity),
+            None,
+            conditions=() if found.reason else (answer,),
+            notes=("this is its rate", *found.notes) if found.rate is not None else found.notes,
+            reason=found.reason or ("; ".join(found.notes) if found.rate is None else ""),
+            choice=found.choice,
+            options=found.options,
+            author_notes=found.author_notes,
+            evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
+        )
 
     def _number_instead(self) -> float | tuple[float, ...] | None:
         """The value of the numeric route where there is no closed form; at the start, or at the event."""
@@ -156,7 +185,7 @@ class _Solver:
     # -- one instant --------------------------------------------------------------------------
     def _at_instant(self, q: Quantity) -> _Found:
         at_start = self.question.at_start
-        x = self._elements(q, self.setup.start_instant if at_start else self.setup.state)
+        x = self._elements(q, self._start_of(q) if at_start else self.setup.state)
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         notes: list[str] = []
         if isinstance(q, Wrench):
@@ -164,6 +193,14 @@ class _Solver:
             what = "moment" if q.moment else "force"
             notes.append(f"the {what} that {q.connection} exerts on {body}")
         return _Found(x, evidence, notes=notes, up_to_constant=_has_potential(q), at_start=at_start)
+
+    def _start_of(self, q: Quantity) -> SymbolicState:
+        """The start; for an instant centre with one freedom, whose speed cancels, the pose at the start."""
+        if not isinstance(q, InstantCentre) or self.model.degrees_of_freedom != 1:
+            return self.setup.start_instant
+        speeds = {c.speed for c in (*self.model.coordinates, *self.model.dependent)}
+        values = self.setup.start.values
+        return SymbolicState(self.model, {k: x for k, x in values.items() if k not in speeds})
 
     def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
         value = quantity_value(q, self.system, state)

@@ -24,15 +24,15 @@ class Condition:
     purpose: str = ""
 
     def text(self) -> str:
-        shown = _relation_text(tidy(self.element), self.relation)
+        shown = relation_text(tidy(self.element), self.relation)
         return f"{shown} ({self.purpose})" if self.purpose else shown
 
 
-_FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">="}
-_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "<": "<", "<=": "≤"}
+_FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
+_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "<": "<", "<=": "≤", "=": "="}
 
 
-def _relation_text(e: Expr, relation: str) -> str:
+def relation_text(e: Expr, relation: str) -> str:
     """a - b > 0 as a > b, without a number in front."""
     if isinstance(e, Product) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
         if e.factors[0].value < 0:

@@ -67,7 +67,9 @@ class Elimination:
     redundant: list[str] = initial(default_factory=list[str])
 
     def __post_init__(self) -> None:
-        self._moving = frozenset(self.unknowns) | {self.field.index(self.field.time)}
+        _ = self.field.time  # made here if it was not yet
+        in_time = {index for index, g in self.field.generators.items() if g.kind == "time"}
+        self._moving = frozenset(self.unknowns) | in_time
         # by identity; the equation is kept so that its identity is not given away again
         self._options: dict[int, tuple[Equation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
         open_equations = list(self.equations)

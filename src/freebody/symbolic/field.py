@@ -3,7 +3,7 @@
 An element is a quotient of two polynomials with integer coefficients in named generators
 (FLINT does the polynomial arithmetic). A generator may be
 
-- free: a parameter, a coordinate, a speed, an acceleration, time;
+- free: a parameter, a coordinate, a speed, an acceleration, time, a given function of time;
 - bound by a quadratic relation g^2 = r in earlier generators: the sine of an angle whose cosine
   is a generator (s^2 = 1 - c^2), or a square root;
 - a function atom (exp, atan ...) of an earlier element.

@@ -18,10 +18,11 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Symbol, free_symbols
+from freebody.language.expression import Call, Expr, Symbol, differentiate, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -44,6 +45,7 @@ Triple = tuple[Ratio, Ratio, Ratio]
 _POSITION, _TANGENT_LENGTH, _TANGENT_ANGLE, _BODY_ANGLE, _OFFERED, _NAMED = range(6)
 _SLOTS = ("x", "y", "angle")
 ZERO_TOLERANCE = 1e-9
+N_RATES = 5  # of a given function of time; an acceleration's rate needs three
 
 
 @dataclass(frozen=True)
@@ -64,6 +66,7 @@ class SymbolicModel:
         self.samples = tuple(samples)
         n = len(system.moving)
         self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
+        self._functions: dict[int, Expr] = {}  # given functions of time and their rates: what they are in numbers
         self.parameters = self._parameters()
         self.constants: dict[str, Ratio] = {}  # hidden start values of incremental rows, by row name
         self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
@@ -103,12 +106,27 @@ class SymbolicModel:
     def _parameters(self) -> dict[str, Ratio]:
         names: dict[str, Ratio] = {}
         for p in self.system.parameters.values():
+            if p.form is not None:
+                names[p.name] = self._function_of_time(p.name, p.form)
+                continue
             g = self.field.parameter(p.name, positive=p.sign == "positive")
             if p.acute:
                 self.field.acute_angles.add(self.field.index(g))
             names[p.name] = g
         names["t"] = self.field.time
         return names
+
+    def _function_of_time(self, name: str, form: Expr) -> Ratio:
+        """A generator for a function of time that stays general, and generators for its rates."""
+        shown: Expr = Symbol(name)
+        chain: list[Ratio] = []
+        for _ in range(N_RATES + 1):
+            chain.append(self.field.generator(Generator(shown, "time")))
+            self._functions[self.field.index(chain[-1])] = form
+            shown, form = Call("rate", shown), differentiate(form, "t")
+        for function, rate in pairwise(chain):
+            self.field.set_rate(function, rate)
+        return chain[0]
 
     def _unknown(
         self,
@@ -339,8 +357,8 @@ class SymbolicModel:
     def _target(self, row: Held) -> Ratio:
         """What a row is held at; the start value of an incremental one is a constant of its own unless it is
         zero at every sample."""
-        if row.target is not None:
-            return self._raw.scalar(row.target)
+        if row.in_symbols is not None:
+            return self._raw.scalar(row.in_symbols)
         if not row.measure.incremental:  # type: ignore[union-attr]
             return self.field.zero
         if all(abs(s.constants.get(row.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
@@ -358,7 +376,10 @@ class SymbolicModel:
         f = self.field
         values: dict[int, Any] = {}
         for name, g in self.parameters.items():
-            values[f.index(g)] = sample.time if name == "t" else sample.parameters[name]
+            if f.index(g) not in self._functions:
+                values[f.index(g)] = sample.time if name == "t" else sample.parameters[name]
+        for index, form in self._functions.items():
+            values[index] = float(evaluate(form, {**sample.parameters, "t": sample.time}))
         for name, g in self.constants.items():
             values[f.index(g)] = sample.constants[name]
         for body, pose in sample.poses.items():
@@ -496,7 +517,7 @@ class SymbolicModel:
         totals: list[tuple[str, Ratio]] = [(loop.name, f.rate(loop.value)) for loop in self.elimination.loops]
         for row in self.system.held:
             if isinstance(row.measure, RateMeasure):
-                total = f.zero if row.target is None else -self.geometry.scalar(row.target)
+                total = f.zero if row.in_symbols is None else -self.geometry.scalar(row.in_symbols)
                 for coefficient, measure in row.measure.terms:
                     total = total + coefficient.value(self.geometry) * f.rate(measure.value(self.geometry))
                 totals.append((row.name, total))
@@ -818,7 +839,7 @@ class SymbolicModel:
     def law(self, push: Push) -> Ratio:
         """Generalized force of a load; in coordinates, speeds and time."""
         values: dict[str, Ratio] = {}
-        needed = free_symbols(push.law)
+        needed = free_symbols(push.in_symbols)
         if not isinstance(push.measure, RateMeasure):
             if "@value" in needed:
                 value = push.measure.value(self.geometry)
@@ -829,7 +850,7 @@ class SymbolicModel:
             value = measure.value(self.geometry)
             values[name] = value
             values[f"rate({name})"] = self.rate(value)
-        return self.geometry.apply(push.law, values)
+        return self.geometry.apply(push.in_symbols, values)
 
     def start_constant(self, push: Push) -> Ratio:
         """The start value of a measure of which only changes count (a spring relaxed at the start)."""

@@ -318,7 +318,9 @@ class Motion:
         """Minus the work function of all loads; each must be a function of its own measure."""
         state = SymbolicState(self.model, values)
         if any(
-            isinstance(row.measure, RateMeasure) or (row.target is not None and _moves(row.target))
+            isinstance(row.measure, RateMeasure)
+            or row.general is not None
+            or (row.target is not None and _moves(row.target))
             for row in self.model.system.held
         ):
             raise CannotAnswer("a driver or a velocity constraint is at work, so energy is no first integral")

@@ -86,7 +86,7 @@ def law_polynomial(push: Push) -> list[Expr]:
     if isinstance(push.measure, RateMeasure):
         raise CannotAnswer(f"{push.load} turns with a body and has no potential energy")
     symbols = free_symbols(push.law)
-    if push.measures or {"@rate", "t"} & symbols or "rate(" in str(push.law):
+    if push.measures or push.general is not None or {"@rate", "t"} & symbols or "rate(" in str(push.law):
         raise CannotAnswer(f"{push.load} depends on time, a rate or another measure and has no potential energy")
     coefficients: list[Expr] = []
     derivative = push.law

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
-from freebody.language.expression import ZERO, Expr, name_problem, negate
+from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, substitute
 from freebody.language.units import (
     ANGULAR_VELOCITY,
     DIMENSIONLESS,
@@ -36,6 +36,7 @@ from freebody.model.question import read_questions
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
 from freebody.system.system import System
+from freebody.system.unspecified import Unspecified
 
 SECTIONS = (
     "freebody",
@@ -72,6 +73,7 @@ class Reader:
         self.file = file
         self.data = document.data
         self.names = Names()
+        self.open = Unspecified(self.names, self.data)
 
     def system(self) -> System:
         self._sections()
@@ -109,6 +111,7 @@ class Reader:
             assumptions=tuple(dict.fromkeys(self.names.assumptions)),
             document=self.document,
             file=self.file,
+            unspecified=self.open.places,
         )
 
     # -- sections -----------------------------------------------------------------------------
@@ -145,9 +148,37 @@ class Reader:
         return good
 
     def _parameters(self) -> None:
+        functions: dict[str, dict[str, Any]] = {}
         for name, value in self._named("parameters").items():
             with self.names.at("parameters", name):
-                self.names.parameters[name] = self._parameter(name, value)
+                if isinstance(value, dict) and "function" in value:
+                    functions[name] = cast("dict[str, Any]", value)
+                else:
+                    self.names.parameters[name] = self._parameter(name, value)
+        for name, entry in functions.items():
+            with self.names.at("parameters", name):
+                self.names.parameters[name] = self._function(name, entry)
+
+    def _function(self, name: str, entry: dict[str, Any]) -> Parameter:
+        """`x0: {function: v*t, unit: m}`: a function of time. Formulas keep it general; numbers need its form."""
+        for key in entry:
+            if key not in ("function", "unit", "about"):
+                known = ("function", "unit", "about")
+                self.names.problem(f"a function of time has no {key}.{did_you_mean(key, known)}", None, key)
+        unit = str(entry.get("unit") or "")
+        try:
+            quantity = parse_unit(unit) if unit else None
+        except InputError as error:
+            self.names.problem(str(error), None, "unit")
+            self.names.broken.add(name)
+            quantity = None
+        dimension = DIMENSIONLESS if quantity is None else quantity.dimension
+        form = self.names.formula(entry["function"], dimension, "function", extra={"t": TIME})
+        used = sorted(p for p in free_symbols(form) if p in self.names.parameters and self.names.parameters[p].form)
+        if used:
+            self.names.problem(f"{used[0]} is a function of time itself; write {name} in t and parameters")
+        is_angle = quantity is not None and quantity.is_angle
+        return Parameter(name, dimension, None, "any", unit=unit, is_angle=is_angle, form=form)
 
     def _parameter(self, name: str, value: Any) -> Parameter:
         sign: Sign = "positive"
@@ -232,13 +263,10 @@ class Reader:
             if key not in ("points", "lines"):
                 known = ("points", "lines")
                 self.names.problem(f"ground has no {key}.{did_you_mean(key, known)}", None, "ground", key)
-        points = entry.get("points")
-        if isinstance(points, dict):
-            with self.names.at("ground", "points"):
-                for name, value in cast("dict[str, Any]", points).items():
-                    ground.points[name] = self.names.pair(value, LENGTH, name)
-        elif points is not None:
-            self.names.problem("points is a mapping, e.g. points: {A: [0, 0]}", None, "ground", "points")
+        with self.names.at("ground"):
+            points = self.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
+            for name, value in points.items():
+                ground.points[name] = self.names.pair(value, LENGTH, "points", name)
 
     def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
         entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
@@ -281,15 +309,11 @@ class Reader:
         if shape is None:
             return None
         with names.at(kinds[0]):
-            build = shape.build(names)
+            build = self.open.completed(shape, name).build(names)
         cx, cy = build.center_of_mass
         own = {build.default_point: (ZERO, ZERO)} | build.points
-        extra = entry.get("points")
-        if isinstance(extra, dict):
-            for point, pair in cast("dict[str, Any]", extra).items():
-                own[point] = names.pair(pair, LENGTH, "points", point)
-        elif extra is not None:
-            names.problem("points is a mapping, e.g. points: {P: [0, R]}", None, "points")
+        for point, pair in (self.open.points(entry.get("points"), name, own.__contains__) or {}).items():
+            own[point] = names.pair(pair, LENGTH, "points", point)
         offsets = {k: (x + negate(cx), y + negate(cy)) for k, (x, y) in own.items()}
         offsets["mass_center"] = (ZERO, ZERO)
         offsets.setdefault("center", (ZERO, ZERO))
@@ -402,7 +426,7 @@ class Reader:
         for name, connection in connections.items():
             with self.names.at("connections", name, connection.kind):
                 n_before = len(self.names.problems)
-                rows += [replace(row, connection=name) for row in connection.rows(self.names)]
+                rows += [self._in_numbers(replace(row, connection=name)) for row in connection.rows(self.names)]
                 if len(self.names.problems) == n_before:
                     offered += [(f"{name}_{key}", m) for key, m in connection.offers(self.names)]
         if self.names.problems:
@@ -417,11 +441,25 @@ class Reader:
         order = {id(row): k for k, row in enumerate(rows)}
         return sorted(kept, key=lambda row: order[id(row)]), offered
 
+    def _in_numbers(self, row: Held) -> Held:
+        """A row with the forms of functions of time in its target."""
+        forms = self._forms()
+        if row.target is None or not free_symbols(row.target) & forms.keys():
+            return row
+        return replace(row, target=substitute(row.target, forms), general=row.target)
+
+    def _forms(self) -> dict[str, Expr]:
+        return {p.name: p.form for p in self.names.parameters.values() if p.form is not None}
+
     def _pushes(self, loads: Mapping[str, Load]) -> list[Push]:
         found: list[Push] = []
+        forms = self._forms()
         for name, load in loads.items():
             with self.names.at("loads", name, load.kind):
-                found += [replace(push, load=name) for push in load.pushes(self.names)]
+                for push in load.pushes(self.names):
+                    if free_symbols(push.law) & forms.keys():
+                        push = replace(push, law=substitute(push.law, forms), general=push.law)
+                    found.append(replace(push, load=name))
         return found
 
     def _start(self, measures: Mapping[str, Measure]) -> tuple[dict[str, Expr], dict[str, Expr]]:
@@ -459,12 +497,14 @@ class Reader:
             (name,) = free
             declared[name] = (ZERO, ZERO)
         elif free:
+            listed = [p for p in declared if p != "origin"] + list(free)
             for name, path in free.items():
                 close = difflib.get_close_matches(name, [p for p in declared if p != "origin"], n=1)
                 hint = f" Did you mean ground.{close[0]}?" if close else ""
                 self.names.problems.append(
                     Problem(
                         path,
-                        f"ground.{name} has no position.{hint} Declare it: ground: {{points: {{{name}: [x, y]}}}}",
+                        f"ground.{name} has no position.{hint} Declare it: ground: {{points: {{{name}: [x, y]}}}}, "
+                        f"or, with positions left open, list all of them: ground: {{points: [{', '.join(listed)}]}}",
                     )
                 )

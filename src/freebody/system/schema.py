@@ -13,6 +13,7 @@ from freebody.system.reader import register_kinds
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
 _PAIR = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 2}
+_OPEN_PAIR = {"type": ["array", "null"], "items": {"type": ["string", "number", "null"]}, "minItems": 2, "maxItems": 2}
 _HEADING = {"anyOf": [_FORMULA, _PAIR]}
 
 
@@ -51,6 +52,8 @@ def json_schema() -> dict[str, Any]:
         },
     }
     lines = _named({"anyOf": [line, _HEADING]})
+    # positions may be left open: all of them by a list of names, a component by null
+    points = {"anyOf": [_named(_OPEN_PAIR), {"type": "array", "items": {"type": "string"}}]}
     body = {
         "type": "object",
         "additionalProperties": False,
@@ -65,7 +68,7 @@ def json_schema() -> dict[str, Any]:
             },
             "velocity": _PAIR,
             "angular_velocity": _FORMULA,
-            "points": _named(_PAIR),
+            "points": points,
             "lines": lines,
             "fixed": {"type": "boolean"},
         },
@@ -78,6 +81,7 @@ def json_schema() -> dict[str, Any]:
                 "additionalProperties": False,
                 "properties": {
                     "value": _FORMULA,
+                    "function": _FORMULA,
                     "unit": {"type": "string"},
                     "sign": {"enum": ["positive", "nonnegative", "any"]},
                     "about": {"type": "string"},
@@ -119,7 +123,7 @@ def json_schema() -> dict[str, Any]:
             "ground": {
                 "type": "object",
                 "additionalProperties": False,
-                "properties": {"points": _named(_PAIR), "lines": lines},
+                "properties": {"points": points, "lines": lines},
             },
             "bodies": _named({"anyOf": [body, {"type": "string"}]}),
             "connections": _named(_one_of(Connection.kinds)),

@@ -45,6 +45,8 @@ class System:
     assumptions: tuple[str, ...]
     document: Document = field(repr=False)
     file: str | None = None
+    # dimensions that the model leaves open: the parameter of each, and where it would stand in the document
+    unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
@@ -64,14 +66,22 @@ class System:
 
     def with_parameters(self, **values: str | float) -> Self:
         """The same system with other parameter values; comments of its file are kept."""
+        from freebody.system.unspecified import with_dimension
+
         document = self.document
         for name, value in values.items():
             if name not in self.parameters:
                 raise InputError(f"there is no parameter {name}.{did_you_mean(name, self.parameters)}")
-            given = document.data["parameters"][name]
+            given = document.data["parameters"][name] if name not in self.unspecified else None
+            if self.parameters[name].form is not None:
+                document = document.with_value(("parameters", name, "function"), str(value))
+                continue
             if not isinstance(value, str):  # a bare number is in SI units
                 dimension = self.parameters[name].dimension
                 value = value if dimension == DIMENSIONLESS else f"{value!r} {dimension}"
+            if name in self.unspecified:
+                document = with_dimension(document, self.unspecified[name], value)
+                continue
             path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
             document = document.with_value(path, value)
         return self._read(document, self.file)
@@ -97,6 +107,11 @@ class System:
     def moving(self) -> tuple[RigidBody, ...]:
         """The bodies that are not fixed."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @property
+    def has_values(self) -> bool:
+        """True if every parameter has a number."""
+        return all(p.value is not None or p.form is not None for p in self.parameters.values())
 
     def dimensions(self) -> dict[str, Dimension]:
         """Dimension of every parameter and named measure."""

@@ -1,0 +1,277 @@
+"""Options that state when something is so, judged by logic.
+
+    always | never | [if | only if | if and only if] CONDITION [and CONDITION]
+    CONDITION: EXPRESSION = EXPRESSION | EXPRESSION is zero | EXPRESSION is constant | POINT coincides with POINT
+
+A condition is sufficient if every coefficient of the rate vanishes where it holds, necessary if it holds in every case
+in which the coefficients vanish. An option is right if it is both. Where no option is, one that says "if" and is
+sufficient is right, and one that says "only if" and is necessary.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from freebody.assess.names import Names, named_in
+from freebody.assess.verdict import Judgement, Verdict
+from freebody.assess.words import is_readable, listed
+from freebody.errors import CannotAnswer, ExpressionError, UnitError
+from freebody.language.expression import ZERO, Expr
+from freebody.language.notation import to_text
+from freebody.language.parser import parse
+from freebody.language.units import dimension_of
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import RIGHT, UP, Point
+from freebody.model.names import did_you_mean
+from freebody.model.question import Question
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import element
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.vanishing import (
+    ALWAYS,
+    Case,
+    cases_where_zero,
+    implies,
+    motion_coefficients,
+    texts_of,
+)
+from freebody.system.system import System
+
+Word = Literal["if", "only if", "iff"]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What was derived: the coefficients that must vanish, and the cases in which they do."""
+
+    coefficients: Sequence[Ratio]
+    cases: tuple[Case, ...]
+    rate: Ratio
+    is_parameter: Callable[[int], bool]
+    is_exact: bool  # False: there may be more cases
+
+    @property
+    def is_always(self) -> bool:
+        return any(not case.equalities for case in self.cases)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """An option as read: the cases in which its condition holds (None: never), and how it is put."""
+
+    word: Word
+    equalities: tuple[Ratio, ...] | None
+    cases: tuple[Case, ...]
+
+
+class NoCondition(Exception):
+    """An option that states no condition."""
+
+
+def judge_statements(question: Question, claim: Claim, model: SymbolicModel, system: System) -> Judgement:
+    """Judges every option of a question on when something is so."""
+    reader = _Reader(claim, model, system)
+    verdicts: dict[str, Verdict] = {}
+    lesser: dict[str, bool] = {}  # options that are true as they are put, without being equivalent
+    for letter, text in question.options.items():
+        try:
+            verdicts[letter], lesser[letter] = _verdict(reader.read(text), claim)
+        except NoCondition as error:
+            verdicts[letter], lesser[letter] = Verdict("unreadable", f"is no condition: {error}"), False
+    right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
+    if not right:
+        for letter in (k for k, is_true in lesser.items() if is_true):
+            verdicts[letter] = Verdict("right", verdicts[letter].reason)
+            right.append(letter)
+    notes = [f"({k}) {v.reason}" for k, v in verdicts.items() if v.verdict == "unreadable"]
+    if not right:
+        notes.append("no option is right")
+    elif len(right) > 1:
+        notes.append(f"several options are right: {listed(right)}")
+    key = question.key
+    if key is not None and verdicts[key].verdict != "right":
+        instead = f"{listed(right)} is right" if right else f"it {verdicts[key].reason}"
+        notes.append(f"the key says {key}, but {instead}")
+    return Judgement(right[0] if len(right) == 1 else None, verdicts, tuple(notes))
+
+
+def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
+    """The verdict, and whether the option is true as it is put."""
+    if statement.equalities is None:
+        return _never(claim)
+    left = [(case, _left_over(claim, case)) for case in statement.cases]
+    open_case = next(((case, x) for case, x in left if x is not None), None)
+    is_sufficient = open_case is None and bool(left)
+    uncovered = None if claim.is_always and not statement.equalities else _uncovered(statement, claim)
+    is_necessary = uncovered is None
+    own = " and ".join(texts_of([Case(statement.equalities, {})])) or "always"
+    derived = " or ".join(texts_of(claim.cases)) or "always"
+    if is_sufficient and is_necessary and (claim.is_exact or claim.is_always):
+        if not statement.equalities:
+            return Verdict("right", "the rate vanishes for every motion"), False
+        return Verdict("right", f"equivalent to the derived condition {derived}"), False
+    if is_sufficient:
+        why = f"is sufficient only: it is also conserved for {_case_text(uncovered)}" if uncovered else "is sufficient"
+        return Verdict("wrong", why), statement.word == "if"
+    assert open_case is not None or not left
+    remains = "" if open_case is None else f"the rate is still {_shown(open_case[1])}"
+    if not statement.equalities:
+        condition = f", and vanishes only for {derived}" if claim.cases else ""
+        return Verdict("wrong", f"not always: the rate is {_shown(claim.rate)}{condition}"), False
+    if not claim.cases:
+        return Verdict("wrong", f"with {own} {remains}; there is no condition under which it vanishes"), False
+    if is_necessary:
+        return Verdict("wrong", f"is necessary only: with {own} {remains}"), statement.word == "only if"
+    return (
+        Verdict(
+            "wrong",
+            f"neither sufficient nor necessary: with {own} {remains}; and for {_case_text(uncovered)} it is "
+            "conserved whatever this says",
+        ),
+        False,
+    )
+
+
+def _never(claim: Claim) -> tuple[Verdict, bool]:
+    if not claim.cases:
+        return Verdict("right", f"the rate is {_shown(claim.rate)} and vanishes under no condition"), False
+    if claim.is_always:
+        return Verdict("wrong", "the rate vanishes for every motion"), False
+    return Verdict("wrong", f"it is conserved for {' or '.join(texts_of(claim.cases))}"), False
+
+
+def _left_over(claim: Claim, case: Case) -> Ratio | None:
+    """What remains of the rate in a case; None if nothing does."""
+    try:
+        x = case.put_in(claim.rate)
+    except CannotAnswer:
+        x = None
+    if x is not None:
+        x = x.field.lowest_terms(x)
+        return None if x.is_zero() else x
+    for coefficient in claim.coefficients:
+        left = case.put_in(coefficient)
+        if not left.is_zero():
+            return left
+    return None
+
+
+def _uncovered(statement: Statement, claim: Claim) -> Case | None:
+    """A case in which it is conserved although the option's condition does not hold."""
+    for case in claim.cases:
+        if not any(implies(case, own) for own in statement.cases):
+            return case
+    return None
+
+
+def _case_text(case: Case | None) -> str:
+    return "every motion" if case is None or not case.equalities else texts_of([case])[0]
+
+
+def _shown(x: Ratio) -> str:
+    expression = tidy(x)
+    return to_text(expression) if is_readable(expression) else "not zero"
+
+
+class _Reader:
+    """Reads options of one question."""
+
+    def __init__(self, claim: Claim, model: SymbolicModel, system: System) -> None:
+        self.claim, self.model, self.system = claim, model, system
+        self.names = Names(model, system)
+
+    def read(self, text: str) -> Statement:
+        """Raises NoCondition, saying why."""
+        words = " ".join(text.strip().rstrip(".").split())
+        words = re.sub(r"^(?:it is |is )?(?:conserved|constant) ", "", words, flags=re.IGNORECASE)
+        if re.fullmatch(r"(?:always|for (?:every|any) motion|unconditionally)(?: conserved)?", words, re.IGNORECASE):
+            return Statement("iff", (), (ALWAYS,))
+        if re.fullmatch(r"(?:never|not)(?: conserved)?(?: (?:under|for) any.*)?", words, re.IGNORECASE):
+            return Statement("iff", None, ())
+        word: Word = "iff"
+        for start, own in (("if and only if ", "iff"), ("iff ", "iff"), ("only if ", "only if"), ("if ", "if")):
+            if words.lower().startswith(start):
+                word, words = own, words[len(start) :]  # type: ignore[assignment]
+                break
+        equalities: list[Ratio] = []
+        for part in re.split(r" and |, ", words):
+            equalities += self._equalities(part.strip())
+        coefficients = [c for x in equalities for c in motion_coefficients(x, self.claim.is_parameter)]
+        return Statement(word, tuple(equalities), cases_where_zero(coefficients, self._may))
+
+    def _may(self, index: int) -> bool:
+        """What an option says is zero may be."""
+        return self.model.field.generators[index].kind == "parameter"
+
+    def _equalities(self, text: str) -> list[Ratio]:
+        """The elements that a condition says are zero."""
+        for pattern in (r"(.+?) (?:coincides with|is at|=) (.+)",):
+            found = re.fullmatch(pattern, text)
+            if found and all(self._is_point(word) for word in found.groups()):
+                return self._coincide(*(self._point(word) for word in found.groups()))
+        found = re.fullmatch(r"(.+?) coincides with (.+)", text)
+        if found:
+            wrong = next(word for word in found.groups() if not self._is_point(word))
+            known = [f"{b.name}.{p}" for b in self.system.bodies.values() for p in b.points]
+            raise NoCondition(f"there is no point {wrong}.{did_you_mean(wrong, known)}")
+        found = re.fullmatch(r"(.+?) (?:is )?(?:a )?constant(?: in time)?", text)
+        if found:
+            x = self._element(found[1], None)
+            return [self.names.rate(x)] if not x.is_constant() else []
+        found = re.fullmatch(r"(.+?) (?:is zero|vanishes|is 0)", text)
+        left, right = (found[1], "0") if found else self._sides(text)
+        a = self._element(left, right)
+        b = self._element(right, left)
+        return [(a - b).numerator()]
+
+    def _sides(self, text: str) -> tuple[str, str]:
+        left, equals, right = text.partition("=")
+        if not equals or "=" in right:
+            raise NoCondition(f"'{text}'; write always, never, d = 0, x is constant, or A coincides with B")
+        return left.strip(), right.strip()
+
+    def _element(self, text: str, other: str | None) -> Ratio:
+        expr = self._parsed(text)
+        if other is not None and other.strip() != "0" and text.strip() != "0":
+            try:
+                mine = dimension_of(expr, self.names.dimensions)
+                its = dimension_of(self._parsed(other), self.names.dimensions)
+            except UnitError as error:
+                raise NoCondition(str(error)) from None
+            if mine != its and ZERO not in (expr, self._parsed(other)):
+                raise NoCondition(f"{text} has the unit {mine}, {other} the unit {its}")
+        values = {key: self.names.element(key) for key in named_in(expr)}
+        try:
+            return element(self.model.field, expr, values)
+        except (CannotAnswer, ZeroDivisionError) as error:
+            raise NoCondition(str(error)) from None
+
+    def _parsed(self, text: str) -> Expr:
+        text = re.sub(r"^\|(.+)\|$", r"\1", text.strip())  # |v| = 0 and |v| constant say the same of v
+        try:
+            expr = self.names.with_rates(parse(text))
+        except ExpressionError as error:
+            raise NoCondition(str(error)) from None
+        for key in named_in(expr):
+            if key not in self.names:
+                raise NoCondition(f"{key} is unknown.{did_you_mean(key, self.names.dimensions)}")
+        return expr
+
+    # -- points -------------------------------------------------------------------------------
+    def _is_point(self, text: str) -> bool:
+        body, _, point = text.strip().partition(".")
+        known = self.system.bodies.get(body)
+        return known is not None and (not point or point in known.points)
+
+    def _point(self, text: str) -> Point:
+        body, _, point = text.strip().partition(".")
+        return self.system.bodies[body].point(point or None)
+
+    def _coincide(self, a: Point, b: Point) -> list[Ratio]:
+        g, m = self.model.geometry, self.model
+        parts = [m.field.element(Displacement(a, b, axis).value(g)) for axis in (RIGHT, UP)]
+        return [p.numerator() for p in parts if not m.vanishes(p)]

@@ -1,0 +1,1 @@
+"""Mobility: what the connections hold more than once, and what moves."""

@@ -1,0 +1,350 @@
+"""The rank that a mechanism owes to its topology: bodies in random poses, joined by geometry that fits.
+
+The generic model (see `system.generic`) has a symbol for every geometric datum. Poses of bodies and symbols are drawn
+at random, then the symbols are changed as little as possible until every row that has a value closes,
+
+    F(poses, symbols + step) = 0,      step = -A^+ F,      A = dF/d symbols,
+
+which for pins is linear; rows that share no symbol are closed apart. What is special then is special in every
+geometry: the rank at such a geometry is the largest that any one reaches, but for draws of probability zero. That
+a rank is reached is shown to the digits to which the geometry closes (more than 70); that it is the largest is as
+sure as the draw, so more seeds can only raise it.
+Sources: Laman, J. Engng. Math. 4, 1970, 331-340; Whiteley, Contemp. Math. 197, 1996, 171-311; Jackson & Jordan,
+Combinatorica 28, 2008, 645-658 (generic rank by random realisations).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, InputError
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import Held, RateMeasure
+from freebody.model.names import did_you_mean
+from freebody.numeric.jets import Array
+from freebody.numeric.mobility.exact import (
+    BALLS,
+    BITS,
+    FLOATS,
+    TIME,
+    Arithmetic,
+    Dual,
+    DualGeometry,
+    Elimination,
+    Gradient,
+    Place,
+    Unclear,
+    precision,
+    size_of,
+    unit_rows,
+)
+from freebody.numeric.mobility.rank import ZERO, Rank
+from freebody.system.generic import GenericModel, generic_model
+from freebody.system.system import System
+
+CLOSED = 1e-10  # gaps up to which a geometry fits before it is refined
+N_DRAWS = 6
+N_STEPS = 40
+REACH = 5.0  # bodies are put in a square of twice this side; lengths are about one
+
+
+def generic_rank(system: System, seed: int = 0) -> Rank:
+    """The rank of all held rows in generic geometry, and the circuits that it has in any. Parameters need no values.
+    Raises CannotAnswer if no random geometry gives every row a gradient."""
+    return Framework.of(system).rank(seed=seed)
+
+
+def generic_rank_of(system: System, rows: Iterable[str], seed: int = 0) -> int:
+    """The generic rank of some rows, by name ("A.x"), with only their connections assembled. Raises InputError for
+    a name that is not held."""
+    return Framework.of(system).rank(rows, seed).rank
+
+
+@dataclass(frozen=True)
+class Framework:
+    """The generic model of a system, with numbers for everything that its rows depend on: x, y and theta of bodies,
+    then symbols, counted on."""
+
+    model: GenericModel
+    columns: Mapping[str, tuple[int, ...]]  # of moving bodies
+    others: Mapping[str, tuple[int, ...]]  # of the ground and fixed bodies
+    symbols: Mapping[str, int]
+
+    @classmethod
+    def of(cls, system: System, values: Mapping[str, float] | None = None) -> Framework:
+        """values: of parameters, where those of the model are not meant."""
+        model = generic_model(system, values)
+        n = 0
+        places: dict[str, tuple[int, ...]] = {}
+        for body in sorted(model.system.bodies.values(), key=lambda body: body.fixed):
+            size = 3 if body.turns else 2
+            places[body.name] = tuple(range(n, n + size))
+            n += size
+        moving = {body.name for body in model.system.moving}
+        return cls(
+            model,
+            {name: at for name, at in places.items() if name in moving},
+            {name: at for name, at in places.items() if name not in moving},
+            {name: n + k for k, name in enumerate(model.data)},
+        )
+
+    @property
+    def n_coordinates(self) -> int:
+        return sum(map(len, self.columns.values()))
+
+    # -- ranks --------------------------------------------------------------------------------
+    def rank(self, rows: Iterable[str] | None = None, seed: int = 0) -> Rank:
+        """The rank of all rows, or of these."""
+        held, assembled = self.rows_of(rows)
+        why = ""
+        for draw in range(N_DRAWS):
+            numbers = self._drawn(np.random.default_rng((seed, draw)), assembled)
+            try:
+                gaps = self._fitted(assembled, numbers)
+                open_rows = tuple(row for row, gap in zip(assembled, gaps, strict=True) if not gap <= CLOSED)
+                return self._rank(held, [row for row in assembled if row not in open_rows], numbers, open_rows, seed)
+            except (Unclear, ArithmeticError, ValueError) as error:
+                why = str(error)
+        raise CannotAnswer(f"no random geometry was found in which all rows have a gradient: {why}")
+
+    def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[Held], Sequence[Held]]:
+        """The held rows of these names (None: all), and the rows that close where their connections are assembled."""
+        held = self.model.system.held
+        if names is None:
+            return held, self.model.assembled
+        wanted, known = set(names), {row.name for row in held}
+        for name in sorted(wanted - known):
+            raise InputError(f"{name} is not held.{did_you_mean(name, known)}")
+        chosen = [row for row in held if row.name in wanted]
+        joined = {row.connection for row in chosen}
+        return chosen, [row for row in self.model.assembled if row.connection in joined]
+
+    def _rank(
+        self, held: Sequence[Held], closing: Sequence[Held], numbers: Array, open_rows: Sequence[Held], seed: int
+    ) -> Rank:
+        with precision(BITS):
+            balls, error = self._refined(closing, numbers)
+            g = self.geometry(balls, range(self.n_coordinates), BALLS)
+            eliminated = Elimination.of(unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO)
+        how = (
+            f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.0e}: what "
+            f"is below {ZERO:g} counts as zero, no pivot is smaller than {eliminated.smallest:.1e}"
+        )
+        if open_rows:
+            how += f"; no geometry was found that closes {', '.join(row.name for row in open_rows)}"
+        names = tuple(row.name for row in held)
+        circuits = tuple(tuple(names[k] for k in circuit) for circuit in eliminated.circuits)
+        gap = eliminated.smallest, eliminated.largest
+        return Rank(eliminated.rank, self.n_coordinates, names, circuits, how, not open_rows, gap)
+
+    # -- geometry -----------------------------------------------------------------------------
+    def geometry(
+        self,
+        numbers: Sequence[Any] | Array,
+        free: Iterable[int],
+        arithmetic: Arithmetic,
+        like: DualGeometry | None = None,
+        changed: Iterable[int] = (),
+    ) -> DualGeometry:
+        """What measures see, with derivatives by the numbers that are `free`; where only some numbers have changed
+        the others are taken from another geometry."""
+        one, by = arithmetic.number(1), frozenset(free)
+
+        def dual(k: int) -> Dual:
+            return Dual(numbers[k], {k: one} if k in by else None)
+
+        def place(body: str) -> Place:
+            x, y, *turning = self.columns.get(body) or self.others[body]
+            return dual(x), dual(y), dual(turning[0]) if turning else None
+
+        if like is None:
+            places = {body: place(body) for body in (*self.columns, *self.others)}
+            values = {name: dual(k) for name, k in self.symbols.items()}
+            return DualGeometry(places, values | {TIME: Dual(arithmetic.number(0))}, arithmetic)
+        places, values = dict(like.places), dict(like.values)
+        for name, is_body in {self.names[k] for k in changed}:
+            if is_body:
+                places[name] = place(name)
+            else:
+                values[name] = dual(self.symbols[name])
+        return DualGeometry(places, values, arithmetic)
+
+    @cached_property
+    def names(self) -> Mapping[int, tuple[str, bool]]:
+        """Which body or symbol a number belongs to, and whether it is a body."""
+        bodies = {k: (body, True) for body, at in (*self.columns.items(), *self.others.items()) for k in at}
+        return bodies | {k: (name, False) for name, k in self.symbols.items()}
+
+    def _drawn(self, rng: np.random.Generator, assembled: Sequence[Held]) -> Array:
+        """Bodies anywhere, symbols of about one; the ground at zero."""
+        numbers = np.zeros(len(self.symbols) + sum(len(at) for at in (*self.columns.values(), *self.others.values())))
+        for body, (x, y, *turning) in (*self.columns.items(), *self.others.items()):
+            if body == GROUND:
+                continue
+            numbers[[x, y]] = rng.uniform(-REACH, REACH, 2)
+            numbers[turning] = rng.uniform(-math.pi, math.pi, len(turning))
+        for name, k in self.symbols.items():
+            match self.model.data[name].kind:
+                case "direction":
+                    numbers[k] = rng.uniform(-math.pi, math.pi)
+                case "point":
+                    numbers[k] = rng.standard_normal()
+                case _:
+                    numbers[k] = rng.uniform(0.3, 1.0)
+        return numbers
+
+    # -- fitting ------------------------------------------------------------------------------
+    def _fitted(self, rows: Sequence[Held], numbers: Array) -> Array:
+        """Changes symbols, and where these cannot do it poses too, until the rows close; the gaps that are left."""
+        left = self.close(rows, numbers, self.symbols.values())
+        if (left <= CLOSED).all():
+            return left
+        before = numbers.copy()
+        bodies = [k for at in self.columns.values() for k in at]
+        again = self.close(rows, numbers, [*self.symbols.values(), *bodies])
+        if np.count_nonzero(again <= CLOSED) >= np.count_nonzero(left <= CLOSED):
+            return again
+        numbers[:] = before
+        return left
+
+    def close(self, rows: Sequence[Held], numbers: Array, free: Iterable[int]) -> Array:
+        """Changes free numbers in place, as little as possible, until rows close; the gaps that are left."""
+        by = frozenset(free)
+        gaps, gradients = self._gaps(rows, numbers, by)
+        left = np.abs(gaps)
+        g = self.geometry(numbers.tolist(), by, FLOATS)
+        for part in _parts(gradients):
+            if left[part].max() > 1e-13:
+                columns = {k for row in part for k in gradients[row]}
+                left[part] = self._close_part([rows[k] for k in part], numbers, by, g, columns)
+        return left
+
+    def _close_part(
+        self, rows: Sequence[Held], numbers: Array, by: frozenset[int], like: DualGeometry, changed: set[int]
+    ) -> Array:
+        gaps, gradients = self._gaps(rows, numbers, by, like, changed)
+        for _ in range(N_STEPS):
+            size = float(np.abs(gaps).max(initial=0.0))
+            if size <= 1e-13:
+                break
+            columns, A = _dense(gradients)
+            if not columns:
+                break
+            step = np.linalg.pinv(A, rcond=1e-11) @ gaps
+            step *= min(1.0, REACH / max(float(np.abs(step).max(initial=0.0)), 1e-300))
+            improved = False
+            for _halving in range(8):
+                there = numbers.copy()
+                there[columns] -= step
+                try:
+                    new_gaps, new_gradients = self._gaps(rows, there, by, like, changed)
+                except (ArithmeticError, ValueError):
+                    step = 0.5 * step
+                    continue
+                if np.linalg.norm(new_gaps) < np.linalg.norm(gaps):
+                    numbers[:], gaps, gradients, improved = there, new_gaps, new_gradients, True
+                    break
+                step = 0.5 * step
+            if not improved:
+                break
+        return np.abs(gaps)
+
+    def _gaps(
+        self,
+        rows: Sequence[Held],
+        numbers: Array,
+        by: frozenset[int],
+        like: DualGeometry | None = None,
+        changed: Iterable[int] = (),
+    ) -> tuple[Array, list[Gradient]]:
+        g = self.geometry(numbers.tolist() if like is None else numbers, by, FLOATS, like, changed)
+        duals = [_gap(g, row) for row in rows]
+        return np.array([dual.value for dual in duals], dtype=np.float64), [dual.gradient for dual in duals]
+
+    def _refined(self, rows: Sequence[Held], numbers: Array) -> tuple[list[Any], float]:
+        """The numbers as balls, changed until the rows close to many digits."""
+        balls: list[Any] = [BALLS.number(Fraction(float(x))) for x in numbers]
+        by = frozenset(self.symbols.values())
+        gaps, gradients = self._gaps(rows, numbers, by)
+        if (np.abs(gaps) > 0.0).any() and self._is_stuck(gradients, gaps):
+            by |= {k for at in self.columns.values() for k in at}
+            gaps, gradients = self._gaps(rows, numbers, by)
+        steps: list[tuple[list[int], list[int], Any]] = []
+        for part in _parts(gradients):
+            columns, A = _dense([gradients[k] for k in part])
+            steps.append((part, columns, np.linalg.pinv(A, rcond=1e-11)))
+        error = math.inf
+        for _ in range(N_STEPS):
+            g = self.geometry(balls, (), BALLS)
+            left = [_gap(g, row).value for row in rows]
+            before, error = error, max(map(size_of, left), default=0.0)
+            if error <= 2.0 ** (64 - BITS):
+                return balls, error
+            if not error < 0.1 * before:
+                break
+            shift = -math.frexp(error)[1]
+            up, down = BALLS.number(Fraction(2) ** shift), BALLS.number(Fraction(2) ** -shift)
+            for part, columns, inverse in steps:
+                step = inverse @ np.array([float(left[k] * up) for k in part])
+                for k, dx in zip(columns, step, strict=True):
+                    balls[k] = (balls[k] - BALLS.number(float(dx)) * down).mid()
+        raise Unclear(f"the random geometry closes only to {error:.0e}")
+
+    def _is_stuck(self, gradients: Sequence[Gradient], gaps: Array) -> bool:
+        """Whether symbols alone cannot close the rows."""
+        for part in _parts(gradients):
+            columns, A = _dense([gradients[k] for k in part])
+            if len(part) > len(columns) or np.linalg.matrix_rank(A) < len(part):
+                return True
+        return any(not gradient and gap != 0.0 for gradient, gap in zip(gradients, gaps, strict=True))
+
+
+def _gap(g: DualGeometry, row: Held) -> Dual:
+    if isinstance(row.measure, RateMeasure):
+        raise ValueError(f"{row.name} is only a rate")
+    gap = g.of(row.measure)
+    if row.target is not None:
+        gap = gap - g.scalar(row.target)
+    if row.measure.dimension == DIMENSIONLESS:
+        gap = gap - 2 * round(float(gap.value) / math.tau) * g.arithmetic.pi()
+    return gap
+
+
+def _parts(gradients: Sequence[Gradient]) -> list[list[int]]:
+    """Rows in groups that share no column; rows without any column are in none."""
+    parent = list(range(len(gradients)))
+
+    def root(k: int) -> int:
+        while parent[k] != k:
+            parent[k] = parent[parent[k]]
+            k = parent[k]
+        return k
+
+    first: dict[int, int] = {}
+    for k, gradient in enumerate(gradients):
+        for column in gradient:
+            parent[root(k)] = root(first.setdefault(column, k))
+    groups: dict[int, list[int]] = {}
+    for k, gradient in enumerate(gradients):
+        if gradient:
+            groups.setdefault(root(k), []).append(k)
+    return list(groups.values())
+
+
+def _dense(gradients: Sequence[Gradient]) -> tuple[list[int], Array]:
+    """The columns that occur, and the rows over them."""
+    columns = sorted({column for gradient in gradients for column in gradient})
+    at = {column: k for k, column in enumerate(columns)}
+    A = np.zeros((len(gradients), len(columns)))
+    for k, gradient in enumerate(gradients):
+        for column, c in gradient.items():
+            A[k, at[column]] = c
+    return columns, A

@@ -1,0 +1,283 @@
+"""The rate of a momentum or an energy, from the principle that governs it.
+
+    linear momentum along e         d(P.e)/dt = F.e                      + P.de/dt where e turns with a body
+    angular momentum about O        dH_O/dt = M_O - v_O x P              O may move; M_O of all that acts from outside
+    energy                          d(T + V)/dt = power of what stores no energy
+    generalized momentum            dp/dt = Q + sum of m v . d(dv/du)/dt
+
+F and M_O are summed over the loads and the reactions of those connections that reach outside the bodies that are meant.
+The same rate follows by differentiating the quantity and putting in the accelerations: `by_differentiation`. Both are
+reduced to independent coordinates and speeds, where they must be equal.
+Source: Ginsberg, Engineering Dynamics (2008), sec. 5.1; Kane & Levinson, Dynamics (1985), ch. 6 and 7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
+from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.question import (
+    Energy,
+    GeneralizedMomentum,
+    Group,
+    JacobiIntegral,
+    Momentum,
+    Quantity,
+    Spin,
+)
+from freebody.study.quantities import ORIGIN, is_among, point_about, quantity_value
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.system.system import System
+
+Wrench = tuple[Ratio, Ratio, Ratio]  # force x, force y, moment about the mass centre
+
+
+@dataclass(frozen=True)
+class Principle:
+    """A rate as a sum of named parts."""
+
+    statement: str
+    parts: tuple[tuple[str, Ratio], ...]
+
+    def total(self, zero: Ratio) -> Ratio:
+        return sum((part for _name, part in self.parts), start=zero)
+
+
+class Balance:
+    """One quantity of one system: the quantity itself, and its rate in two ways."""
+
+    def __init__(self, quantity: Quantity, system: System, state: SymbolicState) -> None:
+        self.quantity = quantity
+        self.system = system
+        self.state = state
+        self.model: SymbolicModel = state.model
+        self.field = state.model.field
+
+    # -- the quantity -------------------------------------------------------------------------
+    @cached_property
+    def value(self) -> Ratio:
+        """The quantity in coordinates and independent speeds. Raises CannotAnswer for a vector."""
+        q = self.quantity
+        if isinstance(q, GeneralizedMomentum):
+            return self._conjugate(self._coordinate(q.coordinate))
+        if isinstance(q, JacobiIntegral):
+            return self._jacobi()
+        if isinstance(q, Energy):
+            return self._energy(q)
+        found = quantity_value(q, self.system, self.state)
+        if isinstance(found, tuple):
+            raise CannotAnswer("a vector is conserved along some directions and not along others; name one")
+        return self.field.lowest_terms(self.field.element(found))
+
+    def _coordinate(self, name: str) -> Coordinate:
+        for c in self.model.coordinates:
+            if c.name == name:
+                return c
+        known = ", ".join(c.name for c in self.model.coordinates)
+        raise CannotAnswer(f"{name} is no generalized coordinate of this system; these are: {known or 'none'}")
+
+    def _conjugate(self, c: Coordinate) -> Ratio:
+        """p = sum of m v . dv/du"""
+        k = self.model.coordinates.index(c)
+        total = self.field.zero
+        for name, partials in self.model.partial_velocities.items():
+            for inertia, speed, slope in zip(
+                self.model.inertias[name], self.model.velocities[name], partials[k], strict=True
+            ):
+                total = total + inertia * self.model.in_independent_speeds(speed) * slope
+        return self.field.lowest_terms(total)
+
+    def _energy(self, q: Energy) -> Ratio:
+        kinetic = self.field.element(quantity_value(Energy("kinetic", q.body), self.system, self.state))
+        potential = self.field.zero
+        for push in self.storing:
+            if q.body is None or q.body in set(push.measure.bodies()):
+                potential = potential + self.state.potential(push)
+        if q.what == "kinetic":
+            return self.field.lowest_terms(kinetic)
+        return self.field.lowest_terms(potential if q.what == "potential" else kinetic + potential)
+
+    def _jacobi(self) -> Ratio:
+        """h = sum u p - L"""
+        kinetic = self.field.element(quantity_value(Energy("kinetic"), self.system, self.state))
+        total = sum((self.state.potential(push) for push in self.storing), start=self.field.zero) - kinetic
+        for c in self.model.coordinates:
+            total = total + self.field.variable(c.speed) * self._conjugate(c)
+        return self.field.lowest_terms(total)
+
+    @cached_property
+    def storing(self) -> tuple[Push, ...]:
+        """The loads whose work is a potential energy."""
+        return tuple(push for push in self.system.pushes if _stores(self.system, push))
+
+    # -- its rate -----------------------------------------------------------------------------
+    @cached_property
+    def rate(self) -> Ratio:
+        """By differentiation, the accelerations put in. Where closed loops bind the coordinates these have no short
+        form: then by the principle, as far as that needs none of them (energy). Raises CannotAnswer otherwise."""
+        m = self.model
+        if m.loops:
+            principle = self.by_principle() if isinstance(self.quantity, Energy) else None
+            if principle is None:
+                raise CannotAnswer("closed loops bind the coordinates, so its rate has no short form")
+            return m.field.lowest_terms(principle.total(m.field.zero))
+        rate = m.in_independent_speeds(m.rate(self.value))
+        if rate.generators() & set(m.accelerations):
+            rate = m.field.substitute(rate, m.solved_accelerations)
+        return m.field.lowest_terms(rate)
+
+    def by_principle(self) -> Principle | None:
+        """By the principle; None for a quantity without one of its own. Raises CannotAnswer where a reaction that
+        reaches outside is not unique."""
+        q = self.quantity
+        match q:
+            case Momentum():
+                return self._of_momentum(q)
+            case Spin():
+                return self._of_spin(q)
+            case Energy("total", None):
+                return self._of_energy()
+            case GeneralizedMomentum():
+                return self._of_conjugate(self._coordinate(q.coordinate))
+            case _:
+                return None
+
+    def _of_momentum(self, q: Momentum) -> Principle:
+        assert q.along is not None
+        ex, ey = self._unit(q.along)
+        parts = [(name, fx * ex + fy * ey) for name, (fx, fy, _m) in self._from_outside(q.body)]
+        statement = "dP/dt along a fixed direction is the force from outside along it"
+        if q.along.body != GROUND and not self.system.bodies[q.along.body].fixed:
+            px, py = quantity_value(Momentum(q.body), self.system, self.state)
+            turn = self.model.rate
+            parts.append(
+                ("P·de/dt, since the direction turns", px * self._in_speeds(turn(ex)) + py * self._in_speeds(turn(ey)))
+            )
+            statement = "d(P·e)/dt = F·e + P·de/dt"
+        return Principle(statement, tuple(parts))
+
+    def _of_spin(self, q: Spin) -> Principle:
+        (ox, oy), (vx, vy) = point_about(self.system, self.state, q)
+        place = _Place(self.system, self.state)
+        parts: list[tuple[str, Ratio]] = []
+        for name, body, (fx, fy, moment) in self._wrenches(q.body):
+            x, y = place.of(body)
+            parts.append((f"moment of {name}", moment + (x - ox) * fy - (y - oy) * fx))
+        px, py = quantity_value(Momentum(q.body), self.system, self.state)
+        carried = self.field.lowest_terms(self.field.element(vy * px - vx * py))
+        if carried.is_zero():
+            return Principle("dH/dt = M about this point", _merged(parts, self.field.zero))
+        return Principle(
+            "dH/dt = M - v × P about the moving point", (*_merged(parts, self.field.zero), ("-v × P", carried))
+        )
+
+    def _of_energy(self) -> Principle:
+        parts: list[tuple[str, Ratio]] = []
+        for push in self.system.pushes:
+            if push not in self.storing:
+                parts.append((f"power of {push.load}", self.state.law(push) * self.state.rate(push.measure)))
+        for row in self.system.held:
+            rate = self.state.rate(row.measure)
+            if not rate.is_zero() and row.target is not None:
+                parts.append((f"power of {row.connection}", self.state.multiplier(row) * rate))
+        return Principle("d(T + V)/dt is the power of what stores no energy", _merged(parts, self.field.zero))
+
+    def _of_conjugate(self, c: Coordinate) -> Principle:
+        m, k = self.model, self.model.coordinates.index(c)
+        force = change = self.field.zero
+        for name, wrench in m.load_wrenches.items():
+            for w, slope in zip(wrench, m.partial_velocities[name][k], strict=True):
+                force = force + w * slope
+        for name, partials in m.partial_velocities.items():
+            for inertia, speed, slope in zip(m.inertias[name], m.velocities[name], partials[k], strict=True):
+                change = change + inertia * self._in_speeds(speed) * self._in_speeds(m.rate(slope))
+        parts = ((f"generalized force along {c.name}", self._in_speeds(force)), (f"dT/d{c.name}", change))
+        return Principle("dp/dt = Q + dT/dq", parts)
+
+    # -- what acts ----------------------------------------------------------------------------
+    def _in_speeds(self, x: Ratio) -> Ratio:
+        return self.model.in_independent_speeds(x)
+
+    def _unit(self, direction: Direction) -> tuple[Ratio, Ratio]:
+        tip, foot = Point(direction.body, direction.components), Point(direction.body, (ZERO, ZERO))
+        return self.state.value(Displacement(tip, foot, RIGHT)), self.state.value(Displacement(tip, foot, UP))
+
+    def _from_outside(self, group: Group) -> tuple[tuple[str, Wrench], ...]:
+        """Forces by name, summed over the bodies."""
+        total: dict[str, Wrench] = {}
+        zero = self.field.zero
+        for name, _body, (fx, fy, m) in self._wrenches(group):
+            x, y, turn = total.get(name, (zero, zero, zero))
+            total[name] = x + fx, y + fy, turn + m
+        return tuple(total.items())
+
+    def _wrenches(self, group: Group) -> Iterator[tuple[str, str, Wrench]]:
+        """(load or connection, body, what it exerts on it); connections inside the group cancel and are left out."""
+        for push in self.system.pushes:
+            yield from self._acting(push.load, push.measure, self.state.law(push), group)
+        for row in self.system.held:
+            if self._reaches_outside(row, group):
+                yield from self._acting(row.connection, row.measure, self.state.multiplier(row), group)
+
+    def _acting(
+        self, name: str, measure: Displacement | RateMeasure | object, size: Ratio, group: Group
+    ) -> Iterator[tuple[str, str, Wrench]]:
+        for body in self._touched(measure):
+            if is_among(body, group):
+                gx, gy, turn = self.state.gradient(measure, body)  # type: ignore[arg-type]
+                yield name, body, (gx * size, gy * size, turn * size)
+
+    def _touched(self, measure: object) -> Iterable[str]:
+        moving = {b.name for b in self.system.moving}
+        return dict.fromkeys(b for b, _slot in self.model.gradient(measure) if b in moving)  # type: ignore[arg-type]
+
+    def _reaches_outside(self, row: Held, group: Group) -> bool:
+        """Whether a row exerts anything on a body that is not meant, the ground among these: the sum of its forces and
+        moments on those that are meant does not vanish."""
+        touched = list(self._touched(row.measure))
+        if not any(is_among(b, group) for b in touched):
+            return False
+        place = _Place(self.system, self.state)
+        fx = fy = moment = self.field.zero
+        for body in touched:
+            if is_among(body, group):
+                gx, gy, turn = self.state.gradient(row.measure, body)
+                x, y = place.of(body)
+                fx, fy, moment = fx + gx, fy + gy, moment + turn + x * gy - y * gx
+        return not all(self.model.vanishes(part) for part in (fx, fy, moment))
+
+
+class _Place:
+    """Where mass centres are."""
+
+    def __init__(self, system: System, state: SymbolicState) -> None:
+        self._system, self._state = system, state
+
+    def of(self, body: str) -> tuple[Ratio, Ratio]:
+        point = self._system.bodies[body].mass_center
+        return self._state.value(Displacement(point, ORIGIN, RIGHT)), self._state.value(Displacement(point, ORIGIN, UP))
+
+
+def _merged(parts: Iterable[tuple[str, Ratio]], zero: Ratio) -> tuple[tuple[str, Ratio], ...]:
+    """Parts of one name added; those that vanish are left out."""
+    total: dict[str, Ratio] = {}
+    for name, part in parts:
+        total[name] = total.get(name, zero) + part
+    return tuple((name, zero.field.lowest_terms(part)) for name, part in total.items() if not part.is_zero())
+
+
+def _stores(system: System, push: Push) -> bool:
+    if not system.loads[push.load].stores_energy:
+        return False
+    try:
+        law_polynomial(push)
+    except CannotAnswer:
+        return False
+    return True

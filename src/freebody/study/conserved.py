@@ -1,0 +1,493 @@
+"""What is conserved: for every motion, for none, or under which conditions.
+
+The rate of a quantity is reduced to independent coordinates and speeds. It vanishes for every motion if and only if
+all its coefficients do (`symbolic/vanishing.py`); these contain parameters and given functions of time, which gives the
+conditions. Masses, inertias, sizes of bodies and gravity are taken to be there; offsets, angles of lines, strengths of
+other loads and whatever the file allows to be zero may vanish.
+
+Every verdict is confirmed by simulation: a conserved quantity stays within 1e-9, another one visibly changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+from freebody.assess.verdict import Judgement, Verdict
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.notation import to_python, to_text
+from freebody.language.units import DIMENSIONLESS, ENERGY, INERTIA, LENGTH, MASS, TIME
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.model.question import (
+    SYSTEM_CENTER,
+    Conserved,
+    Energy,
+    GeneralizedMomentum,
+    Group,
+    JacobiIntegral,
+    Momentum,
+    Quantity,
+    Question,
+    Spin,
+)
+from freebody.study.balance import Balance, Principle
+from freebody.study.constancy import TOLERANCE, VISIBLE, Confirmation, CounterMotion, Runs, confirm
+from freebody.study.quantities import is_among, point_about
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.vanishing import (
+    Case,
+    cases_where_zero,
+    motion_coefficients,
+    texts_of,
+)
+from freebody.system.system import System
+
+_MOST_SINGLE = 3  # bodies, up to which a search looks at each of them
+
+
+@dataclass(frozen=True)
+class Verdicts:
+    """What was found about one quantity.
+
+    `is_conserved`: True for every motion, False for no admissible parameters, None under `conditions` (any one of them;
+    each is a set of equalities that hold together). `rate` is the quantity's rate, reduced."""
+
+    id: str
+    question: str
+    is_conserved: bool | None
+    value: Expr | None
+    rate: Expr | None
+    conditions: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    principle: str = ""
+    parts: tuple[tuple[str, Expr], ...] = ()
+    confirmation: Confirmation | None = None
+    counter: CounterMotion | None = None
+    reason: str = ""
+    choice: str | None = None
+    options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    author_notes: tuple[str, ...] = ()
+    same_as: str = ""  # an earlier quantity that is the same formula
+
+    @property
+    def is_answered(self) -> bool:
+        return not self.reason
+
+    def to_plain(self) -> dict[str, Any]:
+        """Plain data: an entry of `quantities` in the JSON document."""
+        return {
+            "id": self.id,
+            "question": self.question,
+            "same_as": self.same_as or None,
+            "conserved": self.is_conserved,
+            "value": None if self.value is None else to_python(self.value),
+            "rate": None if self.rate is None else to_python(self.rate),
+            "conditions": list(self.conditions),
+            "notes": list(self.notes),
+            "principle": self.principle or None,
+            "parts": {name: to_python(part) for name, part in self.parts},
+            "reason": self.reason or None,
+            "choice": self.choice,
+            "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
+            "author_notes": list(self.author_notes),
+            "counter_motion": None if self.counter is None else self.counter.to_plain(),
+            "evidence": None if self.confirmation is None else self.confirmation.to_plain(),
+        }
+
+
+@dataclass(frozen=True)
+class Conservation:
+    """What `conserved` found out about one system."""
+
+    system: System
+    quantities: tuple[Verdicts, ...]
+    is_search: bool
+
+    def __getitem__(self, id: str) -> Verdicts:
+        """The verdict with an id, or on a question in words."""
+        for verdict in self.quantities:
+            if id in (verdict.id, verdict.question):
+                return verdict
+        raise KeyError(f"there is no {id}; there are {', '.join(v.id for v in self.quantities)}")
+
+    @property
+    def is_complete(self) -> bool:
+        return self.is_search or all(v.is_answered for v in self.quantities)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of the command line."""
+        return {
+            "title": self.system.title,
+            "search": self.is_search,
+            "quantities": [v.to_plain() for v in self.quantities],
+        }
+
+
+def conserved(system: System, question: str | None = None) -> Conservation:
+    """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
+
+    Raises ModelError if the system cannot be assembled or the question cannot be read."""
+    if question is None:
+        asked = tuple(q for q in system.questions if isinstance(q.quantity, Conserved))
+    else:
+        asked = (_question(system, question),)
+    setup = Setup(system)
+    if asked:
+        return Conservation(system, tuple(Judge(setup).answer(q) for q in asked), is_search=False)
+    return Conservation(system, tuple(_searched(setup)), is_search=True)
+
+
+def _question(system: System, text: str) -> Question:
+    words = text.strip()
+    if "conserved" not in words and not words.startswith("conservation"):
+        words = f"is {words} conserved"
+    return system.question(words)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The symbolic part of a verdict."""
+
+    balance: Balance
+    cases: tuple[Case, ...]
+    is_exact: bool  # the cases are all there are
+    principle: Principle | None
+    notes: tuple[str, ...]
+
+    @property
+    def is_conserved(self) -> bool | None:
+        if not self.cases:
+            return False
+        return True if any(not case.equalities for case in self.cases) else None
+
+
+class Judge:
+    """Finds verdicts on one system."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+        self.system = setup.system
+        self.model = setup.model
+        self.runs = Runs(setup)
+
+    def answer(self, question: Question) -> Verdicts:
+        """The verdict on a question, its options judged."""
+        asked = question.quantity
+        assert isinstance(asked, Conserved)
+        try:
+            found = self.finding(asked.of)
+            judgement: Judgement | None = None
+            if question.options:
+                from freebody.assess.statements import judge_statements
+
+                judgement = judge_statements(question, self._claim(found), self.model, self.system)
+            return self._verdict(question.id, asked.name, found, judgement)
+        except CannotAnswer as error:
+            return Verdicts(question.id, asked.name, None, None, None, reason=str(error))
+
+    def look(self, id: str, quantity: Quantity, name: str) -> Verdicts:
+        """The verdict on a quantity."""
+        try:
+            return self._verdict(id, name, self.finding(quantity), None)
+        except CannotAnswer as error:
+            return Verdicts(id, name, None, None, None, reason=str(error))
+
+    def is_nothing(self, quantity: Quantity) -> bool:
+        """Whether a quantity is zero in all motions, since what it is of does not move that way."""
+        try:
+            seen = self.runs.along(Balance(quantity, self.system, self.setup.state), None)
+        except CannotAnswer:
+            return False
+        return bool(seen) and all(float(abs(m.values).max()) <= TOLERANCE * m.size for m in seen)
+
+    # -- the symbolic part --------------------------------------------------------------------
+    def finding(self, quantity: Quantity) -> Finding:
+        """The rate of a quantity and the cases in which it vanishes."""
+        balance = Balance(quantity, self.system, self.setup.state)
+        try:
+            rate = balance.rate
+        except CannotAnswer as error:
+            return self._by_simulation(balance, str(error))
+        principle, notes = self._principle(balance)
+        if self.model.vanishes(rate):
+            return Finding(balance, (Case((), {}),), True, principle, notes)
+        cases = cases_where_zero(motion_coefficients(rate, self._is_parameter), self._may_vanish)
+        cases = tuple(case for case in cases if not self._is_between_sizes(case) and self._has_value(balance, case))
+        is_exact = not self.model.loops and all(case.is_solved for case in cases)
+        if not is_exact and cases:
+            notes += ("these conditions are enough; that there are no others is not proved",)
+        return Finding(balance, cases, is_exact, principle, notes)
+
+    def _by_simulation(self, balance: Balance, why: str) -> Finding:
+        """A verdict without a formula: a motion along which it changes refutes it for good."""
+        drifts = [motion.drift for motion in self.runs.along(balance, None)]
+        if not drifts:
+            raise CannotAnswer(f"{why}, and no motion could be simulated")
+        if max(drifts) > VISIBLE:
+            return Finding(balance, (), False, None, (f"{why}; found by simulation",))
+        if max(drifts) > TOLERANCE:
+            raise CannotAnswer(f"{why}, and in simulations it changes by {max(drifts):.1g} of its size")
+        note = f"{why}; it is constant in {len(drifts)} simulated motions, which is no proof"
+        return Finding(balance, (Case((), {}),), False, None, (note,))
+
+    @staticmethod
+    def _has_value(balance: Balance, case: Case) -> bool:
+        """Whether the quantity and its rate have values in a case."""
+        try:
+            case.put_in(balance.value)
+            return case.put_in(balance.rate).is_zero() or not case.is_solved
+        except CannotAnswer:
+            return False
+
+    def _is_between_sizes(self, case: Case) -> bool:
+        """Whether a case relates sizes of bodies to each other alone, as a ball as large as its bowl."""
+        sizes = {p.name for p in self.system.parameters.values() if p.dimension == LENGTH} & self._substance
+        return any(
+            {getattr(self.model.field.generators[g].display, "name", "") for g in e.generators()} <= sizes
+            for e in case.equalities
+        )
+
+    def _principle(self, balance: Balance) -> tuple[Principle | None, tuple[str, ...]]:
+        """The rate by its principle. Raises RoutesDisagree unless it is the same as by differentiation."""
+        try:
+            principle = balance.by_principle()
+        except CannotAnswer as error:
+            return None, (f"not compared with the balance of forces: {error}",)
+        if self.model.loops:
+            return principle, ()
+        if principle is not None and not self.model.vanishes(principle.total(self.model.field.zero) - balance.rate):
+            raise RoutesDisagree(
+                f"the rate of {balance.quantity} by its principle is not the one by differentiation. "
+                "No answer is shown. This is a defect of freebody; please report the model"
+            )
+        return principle, ()
+
+    @cached_property
+    def _substance(self) -> set[str]:
+        """Parameters that are taken not to vanish: masses, inertias, gravity, and the sizes of bodies."""
+        names = {p.name for p in self.system.parameters.values() if p.dimension in (MASS, INERTIA)}
+        for push in self.system.pushes:
+            if self.system.loads[push.load].kind == "gravity":
+                names |= free_symbols(push.law)
+        for body in self.system.bodies.values():
+            names |= free_symbols(body.mass) | free_symbols(body.inertia)
+            if body.radius is not None:
+                names |= free_symbols(body.radius)
+        for row in self.system.held:
+            if row.target is not None and row.measure.dimension == LENGTH:
+                names |= free_symbols(row.target)
+        return names
+
+    def _is_parameter(self, index: int) -> bool:
+        """Whether a generator is a parameter of the file, not one of a start; pi counts as one."""
+        shown = self.model.field.generators[index].display
+        return isinstance(shown, Symbol) and (shown.name in self.system.parameters or shown.name == "pi")
+
+    def _may_vanish(self, index: int) -> bool:
+        shown = self.model.field.generators[index].display
+        if not isinstance(shown, Symbol) or shown.name not in self.system.parameters:
+            return False
+        return self.system.parameters[shown.name].sign != "positive" or shown.name not in self._substance
+
+    def _claim(self, found: Finding) -> Any:
+        from freebody.assess.statements import Claim
+
+        rate = None if self.model.loops and found.principle is None else found.balance.rate
+        return Claim(
+            [] if rate is None or found.is_conserved is True else motion_coefficients(rate, self._is_parameter),
+            found.cases,
+            self.model.field.one if rate is None else rate,
+            self._is_parameter,
+            found.is_exact,
+        )
+
+    # -- the verdict --------------------------------------------------------------------------
+    def _verdict(self, id: str, name: str, found: Finding, judgement: Judgement | None) -> Verdicts:
+        balance, notes = found.balance, list(found.notes)
+        is_conserved = found.is_conserved
+        conditions = texts_of(found.cases) if is_conserved is None else ()
+        if is_conserved is None:
+            notes += self._edges(found.cases)
+            notes += self._in_words(balance, found.cases)
+        confirmation, counter = confirm(self.runs, balance, found.cases, is_conserved)
+        parts: tuple[tuple[str, Expr], ...] = ()
+        if found.principle is not None:
+            parts = tuple(
+                (what, tidy(x)) for what, part in found.principle.parts if not (x := self._reduced(part)).is_zero()
+            )
+        value, rate = self._shown(found)
+        return Verdicts(
+            id,
+            name,
+            is_conserved,
+            value,
+            rate,
+            conditions,
+            tuple(notes),
+            "" if found.principle is None else found.principle.statement,
+            parts,
+            confirmation,
+            counter,
+            choice=None if judgement is None else judgement.choice,
+            options={} if judgement is None else judgement.options,
+            author_notes=() if judgement is None else judgement.notes,
+        )
+
+    def _shown(self, found: Finding) -> tuple[Expr | None, Expr | None]:
+        """The quantity and its rate; nothing longer than anybody reads."""
+        zero, balance = self.model.field.zero, found.balance
+        if found.is_conserved is True:
+            rate: Ratio | None = zero
+        else:
+            rate = None if self.model.loops and found.principle is None else balance.rate
+        value = None if self.model.loops and found.principle is None else tidy(balance.value)
+        return value, None if rate is None else tidy(rate)
+
+    def _reduced(self, x: Ratio) -> Ratio:
+        f = self.model.field
+        return f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
+
+    def _edges(self, cases: Sequence[Case]) -> Iterator[str]:
+        """Parameters that would have to vanish although the file declares them positive."""
+        names: dict[str, None] = {}
+        f = self.model.field
+        for case in cases:
+            for index, value in case.values.items():
+                if value.is_zero() and f.generators[index].positive:
+                    names[to_text(f.generators[index].display)] = None
+        if names:
+            listed = ", ".join(names)
+            yield f"the file declares {listed} positive: the condition is the edge of what it allows"
+
+    def _in_words(self, balance: Balance, cases: Sequence[Case]) -> Iterator[str]:
+        """Where a condition brings the mass centre to the point about which the moment is taken."""
+        q = balance.quantity
+        if not isinstance(q, Spin) or not isinstance(q.body, str | None) or not isinstance(q.about, Point):
+            return
+        bodies = [b for b in self.system.moving if q.body is None or b.name == q.body]
+        if len(bodies) != 1 or bodies[0].mass_center == q.about:
+            return
+        (ox, oy), _v = point_about(self.system, self.setup.state, q)
+        (gx, gy), _w = point_about(self.system, self.setup.state, Spin(bodies[0].name))
+        if gx == ox and gy == oy:
+            return
+        for case in cases:
+            with suppress(CannotAnswer):
+                if case.equalities and case.put_in(gx - ox).is_zero() and case.put_in(gy - oy).is_zero():
+                    means = f"means that the mass centre of {bodies[0].name} coincides with {q.about}"
+                    yield f"{texts_of([case])[0]} {means}"
+
+
+# -- the search -------------------------------------------------------------------------------
+def _searched(setup: Setup) -> list[Verdicts]:
+    judge = Judge(setup)
+    found: list[Verdicts] = []
+    places: dict[str, int] = {}
+    for k, (quantity, name) in enumerate(candidates(setup), 1):
+        if judge.is_nothing(quantity):
+            continue
+        verdict = judge.look(f"c{k}", quantity, name)
+        if verdict.value is not None and not _can_change(setup, verdict):
+            continue  # constant because it is bound
+        key = f"no formula {k}" if verdict.value is None else to_python(verdict.value)
+        if key in places:
+            verdict = replace(verdict, same_as=found[places[key]].question)
+        else:
+            places[key] = len(found)
+        found.append(verdict)
+    return found
+
+
+def _can_change(setup: Setup, verdict: Verdicts) -> bool:
+    """Whether anything in the quantity can change at all."""
+    assert verdict.value is not None
+    moving = {str(c.name) for c in setup.model.coordinates} | {str(c.name) for c in setup.model.dependent}
+    functions = {p.name for p in setup.system.parameters.values() if p.form is not None}
+    return bool(free_symbols(verdict.value) & (moving | functions | {"t"}))
+
+
+def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
+    """What is natural to ask of a system: energy, momenta along axes and lines, about points and mass centres, of the
+    system, of what is not joined to the rest, and of single bodies; generalized momenta."""
+    system, model = setup.system, setup.model
+    yield Energy("total"), "total energy"
+    if not model.loops and any(row.target is not None and "t" in free_symbols(row.target) for row in system.held):
+        yield JacobiIntegral(), "Jacobi integral"
+    groups = list(_groups(system))
+    yield from _momenta(system, *groups[0])
+    for c in () if model.loops else model.coordinates:
+        measure = model.measure_of(c)
+        unit = DIMENSIONLESS if measure is None else measure.dimension
+        yield GeneralizedMomentum(c.name, ENERGY * TIME / unit), f"generalized momentum of {c.name}"
+    for group, words in groups[1:]:
+        yield from _momenta(system, group, words)
+
+
+def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantity, str]]:
+    if all(_is_massless(b.mass) for b in system.moving if is_among(b.name, group)):
+        return
+    directions = [("right", RIGHT), ("up", UP)]
+    for name, line in system.bodies[GROUND].lines.items():
+        directions += [(name, line.direction), (f"normal to {name}", line.direction.normal())]
+    for name, direction in directions:
+        yield Momentum(group, direction), f"linear momentum{words} along {name}"
+    for about, name in _centers(system, group):
+        yield Spin(group, about), f"angular momentum{words} about {name}"
+
+
+def _groups(system: System) -> Iterator[tuple[Group, str]]:
+    yield None, ""
+    heavy = [b for b in system.moving if not _is_massless(b.mass) or not _is_massless(b.inertia)]
+    for part in _components(system):
+        if 1 < len(part) < len(heavy):
+            yield part, f" of {', '.join(part[:-1])} and {part[-1]}"
+    if 1 < len(heavy) <= _MOST_SINGLE:
+        for body in heavy:
+            yield body.name, f" of {body.name}"
+
+
+def _is_massless(expr: Expr) -> bool:
+    from freebody.language.expression import ZERO
+
+    return expr == ZERO
+
+
+def _components(system: System) -> list[tuple[str, ...]]:
+    """Moving bodies that connections join, the ground left out."""
+    groups: list[set[str]] = [{b.name} for b in system.moving]
+    moving = {b.name for b in system.moving}
+    for row in system.held:
+        joined = set(row.measure.bodies()) & moving
+        touching = [g for g in groups if g & joined]
+        if len(touching) > 1:
+            groups = [g for g in groups if not g & joined] + [set[str]().union(*touching)]
+    order = [b.name for b in system.moving]
+    return [tuple(sorted(g, key=order.index)) for g in groups]
+
+
+def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
+    """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
+    used = {p for row in system.held for p in _points_of(row.measure)}
+    for point in sorted({p for p in used if p.body == GROUND}, key=str):
+        yield point, "ground.origin" if str(point) == GROUND else str(point)
+    if isinstance(group, str):
+        body = system.bodies[group]
+        if body.turns:
+            yield body.mass_center, "its mass center"
+        for point in sorted({p for p in used if p.body == group and p != body.mass_center}, key=str):
+            yield point, str(point)
+    else:
+        yield SYSTEM_CENTER, "its mass center"
+
+
+def _points_of(measure: Any) -> Iterator[Point]:
+    for name in ("of", "origin", "start", "end"):
+        part = getattr(measure, name, None)
+        if isinstance(part, Point):
+            yield part

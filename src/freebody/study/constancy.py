@@ -1,0 +1,302 @@
+"""The second opinion on conservation: the quantity along motions that the engine follows.
+
+Motions start from general poses and speeds, at random admissible numbers. A conserved quantity may drift by 1e-9 of
+its size; one that is not must change in at least one of them, which is then told as the counter-motion. Under
+conditions both are done: with the condition it stays, without it it changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Expr, Symbol, number, substitute
+from freebody.model.question import GeneralizedMomentum, JacobiIntegral, Quantity
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+from freebody.study.balance import Balance
+from freebody.study.draws import SEED, Draw
+from freebody.study.evidence import element_at
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.symbolic.vanishing import Case, is_given_function
+from freebody.system.system import System
+
+TOLERANCE = 1e-9  # of the size of a conserved quantity
+VISIBLE = 1e-6  # of the size: more than this is a change
+_DURATION = 1.5  # [s]; motions run at about one size, or radian, a second
+_N_TIMES = 9
+_N_MOTIONS = 3
+_STEP_TOLERANCE = 1e-12
+_MAX_SECONDS = 0.3  # by the clock, for one motion; what has been computed by then counts
+
+
+@dataclass(frozen=True)
+class Confirmation:
+    """What simulations showed."""
+
+    motions: int
+    largest_drift: float | None  # of a conserved quantity, by its size
+    smallest_change: float | None  # of one that is not, by its size
+    route: str = "simulation from general poses and speeds at random admissible numbers"
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "motions": self.motions,
+            "largest_drift": self.largest_drift,
+            "smallest_change": self.smallest_change,
+            "route": self.route,
+        }
+
+
+@dataclass(frozen=True)
+class CounterMotion:
+    """A motion along which a quantity changes: from where, with which numbers, from what to what (SI)."""
+
+    parameters: Mapping[str, float]
+    start: Mapping[str, float]  # named measures and their rates at the start
+    before: float
+    after: float
+    time: float
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "parameters": dict(self.parameters),
+            "start": dict(self.start),
+            "before": self.before,
+            "after": self.after,
+            "time": self.time,
+        }
+
+
+def confirm(
+    runs: Runs, balance: Balance, cases: Sequence[Case], is_conserved: bool | None
+) -> tuple[Confirmation | None, CounterMotion | None]:
+    """Simulates; raises RoutesDisagree where a motion says otherwise."""
+    drifts: list[float] = []
+    changes: list[float] = []
+    counter: CounterMotion | None = None
+    name = str(balance.quantity)
+    for case in cases:
+        if case.is_solved:
+            for motion in runs.along(balance, case if case.equalities else None):
+                if motion.drift > TOLERANCE:
+                    raise RoutesDisagree(
+                        f"{name} should stay constant, and changes by {motion.drift:.2g} of its size in a simulation. "
+                        "No answer is shown. This is a defect of freebody; please report the model"
+                    )
+                drifts.append(motion.drift)
+    if is_conserved is not True:
+        for motion in runs.along(balance, None):
+            if motion.drift > VISIBLE:
+                changes.append(motion.drift)
+                counter = counter or motion.told()
+        if not changes:
+            return None, None
+    if not drifts and not changes:
+        return None, None
+    return Confirmation(len(drifts) + len(changes), max(drifts, default=None), min(changes, default=None)), counter
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A quantity along a simulated motion."""
+
+    times: Array
+    values: Array
+    size: float
+    start: Snapshot
+    system: System
+
+    @property
+    def drift(self) -> float:
+        return float(np.abs(self.values - self.values[0]).max()) / self.size
+
+    def told(self) -> CounterMotion:
+        k = int(np.abs(self.values - self.values[0]).argmax())
+        measured: dict[str, float] = {}
+        for name, measure in self.system.measures.items():
+            measured[name] = float(self.start.value(measure))
+            measured[f"rate({name})"] = float(self.start.rate(measure))
+        values = {p: v for p, v in self.start.reference.frame.values.items() if p in self.system.parameters}
+        return CounterMotion(values, measured, float(self.values[0]), float(self.values[k]), float(self.times[k]))
+
+
+class Runs:
+    """Simulated motions of one system, each kept for all quantities: from general poses and speeds, at random
+    admissible numbers, or at numbers that obey the equalities of a case."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+        self._known: dict[tuple[str, ...], list[Run]] = {}
+        self._read: dict[tuple[Quantity, tuple[str, ...]], list[Motion]] = {}
+
+    def along(self, balance: Balance, case: Case | None) -> list[Motion]:
+        """The quantity along a few motions."""
+        key = balance.quantity, () if case is None else case.texts()
+        if key not in self._read:
+            found: list[Motion] = []
+            self._read[key] = found
+            for run in self._runs(case):
+                with suppress(CannotAnswer):
+                    motion = _motion(self.setup, balance, run)
+                    if motion is not None:
+                        found.append(motion)
+        return self._read[key]
+
+    def _runs(self, case: Case | None) -> list[Run]:
+        key = () if case is None else case.texts()
+        if key not in self._known:
+            found: list[Run] = []
+            self._known[key] = found
+            for k, draw in enumerate(self.setup.draws):
+                if len(found) == _N_MOTIONS:
+                    break
+                with suppress(CannotAnswer):
+                    own = draw if case is None else _in_case(self.setup, draw, case)
+                    found += _run(own, SEED + k)
+        return self._known[key]
+
+
+@dataclass(frozen=True)
+class Run:
+    """A simulated motion."""
+
+    draw: Draw
+    times: Array
+    snapshots: tuple[Snapshot, ...]
+
+
+def _in_case(setup: Setup, draw: Draw, case: Case) -> Draw:
+    """A draw whose numbers obey the equalities of a case."""
+    model, system = setup.model, setup.system
+    numbers = model.numbers(draw.sample())
+    values = dict(draw.values)
+    forms: dict[str, Expr] = {}
+    for index, element in case.values.items():
+        shown = model.field.generators[index].display
+        if is_given_function(model.field, index):
+            name, order = _function(shown)
+            if name not in forms or order < forms_order(forms[name]):
+                forms[name] = _polynomial(order)
+        elif isinstance(shown, Symbol) and shown.name in values:
+            values[shown.name] = float(model.field.evaluate(model.field.element(element), numbers))
+    reference = Reference(_with_forms(system, forms) if forms else system, values)
+    return Draw(values, reference, reference.assemble(guess=draw.q))
+
+
+def forms_order(form: Expr) -> int:
+    """How many coefficients a polynomial form has."""
+    from freebody.language.expression import Number, Sum
+
+    if isinstance(form, Number):
+        return 0 if form == number(0) else 1
+    return len(form.terms) if isinstance(form, Sum) else 1
+
+
+def _function(shown: Expr) -> tuple[str, int]:
+    """Name and order of x0, rate(x0), rate(rate(x0))."""
+    order = 0
+    while not isinstance(shown, Symbol):
+        shown, order = shown.argument, order + 1  # type: ignore[union-attr]
+    return shown.name, order
+
+
+def _polynomial(order: int) -> Expr:
+    """A function of time whose rate of that order is zero, otherwise general."""
+    t = Symbol("t")
+    total: Expr = number(0)
+    power: Expr = number(1)
+    for k in range(order):
+        total = total + power * number(3 + 2 * k) / 10
+        power = power * t
+    return total
+
+
+def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
+    """The system with other functions of time."""
+    others = {p.name: p.form for p in system.parameters.values() if p.form is not None} | dict(forms)
+    held = tuple(
+        row if row.general is None else replace(row, target=substitute(row.general, others)) for row in system.held
+    )
+    pushes = tuple(
+        push if push.general is None else replace(push, law=substitute(push.general, others)) for push in system.pushes
+    )
+    return replace(system, held=held, pushes=pushes)
+
+
+def _run(draw: Draw, seed: int) -> list[Run]:
+    """A motion from a general pose and speed; none if it ends at once."""
+    from freebody.numeric.engine.engine import Engine
+
+    reference = draw.reference
+    start = draw.anywhere(seed, 0.0, 0.3)
+    engine = Engine(reference.numbers())
+    y = engine.state(*reference.by_body(start.q, start.v))
+    engine.align(y, start.t, start.value)
+    outputs = np.linspace(start.t, start.t + _DURATION, _N_TIMES)
+    course = engine.run(
+        y, float(outputs[-1]), start=start.t, tolerance=_STEP_TOLERANCE, outputs=outputs, max_seconds=_MAX_SECONDS
+    )
+    if len(course.times) < 3:
+        return []
+    snapshots = [start]
+    for k, t in enumerate(course.times[1:], 1):
+        q, v = reference.by_column(course.poses[k]), reference.by_column(course.velocities[k])
+        snapshots.append(reference.snapshot(q, v, float(t), snapshots[-1]))
+    return [Run(draw, course.times, tuple(snapshots))]
+
+
+def _motion(setup: Setup, balance: Balance, run: Run) -> Motion | None:
+    """The quantity along a run."""
+    read = _reader(setup, balance, run.draw)
+    values = np.array([read(s) for s in run.snapshots])
+    if not np.isfinite(values).all():
+        return None
+    size = max(float(np.abs(values).max()), max(_size(s, balance) for s in run.snapshots))
+    return Motion(run.times, values, size or 1.0, run.snapshots[0], setup.system)
+
+
+def _size(snapshot: Snapshot, balance: Balance) -> float:
+    """What the terms of a quantity come to, where these may cancel."""
+    masses, v = snapshot.reference.masses, snapshot.v
+    momentum = float(np.abs(masses * v)[~snapshot.reference.sizes.turning].sum())
+    energy = snapshot.kinetic_energy
+    dimension = balance.quantity.dimension
+    from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
+
+    if dimension == MOMENTUM:
+        return momentum
+    if dimension == ANGULAR_MOMENTUM:
+        spin = float(np.abs(masses * v)[snapshot.reference.sizes.turning].sum())
+        return momentum * snapshot.reference.sizes.length + spin
+    return energy if dimension == ENERGY else 0.0
+
+
+def _reader(setup: Setup, balance: Balance, draw: Draw) -> Callable[[Snapshot], float]:
+    """The quantity at a snapshot: stated over the numbers; by its formula where it is one of coordinates."""
+    quantity = balance.quantity
+    if isinstance(quantity, (GeneralizedMomentum, JacobiIntegral)):
+        return lambda s: element_at(setup, (balance.value,), draw, s)[0]
+    from freebody.model.question import Energy
+
+    if isinstance(quantity, Energy) and quantity.what != "kinetic":
+
+        def energy(s: Snapshot) -> float:
+            total = (
+                0.0
+                if quantity.what == "potential"
+                else float(quantity_value(Energy("kinetic", quantity.body), setup.system, s))
+            )
+            for push in balance.storing:
+                if quantity.body is None or quantity.body in set(push.measure.bodies()):
+                    total += s.potential(push)
+            return total
+
+        return energy
+    return lambda s: float(quantity_value(quantity, setup.system, s))

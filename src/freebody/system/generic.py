@@ -1,0 +1,251 @@
+"""The generic model: the same bodies and connections with a fresh symbol for every geometric datum.
+
+What a mechanism owes to its topology it has in every geometry that can be assembled; what it owes to special sizes
+it loses when these change. To tell the two apart the model is read once more, and wherever it states a place, a
+length, a radius or a direction, a symbol of its own stands:
+
+    points of a body, places on the ground      two symbols each, shared by all connections that name the point
+    radius of a body, direction of a line       one symbol each, shared in the same way
+    lengths and directions in a connection      one symbol each, of this connection alone
+    the mass centre, and the centre of a rim    stay where they are: they are what a body's frame is measured from
+
+Connections then build their rows as always, so that what follows from the data (the sum of two radii in a gear
+mesh) stays consistent.
+Sources: Laman, J. Engng. Math. 4, 1970, 331-340; Whiteley, Some matroids from discrete applied geometry, Contemp.
+Math. 197, 1996, 171-311 (generic rigidity).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from freebody.connections.base import Connection
+from freebody.errors import InputError, ModelError
+from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
+from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.model.elements import Held, Line, Parameter, RateMeasure, RigidBody
+from freebody.model.names import Names
+from freebody.system.reader import Reader
+from freebody.system.system import System
+from freebody.system.unspecified import Unspecified
+
+Kind = Literal["point", "radius", "direction", "length", "target", "parameter"]
+TIME = "t"
+
+
+@dataclass(frozen=True)
+class Datum:
+    """A symbol of a generic model, and what of the model it stands for."""
+
+    symbol: str
+    kind: Kind
+    owner: str  # a body, "ground" or a connection
+    label: str  # "crank.end", "the radius of gear", ...
+    value: float | None  # what the model says, in SI; None where it has no number
+
+
+@dataclass(frozen=True)
+class GenericModel:
+    """A model with symbols in place of its geometric data.
+
+    system: the same rows as the model holds, over the symbols. assembled: rows that close where the model is
+    assembled; those of a gear mesh whose centres something else keeps apart are among them."""
+
+    system: System
+    data: Mapping[str, Datum]
+    assembled: tuple[Held, ...]
+
+
+def generic_model(system: System, values: Mapping[str, float] | None = None) -> GenericModel:
+    """The generic model of a system; `values` of parameters decide what its data are, where the model's own are not
+    meant. Raises ModelError if its rows cannot be built over symbols."""
+    return _GenericReader(system, values or {}).model()
+
+
+class _GenericNames(Names):
+    """Resolves names as always, but answers with symbols where data are meant."""
+
+    def __init__(self, numbers: Mapping[str, float]) -> None:
+        super().__init__()
+        self.numbers = numbers
+        self.data: dict[str, Datum] = {}
+        self.owner = ""  # the connection or measure whose data are asked for; those of bodies are replaced later
+        self._known: dict[tuple[object, ...], Symbol] = {}
+
+    def fresh(self, kind: Kind, owner: str, label: str, value: float | None, *key: object) -> Symbol:
+        """The symbol of one datum; the same for the same key."""
+        known = self._known.get((kind, owner, *key))
+        if known is None:
+            name = f"@{kind}{len(self.data)}"
+            dimension = DIMENSIONLESS if kind in ("direction", "target") else LENGTH
+            self.data[name] = Datum(name, kind, owner, label, value)
+            self.parameters[name] = Parameter(name, dimension, value, "any", is_angle=kind == "direction")
+            known = self._known[(kind, owner, *key)] = Symbol(name)
+        return known
+
+    def fresh_pair(self, body: str, point: str, pair: tuple[Expr, Expr]) -> tuple[Expr, Expr]:
+        """The symbols of a point of a body."""
+        label = f"{body}.{point}"
+        x, y = (self.fresh("point", body, label, self.numeric(c), point, k) for k, c in enumerate(pair))
+        return x, y
+
+    def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
+        return {name: d for name, d in super().dimensions(in_time=in_time).items() if name not in self.data}
+
+    def numeric(self, expr: Expr) -> float | None:
+        values = {p.name: p.value for p in self.parameters.values() if p.value is not None} | dict(self.numbers)
+        try:
+            return float(evaluate(expr, values))
+        except (InputError, ArithmeticError, ValueError):
+            return None
+
+    def formula(
+        self, value: Any, dimension: Dimension, *path: str | int, extra: Mapping[str, Dimension] | None = None
+    ) -> Expr:
+        expr = super().formula(value, dimension, *path, extra=extra)
+        if not self.owner or dimension != LENGTH:
+            return expr
+        what = " ".join(str(step).replace("_", " ") for step in path if isinstance(step, str))
+        return self.fresh("length", self.owner, f"the {what} of {self.owner}", self.numeric(expr), *path)
+
+    def point(self, text: Any, *path: str | int) -> Point:
+        found = super().point(text, *path)
+        name = text.strip().partition(".")[2] if isinstance(text, str) else ""
+        if found.body != GROUND or name not in self.free_ground_points:
+            return found
+        return replace(found, offset=self.fresh_pair(GROUND, name, (ZERO, ZERO)))
+
+    def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
+        found = super().direction(value, *path, body=body)
+        if not self.owner or any(free_symbols(c) & self.data.keys() for c in found.components):
+            return found
+        text = value.strip() if isinstance(value, str) else ""
+        if text.partition(".")[0] in self.bodies and "." in text:
+            return self.turned(found, found.body, text, text)
+        return self.turned(found, self.owner, f"the direction of {self.owner}", *path)
+
+    def turned(self, found: Direction, owner: str, label: str, *key: object) -> Direction:
+        """The direction at an angle of its own."""
+        cx, cy = (self.numeric(c) for c in found.components)
+        value = None if cx is None or cy is None else math.atan2(cy, cx)
+        a = self.fresh("direction", owner, label, value, *key)
+        return Direction(found.body, (Call("cos", a), Call("sin", a)), found.name)
+
+
+class _GenericReader(Reader):
+    """Reads a model that has been read before, over symbols."""
+
+    names: _GenericNames
+
+    def __init__(self, system: System, values: Mapping[str, float]) -> None:
+        super().__init__(system.document, system.file)
+        self.names = _GenericNames(values)
+        self.open = Unspecified(self.names, self.data)
+        self.like = system
+
+    def model(self) -> GenericModel:
+        names = self.names
+        self._parameters()
+        self._bodies()
+        names.connections = connections = self._specs("connections", Connection.kinds)
+        measures = self._measures()
+        rows = self._rows(connections)
+        if names.problems:
+            raise ModelError([self.document.locate(p) for p in names.problems], self.file)
+        wanted = {row.name for row in self.like.held}
+        held = tuple(row for row in rows if row.name in wanted)
+        assembled = tuple(row for row in rows if not (isinstance(row.measure, RateMeasure) or row.measure.incremental))
+        for name, parameter in self.like.parameters.items():
+            names.data[name] = Datum(name, "parameter", "", name, names.numbers.get(name, parameter.value))
+        system = replace(
+            self.like,
+            parameters=names.parameters,
+            bodies=names.bodies,
+            held=held,
+            pushes=(),
+            measures=measures,
+            offered=(),
+            start={},
+            start_rates={},
+            questions=(),
+            connections=connections,
+            loads={},
+        )
+        return GenericModel(system, names.data, assembled)
+
+    # -- bodies -------------------------------------------------------------------------------
+    def _ground(self) -> None:
+        super()._ground()
+        points = self.names.bodies[GROUND].points
+        for name, pair in points.items():
+            points[name] = self.names.fresh_pair(GROUND, name, pair)
+
+    def _body(self, name: str, value: Any) -> RigidBody | None:
+        body = super()._body(name, value)
+        if body is None:
+            return None
+        middle = {"mass_center", "center", body.default_point}
+        points = {
+            key: pair if key in middle and pair == (ZERO, ZERO) else self.names.fresh_pair(name, key, pair)
+            for key, pair in body.points.items()
+        }
+        radius = body.radius
+        if radius is not None:
+            radius = self.names.fresh("radius", name, f"the radius of {name}", self.names.numeric(radius))
+        return replace(body, points=points, radius=radius)
+
+    def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
+        line = super()._line(body, name, spec)
+        through = line.through
+        if not any(free_symbols(c) & self.names.data.keys() for c in through.offset):
+            pair = self.names.fresh_pair(through.body, f"point of {line.name}", through.offset)
+            through = replace(through, offset=pair)
+        direction = self.names.turned(line.direction, line.direction.body, line.name, "line", line.name)
+        return Line(through, direction, line.name)
+
+    # -- rows ---------------------------------------------------------------------------------
+    def _measures(self) -> dict[str, Any]:
+        self.names.owner = "a measure"
+        try:
+            return super()._measures()
+        finally:
+            self.names.owner = ""
+
+    def _rows(self, connections: Mapping[str, Connection]) -> list[Held]:
+        rows: list[Held] = []
+        for name, connection in connections.items():
+            self.names.owner = name
+            with self.names.at("connections", name, connection.kind):
+                guided = self._guided(name, connection)
+                rows += [self._aimed(replace(row, connection=name)) for row in guided.rows(self.names)]
+        self.names.owner = ""
+        return rows
+
+    def _guided(self, name: str, connection: Connection) -> Connection:
+        """A guide for which the model names no point passes through one of its own."""
+        if getattr(connection, "through", "") is not None or not hasattr(connection, "along"):
+            return connection
+        along: Any = getattr(connection, "along", None)
+        if self.names.line(along) is not None:
+            return connection
+        on = self.names.direction(along, "along", body=str(getattr(connection, "on", GROUND))).body
+        body = self.names.bodies[on]
+        default = (ZERO, ZERO) if on == GROUND else body.point().offset
+        body.points[f"@{name}"] = self.names.fresh_pair(on, f"point of the guide {name}", default)
+        return connection.model_copy(update={"through": f"{on}.@{name}"})
+
+    def _aimed(self, row: Held) -> Held:
+        """A target that time or an angle decides may be anything."""
+        if row.target is None or isinstance(row.measure, RateMeasure):
+            return row
+        is_angle = row.measure.dimension == DIMENSIONLESS
+        functions = {TIME} | {p.name for p in self.names.parameters.values() if p.form is not None}
+        is_driven = bool(free_symbols(row.target) & functions)
+        if not (is_angle or is_driven):
+            return row
+        value = None if is_driven else self.names.numeric(row.target)
+        return replace(row, target=self.names.fresh("target", row.connection, f"the target of {row.name}", value))
