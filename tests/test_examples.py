@@ -132,6 +132,13 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "drum": f"r1*(r2*T1 - r1*T2)/{_BELT}",
         "belt": f"(T1 - I1*r2*(r2*T1 - r1*T2)/{_BELT})/r1",
     },
+    # Goldstein, Classical Mechanics, sec. 2.7: E' = 2 m w^2 r r', h = m (r'^2 - w^2 r^2)/2 stays
+    "bead_on_turning_rod": {
+        "energy": "2*m*omega**2*r*rate(r)",
+        "jacobi": "0",
+        "equation": "omega**2*r",
+        "force": "2*m*omega*rate(r)",
+    },
     # MK art. 6/4, moments about the accelerated hinge; the driver moves the mass centre, x_G = x + d sin(theta)
     "body_on_driven_roller": {
         "conserved": "-m*d*sin(theta)*(g + rate(x0)*rate(theta))",  # dH_O/dt = M_O - v_O x P
@@ -229,6 +236,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "place_2": "1",
         "place_3": "1",
     },
+    "parallelogram_with_extra_bar": {"freedom": "1"},
     # (m + I/r^2) x'' = T/r - k x; the teeth move the rack: F = m x'' + k x
     "rack_and_pinion_drive": {
         "acceleration": "(T/r - k*x)/(m + I/r**2)",

@@ -16,7 +16,8 @@ import pytest
 import freebody as fb
 from freebody.errors import InputError
 from freebody.numeric.mobility.generic import generic_rank, generic_rank_of
-from freebody.numeric.mobility.kinds import Dependence, dependences, idle_freedoms
+from freebody.numeric.mobility.idle import idle_freedoms
+from freebody.numeric.mobility.kinds import Dependence, dependences
 from freebody.numeric.mobility.rank import Rank, rank_at, rows_without, scaled_rows
 from freebody.numeric.reference import Reference
 from freebody.system.generic import generic_model

@@ -19,9 +19,11 @@ if TYPE_CHECKING:
     from freebody.api import System
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.study.answer import Answer
+    from freebody.study.conserved import Conservation, conserved
     from freebody.study.eom import Equations, equations_of_motion
     from freebody.study.equilibrium import equilibria
     from freebody.study.inverse_dynamics import inverse_dynamics
+    from freebody.study.mobility import Mobility, mobility
     from freebody.study.modes import modes
     from freebody.study.simulate import Simulation, Simulator, simulate
     from freebody.study.solve import Solution, solve
@@ -31,6 +33,10 @@ _HOMES = {
     "solve": "freebody.study.solve",
     "Solution": "freebody.study.solve",
     "Answer": "freebody.study.answer",
+    "Conservation": "freebody.study.conserved",
+    "conserved": "freebody.study.conserved",
+    "Mobility": "freebody.study.mobility",
+    "mobility": "freebody.study.mobility",
     "equilibria": "freebody.study.equilibrium",
     "inverse_dynamics": "freebody.study.inverse_dynamics",
     "modes": "freebody.study.modes",
@@ -49,18 +55,22 @@ _HOMES = {
 __all__ = [
     "Answer",
     "CannotAnswer",
+    "Conservation",
     "Equations",
     "FreebodyError",
     "InputError",
+    "Mobility",
     "ModelError",
     "RoutesDisagree",
     "Simulation",
     "Simulator",
     "Solution",
     "System",
+    "conserved",
     "equations_of_motion",
     "equilibria",
     "inverse_dynamics",
+    "mobility",
     "modes",
     "simulate",
     "solve",

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
+    from freebody.study.conserved import Conservation
     from freebody.study.eom import Equations
     from freebody.study.equilibrium import Equilibria
     from freebody.study.inverse_dynamics import InverseDynamics
+    from freebody.study.mobility import Mobility
     from freebody.study.modes import At, Modes
     from freebody.study.simulate import Simulation
     from freebody.study.solve import Solution
@@ -32,6 +34,19 @@ class System(Description):
         from freebody.study.eom import equations_of_motion
 
         return equations_of_motion(self)
+
+    def mobility(self, along: str | None = None, *, assembly_modes: bool = False) -> Mobility:
+        """Degrees of freedom, redundant constraints by name, singular poses and limits; see
+        `freebody.study.mobility.mobility`."""
+        from freebody.study.mobility import mobility
+
+        return mobility(self, along, modes=assembly_modes)
+
+    def conserved(self, question: str | None = None) -> Conservation:
+        """What is conserved, and under which conditions; see `freebody.study.conserved.conserved`."""
+        from freebody.study.conserved import conserved
+
+        return conserved(self, question)
 
     def simulate(
         self,

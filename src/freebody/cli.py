@@ -263,6 +263,29 @@ def modes(
 
 
 @app.command()
+def mobility(
+    file: ModelFile,
+    as_json: Json = False,
+    along: Annotated[
+        str | None,
+        typer.Option("--along", metavar="NAME", help="Follow the motion along a driver or measure to its limits."),
+    ] = None,
+    modes: Annotated[bool, typer.Option("--modes", help="List assembly modes, however many bodies.")] = False,
+) -> None:
+    """Count degrees of freedom, name redundant constraints, singular poses and limits."""
+    from freebody.study.mobility import mobility as examine
+    from freebody.system.system import System
+
+    found = examine(System.load(file), along, modes=modes)
+    if as_json:
+        _print_json(found.to_plain())
+    else:
+        from freebody.present.mobility import mobility_lines
+
+        print("\n".join(mobility_lines(found)))
+
+
+@app.command()
 def conserved(
     file: ModelFile,
     as_json: Json = False,

@@ -152,7 +152,8 @@ def _left_over(claim: Claim, case: Case) -> Ratio | None:
         x = None
     if x is not None:
         x = x.field.lowest_terms(x)
-        return None if x.is_zero() else x
+        if not x.is_zero():
+            return x
     for coefficient in claim.coefficients:
         left = case.put_in(coefficient)
         if not left.is_zero():

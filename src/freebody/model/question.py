@@ -559,6 +559,10 @@ def _multiplier(names: Names, found: dict[str, str | None], path: Path) -> Quant
         if close and close[0] != what:
             names.problem(f"there is nothing called {what}. Did you mean: {close[0]} of {of}", None, *path)
             return None
+        if of in names.bodies:
+            known_forms = ", ".join(_OPENINGS[:7])
+            names.problem(f"a body has no {what}; one can ask for its {known_forms}, momenta and energies", None, *path)
+            return None
     if not _has_connection(names, of, path):
         return None
     rows = [row for row in names.held if row.connection == of]

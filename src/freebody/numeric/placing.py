@@ -99,14 +99,16 @@ class Placing:
             raise CannotAnswer(f"no pose in reach at t = {t:.6g} s holds everything: {fit.worst}")
         return fit
 
-    def fit(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit | None:
-        """The best pose that steps from q lead to. None where a measure has no value at q."""
+    def fit(
+        self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float], n_steps: int = N_STEPS
+    ) -> Fit | None:
+        """The best pose that at most n_steps from q lead to. None where a measure has no value at q."""
         here = self._gaps(q, equations, t, near)
         if here is None:
             return None
         D = self.sizes.small_moves * math.sqrt(self.sizes.mass) * self.sizes.length
         damping = 1e-2
-        for _ in range(N_STEPS):
+        for _ in range(n_steps):
             if here.error <= TOLERANCE:
                 break
             A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps

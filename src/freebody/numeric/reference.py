@@ -82,6 +82,11 @@ class Reference:
 
         Returns q. Raises CannotAnswer naming the row with the largest gap if this is contradictory."""
         fit = assembled(self, extra, guess)
+        if self.system.mode is not None and guess is None and not extra:
+            from freebody.numeric.mobility.modes import chosen
+
+            self._remember(fit)
+            fit = assembled(self, extra, chosen(self, fit.q, self.system.mode))
         self._remember(fit)
         return fit.q
 

@@ -21,8 +21,9 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.question import InstantCentre, Quantity
+from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.study.quantities import relative_motion
+from freebody.study.quantities import motion_at_origin
 from freebody.system.system import System
 
 STILL = 1e-10  # a speed of this part of the largest one, by the size of the system, is zero
@@ -88,10 +89,12 @@ def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str],
     moving = _along_freedom(system, snapshot)
     size = snapshot.reference.sizes.length
     bodies = [GROUND, *(b.name for b in system.moving if b.turns)]
-    return {pair: _centre(pair, relative_motion(*pair, system, moving), size) for pair in combinations(bodies, 2)}
+    motions = {body: np.array(motion_at_origin(system, moving, body), dtype=float) for body in bodies}
+    pairs = combinations(bodies, 2)
+    return {(a, b): _centre((a, b), motions[a] - motions[b], size) for a, b in pairs}
 
 
-def _centre(pair: tuple[str, str], motion: tuple[Any, Any, Any], size: float) -> Centre:
+def _centre(pair: tuple[str, str], motion: Array, size: float) -> Centre:
     """From d, the relative velocity at the origin, and w: r = (-d_y, d_x)/w. At most one size or radian a second."""
     dx, dy, w = (float(x) for x in motion)
     speed = math.hypot(dx, dy)

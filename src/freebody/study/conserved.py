@@ -35,7 +35,16 @@ from freebody.model.question import (
     Spin,
 )
 from freebody.study.balance import Balance, Principle
-from freebody.study.constancy import TOLERANCE, VISIBLE, Confirmation, CounterMotion, Runs, confirm
+from freebody.study.constancy import (
+    N_IN_SEARCH,
+    N_MOTIONS,
+    TOLERANCE,
+    VISIBLE,
+    Confirmation,
+    CounterMotion,
+    Runs,
+    confirm,
+)
 from freebody.study.quantities import is_among, point_about
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -170,17 +179,19 @@ class Finding:
 class Judge:
     """Finds verdicts on one system."""
 
-    def __init__(self, setup: Setup) -> None:
+    def __init__(self, setup: Setup, n_motions: int = N_MOTIONS) -> None:
         self.setup = setup
         self.system = setup.system
         self.model = setup.model
-        self.runs = Runs(setup)
+        self.runs = Runs(setup, n_motions)
 
     def answer(self, question: Question) -> Verdicts:
         """The verdict on a question, its options judged."""
         asked = question.quantity
         assert isinstance(asked, Conserved)
         try:
+            if isinstance(asked.of, Momentum) and asked.of.along is None:
+                return self._of_vector(question, asked.name, asked.of)
             found = self.finding(asked.of)
             judgement: Judgement | None = None
             if question.options:
@@ -190,6 +201,53 @@ class Judge:
             return self._verdict(question.id, asked.name, found, judgement)
         except CannotAnswer as error:
             return Verdicts(question.id, asked.name, None, None, None, reason=str(error))
+
+    def _of_vector(self, question: Question, name: str, quantity: Momentum) -> Verdicts:
+        """A vector stays if both of its components do."""
+        findings = [self.finding(replace(quantity, along=axis)) for axis in (RIGHT, UP)]
+        verdicts = [
+            self._verdict(question.id, f"{name} along {axis}", found, None)
+            for found, axis in zip(findings, ("right", "up"), strict=True)
+        ]
+        claims = [self._claim(found) for found in findings]
+        cases: tuple[Case, ...] = (Case((), {}),)
+        if not all(v.is_conserved for v in verdicts):
+            is_refuted = any(v.is_conserved is False for v in verdicts)
+            coefficients = [c for claim in claims for c in claim.coefficients]
+            cases = () if is_refuted else cases_where_zero(coefficients, self._may_vanish)
+        open_ = next((k for k, v in enumerate(verdicts) if v.is_conserved is not True), 0)
+        judgement: Judgement | None = None
+        if question.options:
+            from freebody.assess.statements import judge_statements
+
+            coefficients = [c for claim in claims for c in claim.coefficients]
+            exact = all(claim.is_exact for claim in claims)
+            claim = replace(claims[open_], coefficients=coefficients, cases=cases, is_exact=exact)
+            judgement = judge_statements(question, claim, self.model, self.system)
+        is_conserved = True if any(not c.equalities for c in cases) else None if cases else False
+        notes = [
+            f"along {axis}: "
+            + (
+                "conserved"
+                if v.is_conserved
+                else f"if {' or '.join(v.conditions)}"
+                if v.conditions
+                else "not conserved"
+            )
+            + ("" if v.is_conserved or v.rate is None else f", rate {to_text(v.rate)}")
+            for v, axis in zip(verdicts, ("right", "up"), strict=True)
+        ]
+        return replace(
+            verdicts[open_],
+            question=name,
+            is_conserved=is_conserved,
+            conditions=texts_of(cases) if is_conserved is None else (),
+            value=None,
+            notes=(*notes, *verdicts[open_].notes),
+            choice=None if judgement is None else judgement.choice,
+            options={} if judgement is None else judgement.options,
+            author_notes=() if judgement is None else judgement.notes,
+        )
 
     def look(self, id: str, quantity: Quantity, name: str) -> Verdicts:
         """The verdict on a quantity."""
@@ -386,7 +444,7 @@ class Judge:
 
 # -- the search -------------------------------------------------------------------------------
 def _searched(setup: Setup) -> list[Verdicts]:
-    judge = Judge(setup)
+    judge = Judge(setup, N_IN_SEARCH)
     found: list[Verdicts] = []
     places: dict[str, int] = {}
     for k, (quantity, name) in enumerate(candidates(setup), 1):

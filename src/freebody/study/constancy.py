@@ -16,6 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
+from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
 from freebody.model.question import GeneralizedMomentum, JacobiIntegral, Quantity
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -31,8 +32,10 @@ TOLERANCE = 1e-9  # of the size of a conserved quantity
 VISIBLE = 1e-6  # of the size: more than this is a change
 _DURATION = 1.5  # [s]; motions run at about one size, or radian, a second
 _N_TIMES = 9
-_N_MOTIONS = 3
+N_MOTIONS = 5
+N_IN_SEARCH = 3
 _STEP_TOLERANCE = 1e-12
+_SLOW = 1e-3
 _MAX_SECONDS = 0.3  # by the clock, for one motion; what has been computed by then counts
 
 
@@ -131,8 +134,9 @@ class Runs:
     """Simulated motions of one system, each kept for all quantities: from general poses and speeds, at random
     admissible numbers, or at numbers that obey the equalities of a case."""
 
-    def __init__(self, setup: Setup) -> None:
+    def __init__(self, setup: Setup, n_motions: int = N_MOTIONS) -> None:
         self.setup = setup
+        self.n_motions = n_motions
         self._known: dict[tuple[str, ...], list[Run]] = {}
         self._read: dict[tuple[Quantity, tuple[str, ...]], list[Motion]] = {}
 
@@ -155,7 +159,7 @@ class Runs:
             found: list[Run] = []
             self._known[key] = found
             for k, draw in enumerate(self.setup.draws):
-                if len(found) == _N_MOTIONS:
+                if len(found) == self.n_motions:
                     break
                 with suppress(CannotAnswer):
                     own = draw if case is None else _in_case(self.setup, draw, case)
@@ -263,19 +267,19 @@ def _motion(setup: Setup, balance: Balance, run: Run) -> Motion | None:
 
 
 def _size(snapshot: Snapshot, balance: Balance) -> float:
-    """What the terms of a quantity come to, where these may cancel."""
-    masses, v = snapshot.reference.masses, snapshot.v
-    momentum = float(np.abs(masses * v)[~snapshot.reference.sizes.turning].sum())
-    energy = snapshot.kinetic_energy
+    """What the terms of a quantity come to, where these may cancel; at least as if all moved by a thousandth of the
+    size, or of a radian, a second."""
+    reference = snapshot.reference
+    sizes = reference.sizes
+    speeds = np.maximum(np.abs(snapshot.v), _SLOW * sizes.unit_moves)
+    shares = reference.masses * speeds
+    momentum, spin = (float(shares[which].sum()) for which in (~sizes.turning, sizes.turning))
     dimension = balance.quantity.dimension
-    from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
-
     if dimension == MOMENTUM:
         return momentum
     if dimension == ANGULAR_MOMENTUM:
-        spin = float(np.abs(masses * v)[snapshot.reference.sizes.turning].sum())
-        return momentum * snapshot.reference.sizes.length + spin
-    return energy if dimension == ENERGY else 0.0
+        return momentum * sizes.length + spin
+    return float(shares @ speeds) / 2 if dimension == ENERGY else 0.0
 
 
 def _reader(setup: Setup, balance: Balance, draw: Draw) -> Callable[[Snapshot], float]:

@@ -116,11 +116,12 @@ def _instant_centre(body: str, other: str, system: System, state: State[Any]) ->
 
 def relative_motion(body: str, other: str, system: System, state: State[Any]) -> tuple[Any, Any, Any]:
     """Relative velocity of the points of two bodies that are at the origin, and the relative angular velocity."""
-    (ux, uy, w), (vx, vy, w_other) = (_motion_at_origin(state, system, name) for name in (body, other))
+    (ux, uy, w), (vx, vy, w_other) = (motion_at_origin(system, state, name) for name in (body, other))
     return ux - vx, uy - vy, w - w_other
 
 
-def _motion_at_origin(state: State[Any], system: System, body: str) -> tuple[Any, Any, Any]:
+def motion_at_origin(system: System, state: State[Any], body: str) -> tuple[Any, Any, Any]:
+    """Velocity of the point of a body that is at the origin, and its angular velocity."""
     if system.bodies[body].fixed:
         return 0, 0, 0
     point = system.bodies[body].center

@@ -148,7 +148,7 @@ class _Solver:
             q.text,
             found.rate,
             unit_text(q.quantity),
-            None,
+            0.0 if found.rate == number(0) else None,
             conditions=() if found.reason else (answer,),
             notes=("this is its rate", *found.notes) if found.rate is not None else found.notes,
             reason=found.reason or ("; ".join(found.notes) if found.rate is None else ""),
@@ -383,6 +383,11 @@ class _Solver:
 
     def _judge(self, found: _Found) -> Any:
         element: Any = found.element
+        if isinstance(self.question.quantity, Freedom):
+            with suppress(CannotAnswer):
+                from freebody.study.mobility import judged
+
+                return judged(self.system, self.question, int(element))
         dimension = self.question.quantity.dimension
         return judge(self.question, element, dimension, self.model, self.system, up_to_constant=found.up_to_constant)
 

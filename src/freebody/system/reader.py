@@ -86,6 +86,7 @@ class Reader:
         held, offered = self._held(connections)
         pushes = self._pushes(loads)
         start, rates = self._start(measures)
+        mode = self._mode()
         self.names.held = held
         self.names.loads = {p.load: ENERGY / p.measure.dimension for p in pushes}
         questions = read_questions(self.names, self.data.get("questions"))
@@ -112,6 +113,7 @@ class Reader:
             document=self.document,
             file=self.file,
             unspecified=self.open.places,
+            mode=mode,
         )
 
     # -- sections -----------------------------------------------------------------------------
@@ -462,11 +464,25 @@ class Reader:
                     found.append(replace(push, load=name))
         return found
 
+    def _is_mode(self, key: str) -> bool:
+        return key == "mode" and "mode" not in self.names.measures
+
+    def _mode(self) -> str | None:
+        """`start: {mode: crossed}`: the assembly mode by name, where the connections leave several."""
+        start = self._mapping("start")
+        if "mode" not in start or not self._is_mode("mode"):
+            return None
+        if not isinstance(start["mode"], str):
+            self.names.problem("mode is the name of an assembly mode, e.g. mode: crossed", None, "start", "mode")
+        return str(start["mode"])
+
     def _start(self, measures: Mapping[str, Measure]) -> tuple[dict[str, Expr], dict[str, Expr]]:
         """`start: {theta: 30 deg, rate(theta): 0}`; theta' and theta_dot also mean the rate."""
         start: dict[str, Expr] = {}
         rates: dict[str, Expr] = {}
         for key, value in self._mapping("start").items():
+            if self._is_mode(key):
+                continue
             name, target, per_time = key, start, False
             for before, after in (
                 ("rate(", ")"),

@@ -47,6 +47,7 @@ class System:
     file: str | None = None
     # dimensions that the model leaves open: the parameter of each, and where it would stand in the document
     unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
+    mode: str | None = None  # the assembly mode at the start, by name
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
@@ -85,6 +86,10 @@ class System:
             path = ("parameters", name, "value") if isinstance(given, dict) else ("parameters", name)
             document = document.with_value(path, value)
         return self._read(document, self.file)
+
+    def with_mode(self, name: str) -> Self:
+        """The same system started in another assembly mode; `mobility` lists their names."""
+        return self._read(self.document.with_value(("start", "mode"), name), self.file)
 
     @classmethod
     def _read(cls, document: Document, file: str | None) -> Self:
@@ -132,7 +137,7 @@ class System:
 
     def _meaning(self) -> tuple[object, ...]:
         described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
-        return (*described, self.start, self.start_rates, self.questions)
+        return (*described, self.start, self.start_rates, self.questions, self.mode)
 
 
 def _plain(value: Any) -> Any:

@@ -1,43 +1,29 @@
-"""Rows of the constraint Jacobian in numbers of any kind, and their rank in balls of 256 bits and more.
+"""Values and gradients of measures in numbers of any kind: floats, or balls of 256 bits and more.
 
 A `Dual` is a value with its gradient, of which only the entries that are there are kept:  phi(f) has the gradient
-phi' grad f.  Over balls [m +- r], which contain what they stand for, a pivot that does not contain zero is not zero.
-Rows are eliminated in the order of the model,
-
-    row_k - sum over earlier pivots p of m_kp pivot_p = rest_k,
-
-and a row whose rest vanishes depends on earlier ones; its multipliers, followed back, are the one combination of
-kept rows that it equals. These rows with it are its fundamental circuit: leave any of them out and the others are
-independent. Since kept rows come first, the redundant row of a circuit is the one declared last.
-Sources: Johansson, IEEE Trans. Comput. 66, 2017, 1281-1292 (balls); Oxley, Matroid Theory, 2nd ed. 2011, sec. 1.2
-(fundamental circuits); Duff, Erisman & Reid, Direct Methods for Sparse Matrices, 2nd ed. 2017, ch. 5 and 7.
+phi' grad f.  Balls [m +- r] contain what they stand for.
+Source: Johansson, IEEE Trans. Comput. 66, 2017, 1281-1292 (balls).
 """
 
 from __future__ import annotations
 
-import heapq
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import flint
 
 from freebody.language.expression import Expr, evaluate
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Pose, Vector
-from freebody.model.elements import Component, Parameter, RateMeasure
+from freebody.model.elements import Component, Held, Parameter, RateMeasure
 
 _flint: Any = flint
-TIME = "t"
 BITS = 320  # of the balls; twice as many where that does not decide
-CLEAR = 1e-9  # a rest that is larger is not zero: smaller ones would be told apart from zero by the data's last digits
 N_DEGREES = 43200  # an angle that is a whole multiple of pi over a divisor of this is meant so
-
-
-class Unclear(Exception):
-    """A rest is neither zero nor clearly something else."""
 
 
 def precision(bits: int) -> Any:
@@ -81,6 +67,11 @@ BALLS = Arithmetic(
 def is_zero(x: Any) -> bool:
     """Whether a number is exactly zero; a ball around zero is not."""
     return bool(x == 0)
+
+
+def size_of(c: Any) -> float:
+    """The size of a number, or the largest one in a ball."""
+    return abs(c) if isinstance(c, float) else float(c.abs_upper())
 
 
 def decimal(x: float) -> Fraction:
@@ -252,6 +243,17 @@ class DualGeometry:
             total = total + self.of(term).chain(self.arithmetic.number(0), self.of(coefficient).value)
         return total
 
+    def gap(self, row: Held, origin: Any = 0) -> Dual:
+        """How far a measure, counted from its origin, is from its target; angles up to full turns."""
+        if isinstance(row.measure, RateMeasure):
+            raise ValueError(f"{row.name} is only a rate")
+        gap = self.of(row.measure) - origin
+        if row.target is not None:
+            gap = gap - self.scalar(row.target)
+        if row.measure.dimension == DIMENSIONLESS:
+            gap = gap - 2 * round(float(gap.value) / math.tau) * self.arithmetic.pi()
+        return gap
+
     def scalar(self, expr: Expr) -> Dual:
         known = self._scalars.get(id(expr))
         if known is None:
@@ -290,128 +292,3 @@ class DualGeometry:
         r2 = x.value * x.value + y.value * y.value
         along = y.chain(0, x.value / r2) + x.chain(0, -y.value / r2)
         return Dual(self.arithmetic.atan2(y.value, x.value), along.gradient)
-
-
-# Elimination ------------------------------------------------------------------------------------
-def size_of(c: Any) -> float:
-    """The size of a number, or the largest one in a ball."""
-    return abs(c) if isinstance(c, float) else float(c.abs_upper())
-
-
-Row = dict[int, Any]
-
-
-@dataclass
-class Elimination:
-    """Rows eliminated in their order. `kept` are the independent ones, `circuits` holds for every other row the
-    kept ones that it depends on, and itself.
-
-    zero: rests that are smaller count as zero, rests between it and `clear` raise Unclear. Rows are to have entries
-    of about one.
-    """
-
-    zero: float
-    clear: float = CLEAR
-    kept: list[int] = field(default_factory=list[int])
-    circuits: list[tuple[int, ...]] = field(default_factory=list[tuple[int, ...]])
-    smallest: float = 1.0  # the smallest pivot
-    largest: float = 0.0  # the largest rest that counts as zero
-    _pivots: list[tuple[int, Any, Row]] = field(default_factory=list[tuple[int, Any, Row]], repr=False)
-    _at: dict[int, int] = field(default_factory=dict[int, int], repr=False)  # column -> which pivot
-    _steps: list[list[tuple[int, Any]]] = field(default_factory=list[list[tuple[int, Any]]], repr=False)
-
-    @classmethod
-    def of(cls, rows: Sequence[Row], zero: float, clear: float = CLEAR) -> Elimination:
-        made = cls(zero, clear)
-        counts: dict[int, int] = {}
-        for row in rows:
-            for k in row:
-                counts[k] = counts.get(k, 0) + 1
-        for k, row in enumerate(rows):
-            made._take(k, row, counts)
-        return made
-
-    @property
-    def rank(self) -> int:
-        return len(self.kept)
-
-    def _take(self, index: int, row: Row, counts: Mapping[int, int]) -> None:
-        rest, steps = self._reduced(dict(row))
-        sizes = {k: size_of(c) for k, c in rest.items()}
-        if not math.isfinite(sum(sizes.values())):
-            raise Unclear("a row has no finite entries")
-        most = max(sizes.values(), default=0.0)
-        if most <= self.zero:
-            self.largest = max(self.largest, most)
-            self.circuits.append((*sorted(self._combination(steps)), index))
-            return
-        if most < self.clear:
-            raise Unclear(f"a row is left with entries of {most:.1e} after elimination")
-        # of the large entries the one in the column that is used least: it is eliminated most rarely
-        column = min((k for k, size in sizes.items() if size > 0.1 * most), key=lambda k: (counts[k], -sizes[k]))
-        pivot = rest.pop(column)
-        if not abs(pivot) > self.zero:
-            raise Unclear("a pivot is not proved to differ from zero")
-        self.smallest = min(self.smallest, size_of(pivot))
-        self._at[column] = len(self._pivots)
-        self._pivots.append((index, pivot, rest))
-        self._steps.append(steps)
-        self.kept.append(index)
-
-    def _reduced(self, row: Row) -> tuple[Row, list[tuple[int, Any]]]:
-        """The row less what earlier pivots account for, and how much of each that is."""
-        at = self._at
-        columns = {at[k]: k for k in row if k in at}
-        waiting = list(columns)
-        heapq.heapify(waiting)
-        steps: list[tuple[int, Any]] = []
-        while waiting:
-            p = heapq.heappop(waiting)
-            c = row.pop(columns[p], None)
-            if c is None or size_of(c) <= self.zero:
-                continue
-            _index, pivot, others = self._pivots[p]
-            factor = c / pivot
-            steps.append((p, factor))
-            for k, other in others.items():
-                if k in row:
-                    row[k] = row[k] - factor * other
-                    continue
-                row[k] = -(factor * other)
-                if k in at and at[k] not in columns:
-                    columns[at[k]] = k
-                    heapq.heappush(waiting, at[k])
-        return row, steps
-
-    def _combination(self, steps: Sequence[tuple[int, Any]]) -> list[int]:
-        """The kept rows with a part in what these steps took away."""
-        parts: dict[int, Any] = dict(steps)
-        waiting = [-p for p in parts]
-        heapq.heapify(waiting)
-        found: list[int] = []
-        while waiting:
-            p = -heapq.heappop(waiting)
-            part = parts[p]
-            size = size_of(part)
-            if size <= self.zero:
-                continue
-            if size < self.clear:
-                raise Unclear(f"a row takes part in a circuit by no more than {size:.1e}")
-            found.append(self._pivots[p][0])
-            for earlier, factor in self._steps[p]:
-                if earlier not in parts:
-                    parts[earlier] = -(part * factor)
-                    heapq.heappush(waiting, -earlier)
-                else:
-                    parts[earlier] = parts[earlier] - part * factor
-        return found
-
-
-def unit_rows(rows: Sequence[Gradient], scale: Callable[[int], Any]) -> list[Row]:
-    """Rows in scaled coordinates, brought to a largest entry of about one."""
-    made: list[Row] = []
-    for row in rows:
-        scaled = {k: c * scale(k) for k, c in row.items() if not is_zero(c)}
-        size = max((size_of(c) for c in scaled.values()), default=0.0)
-        made.append({k: c / size for k, c in scaled.items()} if size > 0.0 else {})
-    return made

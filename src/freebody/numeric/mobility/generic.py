@@ -25,26 +25,22 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
-from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import Held
 from freebody.model.names import did_you_mean
-from freebody.numeric.jets import Array
+from freebody.numeric.jets import TIME, Array
+from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import (
     BALLS,
     BITS,
     FLOATS,
-    TIME,
     Arithmetic,
     Dual,
     DualGeometry,
-    Elimination,
     Gradient,
     Place,
-    Unclear,
     precision,
     size_of,
-    unit_rows,
 )
 from freebody.numeric.mobility.rank import ZERO, Rank
 from freebody.system.generic import GenericModel, generic_model
@@ -135,7 +131,7 @@ class Framework:
             g = self.geometry(balls, range(self.n_coordinates), BALLS)
             eliminated = Elimination.of(unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO)
         how = (
-            f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.0e}: what "
+            f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.1e}: what "
             f"is below {ZERO:g} counts as zero, no pivot is smaller than {eliminated.smallest:.1e}"
         )
         if open_rows:
@@ -235,7 +231,7 @@ class Framework:
             size = float(np.abs(gaps).max(initial=0.0))
             if size <= 1e-13:
                 break
-            columns, A = _dense(gradients)
+            columns, A = dense(gradients)
             if not columns:
                 break
             step = np.linalg.pinv(A, rcond=1e-11) @ gaps
@@ -266,7 +262,7 @@ class Framework:
         changed: Iterable[int] = (),
     ) -> tuple[Array, list[Gradient]]:
         g = self.geometry(numbers.tolist() if like is None else numbers, by, FLOATS, like, changed)
-        duals = [_gap(g, row) for row in rows]
+        duals = [g.gap(row) for row in rows]
         return np.array([dual.value for dual in duals], dtype=np.float64), [dual.gradient for dual in duals]
 
     def _refined(self, rows: Sequence[Held], numbers: Array) -> tuple[list[Any], float]:
@@ -279,12 +275,12 @@ class Framework:
             gaps, gradients = self._gaps(rows, numbers, by)
         steps: list[tuple[list[int], list[int], Any]] = []
         for part in _parts(gradients):
-            columns, A = _dense([gradients[k] for k in part])
+            columns, A = dense([gradients[k] for k in part])
             steps.append((part, columns, np.linalg.pinv(A, rcond=1e-11)))
         error = math.inf
         for _ in range(N_STEPS):
             g = self.geometry(balls, (), BALLS)
-            left = [_gap(g, row).value for row in rows]
+            left = [g.gap(row).value for row in rows]
             before, error = error, max(map(size_of, left), default=0.0)
             if error <= 2.0 ** (64 - BITS):
                 return balls, error
@@ -301,21 +297,10 @@ class Framework:
     def _is_stuck(self, gradients: Sequence[Gradient], gaps: Array) -> bool:
         """Whether symbols alone cannot close the rows."""
         for part in _parts(gradients):
-            columns, A = _dense([gradients[k] for k in part])
+            columns, A = dense([gradients[k] for k in part])
             if len(part) > len(columns) or np.linalg.matrix_rank(A) < len(part):
                 return True
         return any(not gradient and gap != 0.0 for gradient, gap in zip(gradients, gaps, strict=True))
-
-
-def _gap(g: DualGeometry, row: Held) -> Dual:
-    if isinstance(row.measure, RateMeasure):
-        raise ValueError(f"{row.name} is only a rate")
-    gap = g.of(row.measure)
-    if row.target is not None:
-        gap = gap - g.scalar(row.target)
-    if row.measure.dimension == DIMENSIONLESS:
-        gap = gap - 2 * round(float(gap.value) / math.tau) * g.arithmetic.pi()
-    return gap
 
 
 def _parts(gradients: Sequence[Gradient]) -> list[list[int]]:
@@ -339,7 +324,7 @@ def _parts(gradients: Sequence[Gradient]) -> list[list[int]]:
     return list(groups.values())
 
 
-def _dense(gradients: Sequence[Gradient]) -> tuple[list[int], Array]:
+def dense(gradients: Sequence[Gradient]) -> tuple[list[int], Array]:
     """The columns that occur, and the rows over them."""
     columns = sorted({column for gradient in gradients for column in gradient})
     at = {column: k for k, column in enumerate(columns)}

@@ -29,11 +29,13 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point, position
 from freebody.model.elements import RateMeasure
 from freebody.numeric.jets import Array, Branch, Jet
+from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.placing import ACCEPTED, Equation, Fit
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
 
 N_IN_VAIN = 100  # starts that may lead to no pose at all
+_N_STEPS = 40  # of one start: one that has not come together by then seldom does
 SAME = 1e-6  # poses that differ by less, in sizes or radians, are one
 _SAME_SINGULAR = 1e-4  # where two modes meet a pose is not determined better
 _SINGULAR = 1e-4  # singular values below this part of the largest tell such a pose
@@ -97,6 +99,19 @@ def assembly_modes(
     return Modes(_named(reference, _in_order(search, poses, q), t), n_done, n_since)
 
 
+def chosen(reference: Reference, q: Array, name: str) -> Array:
+    """The pose (n_q,) of the assembly mode with a name, its independent coordinates as at q. Raises CannotAnswer naming
+    the modes that there are."""
+    snapshot = reference.snapshot(q, np.zeros_like(q))
+    fixed = [(measure, snapshot.value(measure)) for _name, measure in independent_measures(reference, q)]
+    modes = assembly_modes(reference, q, fixed)
+    for mode in modes:
+        if mode.name == name:
+            return mode.q
+    names = ", ".join(mode.name for mode in modes)
+    raise CannotAnswer(f"there is no assembly mode {name} at this start; there is: {names}")
+
+
 # -- the search -------------------------------------------------------------------------------
 class _Search:
     """The equations of one search."""
@@ -117,7 +132,7 @@ class _Search:
         self._extent = 1.5 * max(reference.sizes.length, float(places.max(initial=0.0)))
 
     def fit(self, q: Array) -> Fit | None:
-        fit = self.reference.placing.fit(q, self.equations, self.t, self.near)
+        fit = self.reference.placing.fit(q, self.equations, self.t, self.near, _N_STEPS)
         return fit if fit is not None and fit.error <= ACCEPTED else None
 
     def thrown(self, rng: np.random.Generator) -> Array:

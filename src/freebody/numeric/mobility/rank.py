@@ -7,7 +7,7 @@ and brought to unit length, have the rank r, the number of singular values that 
 
 which is the count of Gruebler and Kutzbach where no row is redundant. A singular value far above rounding proves that
 rows are independent. That they are dependent rounding can never prove; there the pose is refined to more digits and
-the rows are eliminated in balls (see `exact`).
+the rows are eliminated in balls (see `elimination`).
 Sources: Gogu, Mech. Mach. Theory 40, 2005, 1068-1097 (mobility); Golub & Van Loan, Matrix Computations, 4th ed. 2013,
 sec. 5.5; Oxley, Matroid Theory, 2nd ed. 2011, sec. 1.2.
 """
@@ -24,29 +24,25 @@ import numpy as np
 
 from freebody.errors import FreebodyError, InputError
 from freebody.language.expression import Expr
-from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Held, RateMeasure, RigidBody
 from freebody.model.names import did_you_mean
-from freebody.numeric.jets import Array
+from freebody.numeric.jets import TIME, Array
+from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import (
     BALLS,
     BITS,
-    TIME,
     Dual,
     DualGeometry,
-    Elimination,
     Place,
-    Unclear,
     decimal,
     parameter_ball,
     precision,
     size_of,
-    unit_rows,
 )
 from freebody.numeric.reference import Reference
-from freebody.numeric.split import stack
+from freebody.numeric.split import RANK_CUT, stack
 
-CUT = 1e-10  # singular values below this part of the largest count as zero
+ROUNDED_CUT = 1e-7  # below this part of the largest they do at poses that are only as good as they were assembled
 CLEAR_CUT = 1e-6  # rows whose smallest singular value is above this part of the largest are independent
 ZERO = 1e-45  # rests of the elimination below this count as zero
 N_STEPS = 40
@@ -110,7 +106,7 @@ def rank_at(reference: Reference, q: Array, t: float = 0.0, without: Iterable[st
         return Rank(len(rows), n, names, (), how, True, (clear, 0.0), _pose(q))
     singular: Any = np.linalg.svd(J, compute_uv=False)
     relative = singular / (float(singular.max()) or 1.0)
-    rank = int(np.count_nonzero(relative > CUT))
+    rank = int(np.count_nonzero(relative > RANK_CUT))
     gap = float(relative[:rank].min(initial=1.0)), float(relative[rank:].max(initial=0.0))
     eliminated, how, pose = _in_balls(reference, q, t, rows)
     is_exact = eliminated is not None
@@ -137,15 +133,31 @@ def rows_without(reference: Reference, without: Iterable[str]) -> list[Held]:
 
 def scaled_rows(reference: Reference, q: Array, rows: Sequence[Held], t: float = 0.0) -> Array:
     """(n_rows, n_coordinates): gradients in coordinates by the size of the system, brought to unit length."""
+    return unit_length(gradients(reference, q, rows, t) * reference.sizes.unit_moves)
+
+
+def gradients(reference: Reference, q: Array, rows: Sequence[Held], t: float = 0.0) -> Array:
+    """(n_rows, n_coordinates). Raises CannotAnswer where one is not finite."""
     g = reference.geometry(q, np.zeros_like(q), t)
-    J = stack([reference.gap(row, g).row(len(q)) for row in rows], len(q)) * reference.sizes.unit_moves
-    return _unit_length(J)
+    return stack([reference.gap(row, g).row(len(q)) for row in rows], len(q))
 
 
-def _unit_length(J: Array) -> Array:
+def unit_length(J: Array) -> Array:
+    """Rows brought to unit length, but for those that are zero."""
+    return J / _lengths(J)[:, None]
+
+
+def _lengths(J: Array) -> Array:
+    """Of the rows; of one that is zero, that of the longest."""
     sizes: Array = np.linalg.norm(J, axis=1)
     largest = float(sizes.max(initial=0.0)) or 1.0
-    return J / np.where(sizes > 1e-12 * largest, sizes, largest)[:, None]
+    return np.where(sizes > 1e-12 * largest, sizes, largest)
+
+
+def n_independent(J: Array) -> int:
+    """The rank of rows of unit length, by singular values alone, at a pose that is rounded."""
+    singular: Any = np.linalg.svd(J, compute_uv=False)
+    return int(np.count_nonzero(singular > ROUNDED_CUT * singular.max(initial=0.0)))
 
 
 def _independent(J: Array) -> float | None:
@@ -248,19 +260,10 @@ class _Balls:
     def gaps(self, coordinates: Sequence[Any]) -> list[Any]:
         """How far every row is from its target; zero for one that is only a rate."""
         g = self.geometry(coordinates, with_gradient=False)
-        found: list[Any] = []
-        for k, row in enumerate(self.rows):
-            if isinstance(row.measure, RateMeasure):
-                found.append(BALLS.number(0))
-                continue
-            gap = g.of(row.measure).value - self._origins.get(k, 0)
-            if row.target is not None:
-                gap = gap - self.number(row.target)
-            if row.measure.dimension == DIMENSIONLESS:
-                turns = round(float(gap) / math.tau)
-                gap = gap - 2 * turns * BALLS.pi()
-            found.append(gap)
-        return found
+        return [
+            BALLS.number(0) if isinstance(row.measure, RateMeasure) else g.gap(row, self._origins.get(k, 0)).value
+            for k, row in enumerate(self.rows)
+        ]
 
     def meant(self, q: Array, within: float) -> tuple[list[Any], list[int]]:
         """Coordinates as they may be meant: as the model states them, or short decimals and simple parts of pi that
@@ -327,18 +330,16 @@ def _by_newton(model: _Balls, q: Array, free: Sequence[int], tolerance: float) -
     coordinates, _unknown = model.meant(q, 1e-12)
     model.count_from(coordinates)
     D = model.reference.sizes.unit_moves
-    g = model.reference.geometry(q, np.zeros_like(q), model.t)
-    J = stack([model.reference.gap(row, g).row(len(q)) for row in model.rows], len(q)) * D
-    sizes: Any = np.linalg.norm(J, axis=1)
-    weights: Array = 1.0 / np.where(sizes > 1e-12 * (sizes.max(initial=0.0) or 1.0), sizes, 1.0)
+    J = gradients(model.reference, q, model.rows, model.t) * D
+    weights = 1.0 / _lengths(J)
     U, singular, Vt = np.linalg.svd(weights[:, None] * J[:, free], full_matrices=False)
-    rank = int(np.count_nonzero(singular > CUT * singular.max(initial=0.0)))
+    rank = int(np.count_nonzero(singular > RANK_CUT * singular.max(initial=0.0)))
     error = math.inf
     for _ in range(N_STEPS):
         gaps = model.gaps(coordinates)
         before, error = error, max((size_of(gap) * w for gap, w in zip(gaps, weights, strict=True)), default=0.0)
         if error <= tolerance:
-            return coordinates, f"at the pose refined to {error:.0e}"
+            return coordinates, f"at the pose refined to {error:.1e}"
         if not error < 0.1 * before:
             raise Unclear(f"the pose closes only to {before:.1g} with the numbers given")
         # the step in floats, of gaps brought to about one

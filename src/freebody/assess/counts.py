@@ -1,0 +1,57 @@
+"""Options that are numbers of freedoms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from freebody.assess.verdict import Judgement, Verdict
+from freebody.assess.words import listed
+from freebody.errors import ExpressionError
+from freebody.language.expression import evaluate, free_symbols
+from freebody.language.parser import parse
+from freebody.model.question import Question
+
+INFINITE = ("inf", "infinity", "infinite", "∞")
+
+
+def judge_count(question: Question, n: int, mistakes: Mapping[int, str]) -> Judgement:
+    """Judges options that are counts. mistakes: what leads to a wrong number."""
+    verdicts = {letter: _verdict(text, n, mistakes) for letter, text in question.options.items()}
+    right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
+    notes = [f"({k}) {v.reason}" for k, v in verdicts.items() if v.verdict == "unreadable"]
+    if not question.options:
+        return Judgement(None, {}, ())
+    if not right:
+        notes.append("no option is right")
+    elif len(right) > 1:
+        notes.append(f"several options are right: {listed(right)}")
+    key = question.key
+    if key is not None and verdicts[key].verdict != "right":
+        notes.append(f"the key says {key}, but " + (f"{listed(right)} is right" if right else f"it is {n}"))
+    return Judgement(right[0] if len(right) == 1 else None, verdicts, tuple(notes))
+
+
+def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
+    words = text.strip().lower()
+    if words in INFINITE:
+        return Verdict("wrong", "is infinite, which finitely many rigid bodies never have")
+    try:
+        value = _value(text)
+    except (ExpressionError, ValueError, ArithmeticError):
+        return Verdict("unreadable", "is no number")
+    if value is None:
+        return Verdict("wrong", f"is no number; there are {n}")
+    if value == n:
+        return Verdict("right", "the rank of the constraints")
+    if value.denominator != 1 or value < 0:
+        return Verdict("wrong", "is no number of freedoms: these are 0, 1, 2 ...")
+    why = mistakes.get(int(value))
+    return Verdict("wrong", why or f"{'more' if value > n else 'fewer'} than the {n} that the rank leaves")
+
+
+def _value(text: str) -> Fraction | None:
+    expr = parse(text)
+    if free_symbols(expr):
+        return None
+    return Fraction(float(evaluate(expr, {}))).limit_denominator(10**6)

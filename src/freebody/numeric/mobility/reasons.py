@@ -1,0 +1,241 @@
+"""What a dependence of rows is owed to, in a sentence: bars that are equally long, joints in one line, lines that meet.
+
+Special geometry is looked for in sizes and places that a change of shows to matter; special poses in how joints and
+bars lie.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from freebody.language.expression import free_symbols
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import GROUND, Point
+from freebody.model.elements import RateMeasure
+from freebody.numeric.jets import Array
+from freebody.numeric.mobility.scene import CHANGE, SAME, Bar, Change, Scene, leaves
+
+N_PLACES = 30  # places up to which lines through three of them are searched
+T = TypeVar("T")
+
+
+def why_special(scene: Scene) -> str:
+    """The special geometry on which the dependence of the rows rests, as far as it has a simple name."""
+    for found in (_parallel_bars, _guides_alike, _round_bodies, _equal_bars, _points_together, _points_in_line):
+        sentences = list(found(scene))
+        if sentences:
+            return "; ".join(sentences) + "."
+    bodies = [body for body in scene.bodies if body != GROUND]
+    return f"The rows are independent in other geometry; the sizes or places of {listed(bodies)} are special."
+
+
+def why_momentary(scene: Scene, *, is_shaky: bool) -> str:
+    """What is special about this pose, as far as it has a simple name."""
+    sentences = (
+        _lie_in_line(scene.places, scene.size),
+        _concurrent(scene),
+        _in_line_here(scene),
+        _stretched(scene),
+        "the rows are independent at poses near by",
+    )
+    end = "; the freedom that comes with it is only infinitesimal" if is_shaky else ""
+    return f"At this pose {next(filter(None, sentences))}{end}."
+
+
+def listed(names: Sequence[str]) -> str:
+    """a, b and c"""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+# -- special geometry -------------------------------------------------------------------------
+def _parallel_bars(scene: Scene) -> Iterator[str]:
+    for group in _groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
+        names = [bar.name for bar in group if scene.rests_on(bar.change)]
+        if len(names) > 1:
+            yield f"{listed(names)} are equally long ({group[0].length:.6g} m) and parallel"
+
+
+def _equal_bars(scene: Scene) -> Iterator[str]:
+    for group in _groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
+        names = [bar.name for bar in group if scene.rests_on(bar.change)]
+        if len(names) > 1:
+            yield f"{listed(names)} are equally long ({group[0].length:.6g} m)"
+
+
+def _same_length(scene: Scene, a: Bar, b: Bar) -> bool:
+    return abs(a.length - b.length) <= SAME * scene.size
+
+
+def _guides_alike(scene: Scene) -> Iterator[str]:
+    for group in _groups(scene.guides, lambda a, b: _is_parallel(a.along, b.along)):
+        kept = [guide for guide in group if scene.rests_on(guide.change)]
+        if len(kept) < 2:
+            continue
+        first = kept[0]
+        is_one = all(abs(_cross(first.along, g.place - first.place)) <= SAME * scene.size for g in kept)
+        yield f"the guides of {listed([g.name for g in kept])} are {'in one line' if is_one else 'parallel'}"
+
+
+def _round_bodies(scene: Scene) -> Iterator[str]:
+    bodies = scene.framework.model.system.bodies
+    used = {s for row in scene.rows for m in _measures(row.measure) for s in _coefficients(m)}
+    used |= {s for row in scene.rows if row.target is not None for s in free_symbols(row.target)}
+    wheels = [
+        (name, scene.number(radius), scene.place(bodies[name].center))
+        for name in scene.bodies
+        if (radius := bodies[name].radius) is not None and free_symbols(radius) & used
+    ]
+    for group in _groups(wheels, lambda a, b: _is_near(scene, a[2], b[2])):
+        names = [name for name, _r, _place in group]
+        if len(group) > 1 and any(scene.rests_on(_recentred(scene, name)) for name in names):
+            yield f"{listed(names)} are concentric"
+    for group in _groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME * scene.size):
+        names = [
+            name
+            for name, radius, _place in group
+            if scene.rests_on(dict.fromkeys(scene.columns(name, "radius"), CHANGE * radius))
+        ]
+        if len(names) > 1:
+            yield f"{listed(names)} have equal radii ({group[0][1]:.6g} m)"
+
+
+def _measures(measure: Measure | RateMeasure) -> Iterator[Measure]:
+    if not isinstance(measure, RateMeasure):
+        yield measure
+    yield from leaves(measure)
+
+
+def _coefficients(measure: Measure) -> set[str]:
+    """Symbols in the coefficients of a combination."""
+    if not isinstance(measure, Combination):
+        return set()
+    return {symbol for coefficient, _term in measure.terms for symbol in free_symbols(coefficient)}
+
+
+def _recentred(scene: Scene, body: str) -> Change:
+    """What moves the centre of a wheel on the ground: its own place, or that of its bearing."""
+    if body in scene.framework.others:
+        return {scene.framework.others[body][0]: CHANGE * scene.size}
+    for joint in scene.joints:
+        for point, other in (joint.points, joint.points[::-1]):
+            if point.body == body and other.body == GROUND:
+                return scene.shift(other)
+    return {}
+
+
+def _points_together(scene: Scene) -> Iterator[str]:
+    """Points of one body that have different names and the same place."""
+    points = {str(point): point for row in scene.rows for m in leaves(row.measure) for point in _points(m)}
+    placed = [(name, point, scene.place(point)) for name, point in points.items()]
+    for group in _groups(placed, lambda a, b: a[1].body == b[1].body and _is_near(scene, a[2], b[2])):
+        if len(group) > 1 and any(scene.rests_on(scene.shift(point)) for _name, point, _place in group):
+            yield f"{listed([name for name, *_rest in group])} are at the same place"
+
+
+def _points(measure: Measure) -> Iterator[Point]:
+    if isinstance(measure, Displacement):
+        yield from (measure.of, measure.origin)
+    elif isinstance(measure, Distance):
+        yield from (measure.start, measure.end)
+
+
+def _points_in_line(scene: Scene) -> Iterator[str]:
+    at: dict[str, dict[str, Array]] = {}
+    for joint in scene.joints:
+        for point in joint.points:
+            at.setdefault(point.body, {})[joint.name] = joint.place
+    for body, places in at.items():
+        if len(places) > 2 and _in_line(list(places.values()), scene.size):
+            where = "on the ground" if body == GROUND else f"of {body}"
+            yield f"the joints {listed(list(places))} {where} are in line"
+
+
+# -- special poses ----------------------------------------------------------------------------
+def _in_line_here(scene: Scene) -> str:
+    """The longest line of places that no single body holds in line."""
+    places = scene.places
+    if len(places) > N_PLACES:
+        return ""
+    on: dict[str, set[str]] = {joint.name: {p.body for p in joint.points} for joint in scene.joints}
+    best: dict[str, Array] = {}
+    for a, b in itertools.combinations(places, 2):
+        line = {name: c for name, c in places.items() if _in_line([places[a], places[b], c], scene.size)}
+        bodies = [on.get(name, {name.partition(".")[0]}) for name in line]
+        if len(line) > max(2, len(best)) and not any(all(body in some for some in bodies) for body in bodies[0]):
+            best = line
+    return _lie_in_line(best, scene.size)
+
+
+def _stretched(scene: Scene) -> str:
+    """Two bars with a common joint that are in line."""
+    for a, b in itertools.combinations(scene.bars, 2):
+        if set(a.ends) & set(b.ends) and _in_line([a.start, a.end, b.start, b.end], scene.size):
+            return f"{a.name} and {b.name} are in line"
+    return ""
+
+
+def _concurrent(scene: Scene) -> str:
+    """Three bars or more whose lines meet in one point, or that are parallel."""
+    if len(scene.bars) < 3:
+        return ""
+    for some in [scene.bars, *itertools.combinations(scene.bars[:12], 3)]:
+        directions = [bar.along / bar.length for bar in some]
+        lines = np.array([[*e, _cross(bar.start / scene.size, e)] for bar, e in zip(some, directions, strict=True)])
+        U, singular, _Vt = np.linalg.svd(lines.T, full_matrices=True)
+        if singular[1] > 1e-6 * singular[0] and (len(singular) < 3 or singular[2] <= SAME * singular[0]):
+            a, b, c = U[:, 2]
+            # (x, y) with  x e_y - y e_x = m  for every line (e_x, e_y, m)
+            names = listed([bar.name for bar in some])
+            if abs(c) <= SAME:
+                return f"{names} are parallel"
+            x, y = (0.0 if abs(k) <= SAME else float(k) * scene.size for k in (-b / c, a / c))
+            return f"the lines of {names} meet in one point ({x:.6g}, {y:.6g}) m"
+    return ""
+
+
+# -- how things lie ---------------------------------------------------------------------------
+def _cross(u: Array, v: Array) -> float:
+    return float(u[0] * v[1] - u[1] * v[0])
+
+
+def _is_parallel(u: Array, v: Array) -> bool:
+    return abs(_cross(u, v)) <= SAME * float(np.linalg.norm(u) * np.linalg.norm(v))
+
+
+def _is_near(scene: Scene, a: Array, b: Array) -> bool:
+    return float(np.linalg.norm(a - b)) <= SAME * scene.size
+
+
+def _in_line(places: Sequence[Array], size: float) -> bool:
+    """Whether places lie in one line, to what coordinates of a pose are good for where rows depend on each other."""
+    if len(places) < 3:
+        return True
+    centred = (np.array(places) - np.mean(places, axis=0)) / size
+    singular = np.asarray(np.linalg.svd(centred, compute_uv=False), np.float64)
+    return bool(singular[-1] <= SAME * max(1.0, float(singular[0])))
+
+
+def _lie_in_line(places: Mapping[str, Array], size: float) -> str:
+    """That places lie in line, three of them or more, if they do."""
+    is_line = len(places) > 2 and _in_line(list(places.values()), size)
+    return f"{listed(list(places))} lie in line" if is_line else ""
+
+
+def _groups(items: Iterable[T], alike: Callable[[T, T], bool]) -> list[list[T]]:
+    """Items in groups, each like the first of its group."""
+    groups: list[list[T]] = []
+    for item in items:
+        for group in groups:
+            if alike(group[0], item):
+                group.append(item)
+                break
+        else:
+            groups.append([item])
+    return groups

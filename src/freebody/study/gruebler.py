@@ -1,0 +1,124 @@
+"""The Gruebler-Kutzbach count: what a textbook gets by counting bodies and constraints.
+
+    DOF = n L - K,    n = 3 in the plane,
+
+L moving bodies, K constraints; a body that is a point counts 2. Loads hold nothing and do not count. The count sees
+neither dependent constraints nor idle freedoms: see `mobility`.
+Source: Gruebler, Getriebelehre (1917); Kutzbach, Maschinenbau 8 (1929) 710.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from freebody.language.expression import free_symbols
+from freebody.model.elements import Held, RateMeasure
+from freebody.system.system import System
+
+N = 3  # freedoms of a body in the plane
+
+
+@dataclass(frozen=True)
+class Holding:
+    """What one connection holds."""
+
+    connection: str
+    kind: str
+    between: tuple[str, ...]
+    components: tuple[str, ...]
+    is_driver: bool
+    is_nonholonomic: bool
+
+    @property
+    def n(self) -> int:
+        return len(self.components)
+
+
+@dataclass(frozen=True)
+class Gruebler:
+    """The count of one system."""
+
+    bodies: tuple[str, ...]  # that move and turn
+    particles: tuple[str, ...]  # that move and have no angle
+    connections: tuple[Holding, ...]
+    loads: tuple[str, ...]
+
+    @property
+    def n_coordinates(self) -> int:
+        return N * len(self.bodies) + (N - 1) * len(self.particles)
+
+    @property
+    def n_constraints(self) -> int:
+        return sum(c.n for c in self.connections)
+
+    @property
+    def count(self) -> int:
+        return self.n_coordinates - self.n_constraints
+
+    @property
+    def drivers(self) -> tuple[str, ...]:
+        return tuple(c.connection for c in self.connections if c.is_driver)
+
+    @property
+    def formula(self) -> str:
+        """DOF = 3*5 - 14 = 1"""
+        points = f" + 2*{len(self.particles)}" if self.particles else ""
+        return f"{N}*{len(self.bodies)}{points} - {self.n_constraints} = {self.count}"
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "n": N,
+            "bodies": len(self.bodies) + len(self.particles),
+            "particles": len(self.particles),
+            "constraints": self.n_constraints,
+            "count": self.count,
+            "formula": f"DOF = {self.formula}",
+            "connections": [
+                {
+                    "name": c.connection,
+                    "kind": c.kind,
+                    "between": list(c.between),
+                    "components": list(c.components),
+                    "constraints": c.n,
+                    "driver": c.is_driver,
+                    "nonholonomic": c.is_nonholonomic,
+                }
+                for c in self.connections
+            ],
+        }
+
+
+def gruebler(system: System) -> Gruebler:
+    """Counts bodies and constraints, connection by connection."""
+    by_name: dict[str, list[Held]] = {name: [] for name in system.connections}
+    for row in system.held:
+        by_name[row.connection].append(row)
+    return Gruebler(
+        tuple(b.name for b in system.moving if b.turns),
+        tuple(b.name for b in system.moving if not b.turns),
+        tuple(_held(system, name, rows) for name, rows in by_name.items()),
+        tuple(system.loads),
+    )
+
+
+def _held(system: System, name: str, rows: list[Held]) -> Holding:
+    from freebody.measures.geometry import GROUND
+
+    bodies = list(dict.fromkeys(body for row in rows for body in row.measure.bodies()))
+    named = [body for body in bodies if body != GROUND]
+    fixed_or_single = len(named) < 2
+    between = (GROUND, *named) if fixed_or_single and GROUND in bodies else tuple(named)
+    return Holding(
+        name,
+        system.connections[name].kind,
+        between,
+        tuple(row.component for row in rows),
+        any(is_driven(row) for row in rows),
+        any(isinstance(row.measure, RateMeasure) for row in rows),
+    )
+
+
+def is_driven(row: Held) -> bool:
+    """Whether a held measure is led through time."""
+    return row.target is not None and "t" in free_symbols(row.target)

@@ -1,0 +1,356 @@
+"""The constraint doctor: how many freedoms, which constraints depend on each other and why, what the pose is.
+
+The Gruebler-Kutzbach count is compared with the rank of the constraint Jacobian: at the pose where dimensions are
+given, at random values where they are symbols, in generic geometry where a file leaves them open. Where the two
+differ, the minimal dependent sets are named, and whether a dependence is generic, due to special geometry, or of this
+pose alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from freebody.assess.counts import judge_count
+from freebody.assess.verdict import Judgement
+from freebody.errors import CannotAnswer
+from freebody.model.elements import Start
+from freebody.model.question import Freedom, Question
+from freebody.numeric.jets import Array
+from freebody.numeric.mobility.coordinates import independent_measures
+from freebody.numeric.mobility.generic import generic_rank
+from freebody.numeric.mobility.idle import idle_freedoms
+from freebody.numeric.mobility.kinds import Dependence, dependences
+from freebody.numeric.mobility.rank import Rank, rank_at
+from freebody.numeric.reference import Reference
+from freebody.study.conflicts import Conflict, conflict
+from freebody.study.draws import draws
+from freebody.study.gruebler import Gruebler, gruebler
+from freebody.study.mechanism import Motions, Wanted, motions_of
+from freebody.system.system import System
+
+Basis = Literal["pose", "symbols", "topology"]
+_SEEDS = (3, 5, 8)  # of nearby poses
+_NEARBY = 0.2
+
+
+@dataclass(frozen=True)
+class Mobility:
+    """What the doctor found.
+
+    `degrees_of_freedom` is coordinates minus `rank.rank`, at this pose; `nearby` the same at nearby poses (None where
+    the pose is the only one)."""
+
+    system: System
+    gruebler: Gruebler
+    basis: Basis
+    rank: Rank
+    nearby: int | None
+    dependences: tuple[Dependence, ...]
+    idle: Mapping[str, str]
+    independent_coordinates: tuple[str, ...]
+    contradiction: Conflict | None
+    motions: Motions | None
+    answers: Mapping[str, Judgement] = field(default_factory=dict[str, Judgement])
+    notes: tuple[str, ...] = ()
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        return self.rank.n_coordinates - self.rank.rank
+
+    @property
+    def finite_freedom(self) -> int:
+        """Freedoms of the motion that starts here: those nearby where the pose is singular."""
+        return self.degrees_of_freedom if self.nearby is None else self.nearby
+
+    @property
+    def redundant(self) -> tuple[tuple[str, ...], ...]:
+        """The minimal dependent sets of rows."""
+        return tuple(d.rows for d in self.dependences) or self.rank.circuits
+
+    @property
+    def kind(self) -> str | None:
+        """Why rank and count differ: the most particular kind of the dependences."""
+        kinds = {d.kind for d in self.dependences}
+        for kind in ("momentary", "special geometry", "generic"):
+            if kind in kinds:
+                return kind
+        return "generic" if self.rank.circuits else None
+
+    @property
+    def is_singular(self) -> bool:
+        """Whether the rank is smaller at this pose than nearby, or an input is at a dead point."""
+        return any(d.kind == "momentary" for d in self.dependences)
+
+    @property
+    def indeterminate(self) -> tuple[str, ...]:
+        """The reactions that rigid bodies leave open."""
+        return tuple(dict.fromkeys(name for rows in self.redundant for name in rows))
+
+    @property
+    def advice(self) -> str:
+        """One sentence on what to do."""
+        return _advice(self)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of the command line."""
+        motions = {} if self.motions is None else self.motions.to_plain()
+        return {
+            "title": self.system.title,
+            "basis": self.basis,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "nearby_degrees_of_freedom": self.nearby,
+            "gruebler": self.gruebler.to_plain(),
+            "coordinates": self.rank.n_coordinates,
+            "rank": self.rank.rank,
+            "rank_by": self.rank.how,
+            "rank_is_exact": self.rank.is_exact,
+            "redundant": [list(rows) for rows in self.redundant],
+            "kind": self.kind,
+            "dependences": [
+                {
+                    "constraints": list(d.rows),
+                    "connections": list(d.connections),
+                    "kind": d.kind,
+                    "why": d.why,
+                    "shaky": d.is_shaky,
+                }
+                for d in self.dependences
+            ],
+            "indeterminate_reactions": list(self.indeterminate),
+            "singular": self.is_singular,
+            "idle": dict(self.idle),
+            "independent_coordinates": list(self.independent_coordinates),
+            "contradictory": None if self.contradiction is None else self.contradiction.to_plain(),
+            "advice": self.advice,
+            "notes": list(self.notes),
+            **motions,
+            "answers": [
+                {
+                    "id": q.id,
+                    "question": q.text,
+                    "value": self.finite_freedom,
+                    "choice": self.answers[q.id].choice,
+                    "options": {
+                        k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.answers[q.id].options.items()
+                    },
+                    "author_notes": list(self.answers[q.id].notes),
+                }
+                for q in _asked(self.system)
+            ],
+        }
+
+
+def mobility(system: System, along: str | None = None, *, modes: bool = False) -> Mobility:
+    """Examines a system. `along`: a driver, or a named measure, along which its motion is followed whatever its size;
+    `modes`: look for the assembly modes of a large mechanism, too.
+
+    Raises InputError for an unknown name, CannotAnswer if the motion cannot be followed along it."""
+    count = gruebler(system)
+    if system.unspecified:
+        if along is not None:
+            raise CannotAnswer(f"to follow {along}, dimensions are needed: {', '.join(system.unspecified)} are open")
+        return _answered(_of_topology(system, count))
+    if not system.has_values:
+        if along is not None:
+            missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
+            raise CannotAnswer(f"to follow {along}, numbers need a value for {', '.join(missing)}")
+        return _answered(_of_symbols(system, count))
+    reference = Reference(system)
+    try:
+        q = reference.assemble()
+    except CannotAnswer:
+        return _answered(_contradictory(system, count))
+    return _answered(_at_pose(system, count, reference, q, "pose", Wanted(along, modes)))
+
+
+# -- where -----------------------------------------------------------------------------------
+def _of_topology(system: System, count: Gruebler) -> Mobility:
+    rank = generic_rank(system)
+    found = tuple(
+        Dependence(rows, tuple(dict.fromkeys(r.split(".")[0] for r in rows)), "generic", "holds for any dimensions")
+        for rows in rank.circuits
+    )
+    note = f"{', '.join(system.unspecified)} are open: the rank holds for all but special dimensions"
+    return Mobility(system, count, "topology", rank, None, found, {}, _drawn(system, rank), None, None, notes=(note,))
+
+
+def _drawn(system: System, rank: Rank) -> tuple[str, ...]:
+    """Independent coordinates at random dimensions, where some are found that fit together."""
+    try:
+        draw = draws(system, 1)[0]
+    except CannotAnswer:
+        return ()
+    names = tuple(name for name, _measure in independent_measures(draw.reference, draw.q))
+    return names if len(names) == rank.n_freedoms else ()
+
+
+def _of_symbols(system: System, count: Gruebler) -> Mobility:
+    """At random values of the symbols; what they share (a length, an angle) they share there too."""
+    try:
+        found = draws(system, 1)[0]
+    except CannotAnswer as error:
+        return replace(_of_topology(system, count), notes=(f"generic geometry, since {error}",))
+    study = _at_pose(system, count, found.reference, found.q, "symbols", Wanted())
+    return replace(study, notes=("parameters without a value have random ones", *study.notes))
+
+
+def _contradictory(system: System, count: Gruebler) -> Mobility:
+    """A system that cannot be assembled: because of its start, or at all."""
+    found = conflict(system)
+    if found is not None and not found.is_geometric:
+        loose = _without_start(system)
+        reference = Reference(loose)
+        try:
+            q = reference.assemble(guess=_guess(system, reference))
+        except CannotAnswer:
+            pass
+        else:
+            study = _at_pose(system, count, reference, q, "pose", Wanted())
+            note = "looked at a pose that can be assembled, not at the start of the file"
+            return replace(study, contradiction=found, notes=(note, *study.notes))
+    rank = generic_rank(system)
+    note = "the rank is that of the same connections with dimensions that fit together"
+    return Mobility(system, count, "topology", rank, None, (), {}, (), found, None, notes=(note,))
+
+
+def _without_start(system: System) -> System:
+    """The system with its start as a guess only."""
+    bodies = {
+        name: body if body.fixed else replace(body, start=Start(near=body.start.with_guess()))
+        for name, body in system.bodies.items()
+    }
+    return replace(system, bodies=bodies, start={}, start_rates={})
+
+
+def _guess(system: System, reference: Reference) -> Array:
+    from freebody.numeric.start import start_pose
+
+    q = np.zeros(len(reference.masses))
+    for body in system.moving:
+        pose = start_pose(body, reference.number)
+        for k, value in zip(reference.columns(body.name), pose, strict=False):
+            q[k] = value
+    return q
+
+
+# -- at a pose --------------------------------------------------------------------------------
+def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, basis: Basis, wanted: Wanted) -> Mobility:
+    rank = rank_at(reference, q)
+    found = dependences(reference, q, rank)
+    nearby = _nearby(reference, q, rank, found)
+    independent = independent_measures(reference, q)
+    motions = (
+        motions_of(system, reference, q, count, rank.n_freedoms if nearby is None else nearby, independent, wanted)
+        if basis == "pose"
+        else None
+    )
+    notes: list[str] = []
+    loose = [b.name for b in system.moving if all(b.name not in row.measure.bodies() for row in system.held)]
+    if loose:
+        notes.append(f"connected with nothing: {', '.join(loose)}")
+    if count.drivers:
+        free = len(q) - rank_at(reference, q, without=count.drivers).rank
+        notes.append(f"without {', '.join(count.drivers)}: {free} degrees of freedom")
+    idle = idle_freedoms(reference, q)
+    return Mobility(
+        system,
+        count,
+        basis,
+        rank,
+        nearby,
+        found,
+        idle,
+        tuple(n for n, _m in independent),
+        None,
+        motions,
+        notes=tuple(notes),
+    )
+
+
+def _nearby(reference: Reference, q: Array, rank: Rank, found: tuple[Dependence, ...]) -> int | None:
+    """Freedoms at nearby poses; None where there are no others."""
+    if not any(d.kind == "momentary" for d in found):
+        return rank.n_freedoms
+    if any(d.is_shaky for d in found):
+        return None
+    free: list[int] = []
+    for seed in _SEEDS:
+        try:
+            there, _v = reference.wander(q, np.random.default_rng(seed), _NEARBY)
+        except CannotAnswer:
+            continue
+        if float(reference.sizes.relative(there - q).max()) > 0.01 * _NEARBY:
+            free.append(rank_at(reference, there).n_freedoms)
+    return min(free, default=None)
+
+
+# -- answers and advice -----------------------------------------------------------------------
+def _asked(system: System) -> list[Question]:
+    return [q for q in system.questions if isinstance(q.quantity, Freedom)]
+
+
+def _answered(found: Mobility) -> Mobility:
+    """With the questions of the file on degrees of freedom answered."""
+    answers = {q.id: judge_count(q, found.finite_freedom, _mistakes(found)) for q in _asked(found.system)}
+    return replace(found, answers=answers)
+
+
+def judged(system: System, question: Question, n: int) -> Judgement:
+    """Options on degrees of freedom, judged where the number n is known; what leads to wrong ones is told."""
+    return judge_count(question, n, _mistakes(mobility(system)))
+
+
+def _mistakes(found: Mobility) -> dict[int, str]:
+    """Wrong numbers that a known mistake leads to."""
+    n, count = found.finite_freedom, found.gruebler
+    told: dict[int, str] = {}
+    for k in range(1, len(count.loads) + 1):
+        told[n - k] = f"would be so if {k} of the loads ({', '.join(count.loads)}) held something; a load holds nothing"
+    pins = [c for c in count.connections if c.n == 2]
+    slots = [c.connection for c in count.connections if c.n == 1 and not c.is_driver]
+    if slots:
+        told[n - len(slots)] = f"would be so if {', '.join(slots)} were fixed points; each holds one direction only"
+    if count.drivers:
+        told[n + len(count.drivers)] = f"is without {', '.join(count.drivers)}, which is led and holds one freedom"
+    if len(pins) > 1:
+        told.setdefault(n + 1, "is one too many: a constraint was not counted")
+    told[count.n_coordinates] = "counts the bodies as if nothing joined them"
+    if count.count != n:
+        told[count.count] = (
+            f"is the count n L - K, which does not see that {', '.join(found.redundant[0])} depend on each other"
+            if found.redundant
+            else "is the count n L - K"
+        )
+    told.pop(n, None)
+    return told
+
+
+def _advice(found: Mobility) -> str:
+    """One sentence on what to do about it."""
+    kinds = {d.kind for d in found.dependences}
+    if found.contradiction is not None:
+        return found.contradiction.message
+    if any(d.is_shaky for d in found.dependences):
+        return (
+            "It gives way to first order only, so small errors of the lengths become large displacements: change "
+            "the shape."
+        )
+    if "momentary" in kinds:
+        return (
+            "The pose is singular: the motion may go on along more than one branch. Start from another pose, or guide "
+            "the mechanism through it."
+        )
+    if found.redundant:
+        rows = ", ".join(dict.fromkeys(dependent[-1] for dependent in found.redundant))
+        unique = f"free {rows} (a joint that holds less, clearance, a flexible part) to make the reactions unique."
+        if "special geometry" in kinds and found.degrees_of_freedom:
+            return f"It moves only as long as the dimensions are exactly so: {unique}"
+        return unique[0].upper() + unique[1:]
+    if found.degrees_of_freedom == 0:
+        return "Nothing can move, and all reactions are unique."
+    lead = ", ".join(found.independent_coordinates) or f"{found.degrees_of_freedom} coordinates"
+    return f"Lead {lead} to determine the motion; all reactions are unique."
