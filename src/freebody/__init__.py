@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from freebody.api import System
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.study.answer import Answer
-    from freebody.study.conserved import Conservation, conserved
+    from freebody.study.conserved import conserved
     from freebody.study.eom import Equations, equations_of_motion
     from freebody.study.equilibrium import equilibria
     from freebody.study.inverse_dynamics import inverse_dynamics
@@ -27,13 +27,14 @@ if TYPE_CHECKING:
     from freebody.study.modes import modes
     from freebody.study.simulate import Simulation, Simulator, simulate
     from freebody.study.solve import Solution, solve
+    from freebody.study.verdicts import Conservation
 
 _HOMES = {
     "System": "freebody.api",
     "solve": "freebody.study.solve",
     "Solution": "freebody.study.solve",
     "Answer": "freebody.study.answer",
-    "Conservation": "freebody.study.conserved",
+    "Conservation": "freebody.study.verdicts",
     "conserved": "freebody.study.conserved",
     "Mobility": "freebody.study.mobility",
     "mobility": "freebody.study.mobility",

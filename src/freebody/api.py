@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
-    from freebody.study.conserved import Conservation
     from freebody.study.eom import Equations
     from freebody.study.equilibrium import Equilibria
     from freebody.study.inverse_dynamics import InverseDynamics
@@ -16,6 +15,7 @@ if TYPE_CHECKING:
     from freebody.study.modes import At, Modes
     from freebody.study.simulate import Simulation
     from freebody.study.solve import Solution
+    from freebody.study.verdicts import Conservation
 
 
 class System(Description):

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import Number
+from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.mobility.path import Path
@@ -115,12 +117,14 @@ def _motions(motions: Motions) -> Iterator[str]:
                 if c.direction is not None
                 else "undetermined"
             )
-            yield f"    {' - '.join(c.pair):<24} {where}"
+            exact = "" if c.formula is None else f" = ({', '.join(map(to_text, c.formula))})"
+            yield f"    {' - '.join(c.pair):<24} {where}{exact}"
     if motions.ratios and motions.input is not None and len(motions.ratios) <= _MOST:
         yield f"Rates per unit rate of {motions.input.name}"
         for r in motions.ratios:
             unit = "" if r.unit in ("1", "") else f" {r.unit}"
-            yield f"    {r.name:<24} {number_text(_clean(r.value))}{unit}"
+            exact = "" if r.formula is None or isinstance(r.formula, Number) else f" = {to_text(r.formula)}"
+            yield f"    {r.name:<24} {number_text(_clean(r.value))}{unit}{exact}"
     if motions.path is not None and motions.input is not None:
         yield from _path(motions.path, motions.input)
     for what in motions.singular:

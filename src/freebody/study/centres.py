@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -37,9 +39,12 @@ class Centre:
     at: tuple[float, float] | None = None  # [m]
     direction: tuple[float, float] | None = None  # towards a centre at infinity
     is_undetermined: bool = False  # the pair moves as one body
+    formula: tuple[Expr, Expr] | None = None  # where the pose has one
 
     def to_plain(self) -> dict[str, Any]:
-        found = {"at": self.at, "direction": self.direction}
+        found: dict[str, Any] = {"at": self.at, "direction": self.direction}
+        if self.formula is not None:
+            found["formula"] = tuple(map(to_python, self.formula))
         return {"pair": list(self.pair)} | {k: list(v) for k, v in found.items() if v is not None}
 
 
@@ -50,9 +55,11 @@ class VelocityRatio:
     name: str
     value: float
     unit: str
+    formula: Expr | None = None  # where the pose has one
 
     def to_plain(self) -> dict[str, Any]:
-        return {"name": self.name, "value": self.value, "unit": self.unit}
+        formula = {} if self.formula is None else {"formula": to_python(self.formula)}
+        return {"name": self.name, "value": self.value, "unit": self.unit} | formula
 
 
 def in_motion(snapshot: Snapshot) -> Snapshot:

@@ -12,23 +12,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from freebody.assess.verdict import Judgement, Verdict
+from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_python, to_text
-from freebody.language.units import DIMENSIONLESS, ENERGY, INERTIA, LENGTH, MASS, TIME
-from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.language.units import INERTIA, LENGTH, MASS
+from freebody.measures.geometry import RIGHT, UP, Point
 from freebody.model.question import (
-    SYSTEM_CENTER,
     Conserved,
-    Energy,
-    GeneralizedMomentum,
-    Group,
-    JacobiIntegral,
     Momentum,
     Quantity,
     Question,
@@ -40,13 +35,13 @@ from freebody.study.constancy import (
     N_MOTIONS,
     TOLERANCE,
     VISIBLE,
-    Confirmation,
-    CounterMotion,
     Runs,
     confirm,
 )
-from freebody.study.quantities import is_among, point_about
+from freebody.study.natural import candidates
+from freebody.study.quantities import point_about
 from freebody.study.setup import Setup
+from freebody.study.verdicts import Conservation, Verdicts
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
@@ -56,86 +51,6 @@ from freebody.symbolic.vanishing import (
     texts_of,
 )
 from freebody.system.system import System
-
-_MOST_SINGLE = 3  # bodies, up to which a search looks at each of them
-
-
-@dataclass(frozen=True)
-class Verdicts:
-    """What was found about one quantity.
-
-    `is_conserved`: True for every motion, False for no admissible parameters, None under `conditions` (any one of them;
-    each is a set of equalities that hold together). `rate` is the quantity's rate, reduced."""
-
-    id: str
-    question: str
-    is_conserved: bool | None
-    value: Expr | None
-    rate: Expr | None
-    conditions: tuple[str, ...] = ()
-    notes: tuple[str, ...] = ()
-    principle: str = ""
-    parts: tuple[tuple[str, Expr], ...] = ()
-    confirmation: Confirmation | None = None
-    counter: CounterMotion | None = None
-    reason: str = ""
-    choice: str | None = None
-    options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
-    author_notes: tuple[str, ...] = ()
-    same_as: str = ""  # an earlier quantity that is the same formula
-
-    @property
-    def is_answered(self) -> bool:
-        return not self.reason
-
-    def to_plain(self) -> dict[str, Any]:
-        """Plain data: an entry of `quantities` in the JSON document."""
-        return {
-            "id": self.id,
-            "question": self.question,
-            "same_as": self.same_as or None,
-            "conserved": self.is_conserved,
-            "value": None if self.value is None else to_python(self.value),
-            "rate": None if self.rate is None else to_python(self.rate),
-            "conditions": list(self.conditions),
-            "notes": list(self.notes),
-            "principle": self.principle or None,
-            "parts": {name: to_python(part) for name, part in self.parts},
-            "reason": self.reason or None,
-            "choice": self.choice,
-            "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
-            "author_notes": list(self.author_notes),
-            "counter_motion": None if self.counter is None else self.counter.to_plain(),
-            "evidence": None if self.confirmation is None else self.confirmation.to_plain(),
-        }
-
-
-@dataclass(frozen=True)
-class Conservation:
-    """What `conserved` found out about one system."""
-
-    system: System
-    quantities: tuple[Verdicts, ...]
-    is_search: bool
-
-    def __getitem__(self, id: str) -> Verdicts:
-        """The verdict with an id, or on a question in words."""
-        for verdict in self.quantities:
-            if id in (verdict.id, verdict.question):
-                return verdict
-        raise KeyError(f"there is no {id}; there are {', '.join(v.id for v in self.quantities)}")
-
-    @property
-    def is_complete(self) -> bool:
-        return self.is_search or all(v.is_answered for v in self.quantities)
-
-    def to_plain(self) -> dict[str, Any]:
-        """The JSON document of the command line."""
-        return {
-            "title": self.system.title,
-            "search": self.is_search,
-            "quantities": [v.to_plain() for v in self.quantities],
-        }
 
 
 def conserved(system: System, question: str | None = None) -> Conservation:
@@ -468,84 +383,3 @@ def _can_change(setup: Setup, verdict: Verdicts) -> bool:
     moving = {str(c.name) for c in setup.model.coordinates} | {str(c.name) for c in setup.model.dependent}
     functions = {p.name for p in setup.system.parameters.values() if p.form is not None}
     return bool(free_symbols(verdict.value) & (moving | functions | {"t"}))
-
-
-def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
-    """What is natural to ask of a system: energy, momenta along axes and lines, about points and mass centres, of the
-    system, of what is not joined to the rest, and of single bodies; generalized momenta."""
-    system, model = setup.system, setup.model
-    yield Energy("total"), "total energy"
-    if not model.loops and any(row.target is not None and "t" in free_symbols(row.target) for row in system.held):
-        yield JacobiIntegral(), "Jacobi integral"
-    groups = list(_groups(system))
-    yield from _momenta(system, *groups[0])
-    for c in () if model.loops else model.coordinates:
-        measure = model.measure_of(c)
-        unit = DIMENSIONLESS if measure is None else measure.dimension
-        yield GeneralizedMomentum(c.name, ENERGY * TIME / unit), f"generalized momentum of {c.name}"
-    for group, words in groups[1:]:
-        yield from _momenta(system, group, words)
-
-
-def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantity, str]]:
-    if all(_is_massless(b.mass) for b in system.moving if is_among(b.name, group)):
-        return
-    directions = [("right", RIGHT), ("up", UP)]
-    for name, line in system.bodies[GROUND].lines.items():
-        directions += [(name, line.direction), (f"normal to {name}", line.direction.normal())]
-    for name, direction in directions:
-        yield Momentum(group, direction), f"linear momentum{words} along {name}"
-    for about, name in _centers(system, group):
-        yield Spin(group, about), f"angular momentum{words} about {name}"
-
-
-def _groups(system: System) -> Iterator[tuple[Group, str]]:
-    yield None, ""
-    heavy = [b for b in system.moving if not _is_massless(b.mass) or not _is_massless(b.inertia)]
-    for part in _components(system):
-        if 1 < len(part) < len(heavy):
-            yield part, f" of {', '.join(part[:-1])} and {part[-1]}"
-    if 1 < len(heavy) <= _MOST_SINGLE:
-        for body in heavy:
-            yield body.name, f" of {body.name}"
-
-
-def _is_massless(expr: Expr) -> bool:
-    from freebody.language.expression import ZERO
-
-    return expr == ZERO
-
-
-def _components(system: System) -> list[tuple[str, ...]]:
-    """Moving bodies that connections join, the ground left out."""
-    groups: list[set[str]] = [{b.name} for b in system.moving]
-    moving = {b.name for b in system.moving}
-    for row in system.held:
-        joined = set(row.measure.bodies()) & moving
-        touching = [g for g in groups if g & joined]
-        if len(touching) > 1:
-            groups = [g for g in groups if not g & joined] + [set[str]().union(*touching)]
-    order = [b.name for b in system.moving]
-    return [tuple(sorted(g, key=order.index)) for g in groups]
-
-
-def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
-    """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
-    used = {p for row in system.held for p in _points_of(row.measure)}
-    for point in sorted({p for p in used if p.body == GROUND}, key=str):
-        yield point, "ground.origin" if str(point) == GROUND else str(point)
-    if isinstance(group, str):
-        body = system.bodies[group]
-        if body.turns:
-            yield body.mass_center, "its mass center"
-        for point in sorted({p for p in used if p.body == group and p != body.mass_center}, key=str):
-            yield point, str(point)
-    else:
-        yield SYSTEM_CENTER, "its mass center"
-
-
-def _points_of(measure: Any) -> Iterator[Point]:
-    for name in ("of", "origin", "start", "end"):
-        part = getattr(measure, name, None)
-        if isinstance(part, Point):
-            yield part

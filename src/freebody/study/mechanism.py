@@ -8,8 +8,9 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
-from freebody.errors import CannotAnswer, InputError
+from freebody.errors import CannotAnswer, InputError, ModelError, RoutesDisagree
 from freebody.language.units import DIMENSIONLESS
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.model.elements import RateMeasure
@@ -20,6 +21,7 @@ from freebody.numeric.mobility.path import Path, singular_at, trace
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.reference import Reference
 from freebody.study.centres import Centre, VelocityRatio, instant_centres, velocity_ratios
+from freebody.study.exact_centres import ExactPose
 from freebody.study.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
 from freebody.study.gruebler import Gruebler, is_driven
 from freebody.study.linkages import Linkage, linkages
@@ -27,6 +29,7 @@ from freebody.system.system import System
 
 MOST_BODIES = 8  # up to which the motion is followed without being asked for
 _MOST_LISTED = 24  # bodies, up to which linkages, centres and ratios are listed
+_MOST_EXACT = 5  # bodies, up to which centres and ratios are looked for in closed form
 _MOST_MODES = 4  # bodies, up to which assembly modes are looked for without being asked for
 
 
@@ -179,7 +182,24 @@ def _at_pose(
         with suppress(CannotAnswer):
             ratios = velocity_ratios(loose, snapshot, given.measure)
             found["ratios"] = tuple(r for r in ratios.values() if r.name != given.name)
+    if len(system.moving) <= _MOST_EXACT and not drivers:
+        with suppress(CannotAnswer, ModelError, RoutesDisagree):
+            _add_formulas(ExactPose(loose), found, given)
     return found
+
+
+def _add_formulas(pose: ExactPose, found: dict[str, Any], given: Input | None) -> None:
+    """Formulas beside the numbers, where the pose has them."""
+    centres: tuple[Centre, ...] = found.get("centres", ())
+    formulas = pose.centres({c.pair: c for c in centres})
+    found["centres"] = tuple(replace(c, formula=formulas.get(c.pair)) for c in centres)
+    if given is not None:
+        ratios: tuple[VelocityRatio, ...] = found.get("ratios", ())
+        system = pose.system
+        measures = {b.name: Angle(b.name) for b in system.moving if b.turns} | dict(system.measures)
+        found["ratios"] = tuple(
+            replace(r, formula=pose.ratio(measures[r.name], given.measure, r.value)) for r in ratios
+        )
 
 
 def _in_numbers(
@@ -198,8 +218,6 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
     if along in known:
         return _input(reference, q, along, known[along], (along,))
     measures = {**dict(system.offered), **system.measures}
-    from freebody.measures.angle import Angle
-
     measures |= {f"angle of {b.name}": Angle(b.name) for b in system.moving if b.turns}
     if along not in measures:
         raise InputError(

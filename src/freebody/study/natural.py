@@ -1,0 +1,104 @@
+"""What is natural to ask of a system: which quantities a search for conserved ones looks at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from freebody.language.expression import ZERO, Expr, free_symbols
+from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.model.question import (
+    SYSTEM_CENTER,
+    Energy,
+    GeneralizedMomentum,
+    Group,
+    JacobiIntegral,
+    Momentum,
+    Quantity,
+    Spin,
+)
+from freebody.study.quantities import is_among
+from freebody.study.setup import Setup
+from freebody.system.system import System
+
+_MOST_SINGLE = 3  # bodies, up to which each of them is looked at
+
+
+def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
+    """What is natural to ask of a system: energy, momenta along axes and lines, about points and mass centres, of the
+    system, of what is not joined to the rest, and of single bodies; generalized momenta."""
+    system, model = setup.system, setup.model
+    yield Energy("total"), "total energy"
+    if not model.loops and any(row.target is not None and "t" in free_symbols(row.target) for row in system.held):
+        yield JacobiIntegral(), "Jacobi integral"
+    groups = list(_groups(system))
+    yield from _momenta(system, *groups[0])
+    for c in () if model.loops else model.coordinates:
+        measure = model.measure_of(c)
+        unit = DIMENSIONLESS if measure is None else measure.dimension
+        yield GeneralizedMomentum(c.name, ENERGY * TIME / unit), f"generalized momentum of {c.name}"
+    for group, words in groups[1:]:
+        yield from _momenta(system, group, words)
+
+
+def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantity, str]]:
+    if all(_is_massless(b.mass) for b in system.moving if is_among(b.name, group)):
+        return
+    directions = [("right", RIGHT), ("up", UP)]
+    for name, line in system.bodies[GROUND].lines.items():
+        directions += [(name, line.direction), (f"normal to {name}", line.direction.normal())]
+    for name, direction in directions:
+        yield Momentum(group, direction), f"linear momentum{words} along {name}"
+    for about, name in _centers(system, group):
+        yield Spin(group, about), f"angular momentum{words} about {name}"
+
+
+def _groups(system: System) -> Iterator[tuple[Group, str]]:
+    yield None, ""
+    heavy = [b for b in system.moving if not _is_massless(b.mass) or not _is_massless(b.inertia)]
+    for part in _components(system):
+        if 1 < len(part) < len(heavy):
+            yield part, f" of {', '.join(part[:-1])} and {part[-1]}"
+    if 1 < len(heavy) <= _MOST_SINGLE:
+        for body in heavy:
+            yield body.name, f" of {body.name}"
+
+
+def _is_massless(expr: Expr) -> bool:
+    return expr == ZERO
+
+
+def _components(system: System) -> list[tuple[str, ...]]:
+    """Moving bodies that connections join, the ground left out."""
+    groups: list[set[str]] = [{b.name} for b in system.moving]
+    moving = {b.name for b in system.moving}
+    for row in system.held:
+        joined = set(row.measure.bodies()) & moving
+        touching = [g for g in groups if g & joined]
+        if len(touching) > 1:
+            groups = [g for g in groups if not g & joined] + [set[str]().union(*touching)]
+    order = [b.name for b in system.moving]
+    return [tuple(sorted(g, key=order.index)) for g in groups]
+
+
+def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
+    """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
+    used = {p for row in system.held for p in _points_of(row.measure)}
+    for point in sorted({p for p in used if p.body == GROUND}, key=str):
+        yield point, "ground.origin" if str(point) == GROUND else str(point)
+    if isinstance(group, str):
+        body = system.bodies[group]
+        if body.turns:
+            yield body.mass_center, "its mass center"
+        for point in sorted({p for p in used if p.body == group and p != body.mass_center}, key=str):
+            yield point, str(point)
+    else:
+        yield SYSTEM_CENTER, "its mass center"
+
+
+def _points_of(measure: Any) -> Iterator[Point]:
+    for name in ("of", "origin", "start", "end"):
+        part = getattr(measure, name, None)
+        if isinstance(part, Point):
+            yield part

@@ -1,0 +1,90 @@
+"""The result values of a study of conservation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from freebody.assess.verdict import Verdict
+from freebody.language.expression import Expr
+from freebody.language.notation import to_python
+from freebody.study.constancy import Confirmation, CounterMotion
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class Verdicts:
+    """What was found about one quantity.
+
+    `is_conserved`: True for every motion, False for no admissible parameters, None under `conditions` (any one of them;
+    each is a set of equalities that hold together). `rate` is the quantity's rate, reduced."""
+
+    id: str
+    question: str
+    is_conserved: bool | None
+    value: Expr | None
+    rate: Expr | None
+    conditions: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    principle: str = ""
+    parts: tuple[tuple[str, Expr], ...] = ()
+    confirmation: Confirmation | None = None
+    counter: CounterMotion | None = None
+    reason: str = ""
+    choice: str | None = None
+    options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    author_notes: tuple[str, ...] = ()
+    same_as: str = ""  # an earlier quantity that is the same formula
+
+    @property
+    def is_answered(self) -> bool:
+        return not self.reason
+
+    def to_plain(self) -> dict[str, Any]:
+        """Plain data: an entry of `quantities` in the JSON document."""
+        return {
+            "id": self.id,
+            "question": self.question,
+            "same_as": self.same_as or None,
+            "conserved": self.is_conserved,
+            "value": None if self.value is None else to_python(self.value),
+            "rate": None if self.rate is None else to_python(self.rate),
+            "conditions": list(self.conditions),
+            "notes": list(self.notes),
+            "principle": self.principle or None,
+            "parts": {name: to_python(part) for name, part in self.parts},
+            "reason": self.reason or None,
+            "choice": self.choice,
+            "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
+            "author_notes": list(self.author_notes),
+            "counter_motion": None if self.counter is None else self.counter.to_plain(),
+            "evidence": None if self.confirmation is None else self.confirmation.to_plain(),
+        }
+
+
+@dataclass(frozen=True)
+class Conservation:
+    """What `conserved` found out about one system."""
+
+    system: System
+    quantities: tuple[Verdicts, ...]
+    is_search: bool
+
+    def __getitem__(self, id: str) -> Verdicts:
+        """The verdict with an id, or on a question in words."""
+        for verdict in self.quantities:
+            if id in (verdict.id, verdict.question):
+                return verdict
+        raise KeyError(f"there is no {id}; there are {', '.join(v.id for v in self.quantities)}")
+
+    @property
+    def is_complete(self) -> bool:
+        return self.is_search or all(v.is_answered for v in self.quantities)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of the command line."""
+        return {
+            "title": self.system.title,
+            "search": self.is_search,
+            "quantities": [v.to_plain() for v in self.quantities],
+        }
