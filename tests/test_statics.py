@@ -609,8 +609,8 @@ def test_every_example_has_equilibria_or_a_reason_and_small_motions(path: Path) 
     at_rest = reference.snapshot(q, np.zeros_like(q)).accelerations
     try:
         assert all(rest.residual < 1e-9 for rest in equilibria(system))
-    except CannotAnswer:
-        assert np.abs(at_rest).max() > 0.1
+    except CannotAnswer as error:
+        assert np.abs(at_rest).max() > 0.1 or "moves at t = 0" in str(error)
     motion = modes(system, "start")
     assert len(motion) == len(motion.coordinates)
 

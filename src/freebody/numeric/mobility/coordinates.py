@@ -7,7 +7,7 @@ taken before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
 from freebody.numeric.jets import Array
+from freebody.numeric.mobility.rank import CLEAR_CUT, scaled_rows
+from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
 
@@ -26,29 +28,43 @@ _INDEPENDENT = 1e-6
 
 def independent_measures(reference: Reference, q: Array) -> list[tuple[str, Measure]]:
     """Names and measures at the pose q, one for each freedom."""
-    sizes = reference.sizes
-    free = reference.split_at(q, {}).null / sizes.unit_moves[:, None]
-    if not free.shape[1]:
-        return []
-    free = np.linalg.qr(free)[0] * sizes.unit_moves[:, None]
+    n_free, across = _free(reference, q)
+    taken: list[Array] = []
     found: list[tuple[str, Measure]] = []
-    rows = np.zeros((0, free.shape[1]))
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     for name, measure in _candidates(reference.system):
+        if len(found) == n_free:
+            break
         try:
-            row = reference.jet(g, measure, name).row(len(q)) @ free
+            row = across(reference.jet(g, measure, name).row(len(q)) * reference.sizes.unit_moves)
         except CannotAnswer:
             continue
         size = float(np.linalg.norm(row))
-        if size <= _STILL * sizes.length:
+        if size <= _STILL * reference.sizes.length:
             continue
-        more = np.vstack([rows, row / size])
-        if np.linalg.matrix_rank(more, tol=_INDEPENDENT) > len(rows):
-            rows = more
+        for _ in range(2):
+            for other in taken:
+                row = row - (other @ row) * other
+        left = float(np.linalg.norm(row))
+        if left > _INDEPENDENT * size:
+            taken.append(row / left)
             found.append((name, measure))
-        if len(found) == free.shape[1]:
-            break
     return found
+
+
+def _free(reference: Reference, q: Array) -> tuple[int, Callable[[Array], Array]]:
+    """How many motions are left free, and the part of a gradient (by the sizes of the system) along them."""
+    rows = reference.system.held
+    if LARGE < len(rows) <= len(q):
+        try:
+            sparse = SparseRows(scaled_rows(reference, q, rows))
+            if sparse.smallest() > CLEAR_CUT:
+                return len(q) - len(rows), sparse.across
+        except ValueError:
+            pass
+    free = reference.split_at(q, {}).null / reference.sizes.unit_moves[:, None]
+    basis: Array = np.linalg.qr(free)[0]
+    return int(basis.shape[1]), lambda row: basis @ (basis.T @ row)
 
 
 def _candidates(system: System) -> Iterator[tuple[str, Measure]]:

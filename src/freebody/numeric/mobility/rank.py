@@ -39,10 +39,12 @@ from freebody.numeric.mobility.exact import (
     precision,
     size_of,
 )
+from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import RANK_CUT, stack
 
 ROUNDED_CUT = 1e-7  # below this part of the largest they do at poses that are only as good as they were assembled
+_MARGIN = 10.0  # of a smallest singular value found by iteration
 CLEAR_CUT = 1e-6  # rows whose smallest singular value is above this part of the largest are independent
 ZERO = 1e-45  # rests of the elimination below this count as zero
 N_STEPS = 40
@@ -163,9 +165,16 @@ def n_independent(J: Array) -> int:
 def _independent(J: Array) -> float | None:
     """The smallest singular value as a part of the largest, if it proves that rows are independent.
 
-    Eigenvalues of J J^T are squares of singular values; rounding hides those below about 1e-13 of the largest."""
+    Eigenvalues of J J^T are squares of singular values; rounding hides those below about 1e-13 of the largest. Of many
+    rows the smallest is found by iteration, which comes down to it from above: hence the margin."""
     if len(J) > J.shape[1]:
         return None
+    if len(J) > LARGE:
+        try:
+            smallest = SparseRows(J).smallest()
+        except ValueError:
+            return None
+        return smallest if smallest > _MARGIN * CLEAR_CUT else None
     squares: Any = np.linalg.eigvalsh(J @ J.T)
     part = float(squares[0] / squares[-1]) if squares[-1] > 0.0 else 0.0
     return math.sqrt(part) if part > CLEAR_CUT**2 else None
