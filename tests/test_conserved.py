@@ -375,3 +375,82 @@ def test_every_example_is_searched_within_two_seconds(name: str, within: Within)
     within(2.0, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
     if name != "body_on_driven_roller":
         within(2.0, lambda: conserved(system))
+
+
+# -- conditions that are easily missed --------------------------------------------------------
+PUSHED = """
+parameters: {{m: 1 kg, A: {{value: 2 N, sign: any}}, B: {{value: 1 N, sign: any}}, w: {{value: 3 rad/s, sign: any}},
+              v: {{value: 2 rad/s, sign: any}}, F: {{function: A + B*t*w, unit: N}}, H: {{function: B*t*w, unit: N}}}}
+bodies: {{ball: {{particle: {{mass: m}}}}}}
+loads: {{push: {{force: {{at: ball, along: right, magnitude: {law}}}}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "conditions"),
+    [
+        ("A*sin(w*t)", {"A = 0", "w = 0"}),
+        ("A*sin(w*t) - A*sin(v*t)", {"A = 0", "v = w"}),
+        ("F", {"F = 0"}),
+        ("F + H", {"H + F = 0"}),
+    ],
+)
+def test_conditions_inside_functions_and_between_functions_are_found(law: str, conditions: set[str]) -> None:
+    assert set(judged(PUSHED.format(law=law), "linear momentum along right").conditions) == conditions
+
+
+def test_gravitation_keeps_energy_and_moment_of_momentum() -> None:
+    """Kepler: the potential of k/r^2 is not a polynomial, yet the law is one of its own measure alone."""
+    text = """
+parameters: {m: 1 kg, k: 3 N m^2}
+bodies: {planet: {particle: {mass: m}, at: [1 m, 0], velocity: [0, 1 m/s]}}
+measures: {r: distance from ground.O to planet}
+loads: {attraction: {law: {measure: r, force: -k/r^2}}}
+"""
+    assert {"total energy", "angular momentum about ground.O"} <= kept(text)
+
+
+def test_a_direction_of_two_offsets_vanishes_with_both() -> None:
+    """A force at a point (d, e) of a hinged body, whatever its direction: no work if and only if d = e = 0."""
+    text = """
+parameters: {F: {value: 2 N, sign: any}, d: {value: 1 m, sign: any}, e: {value: 2 m, sign: any},
+             beta: {value: 20 deg, sign: any}}
+bodies: {b: {body: {mass: 1 kg, inertia: 1 kg m^2}, points: {P: [d, e]}}}
+connections: {hinge: {pin: [ground.O, b]}}
+loads: {push: {force: {at: b.P, along: beta, magnitude: F}}}
+"""
+    assert set(judged(text, "angular momentum about ground.O").conditions) == {"F = 0", "e = 0 and d = 0"}
+
+
+def test_a_skate_keeps_its_energy_and_not_its_momentum() -> None:
+    text = """
+bodies: {sk: {rod: {mass: 1 kg, length: 1 m}, angular_velocity: 1 rad/s, velocity: [1 m/s, 0]}}
+measures: {x: x of sk, y: y of sk, theta: angle of sk}
+connections: {blade: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
+"""
+    names = kept(text)
+    assert {"total energy", "angular momentum about its mass center"} <= names
+    assert not any("linear momentum" in name for name in names)
+
+
+def test_the_moment_on_a_linkage_is_a_condition_there_too() -> None:
+    verdict = judged((FOLDER / "parallelogram_with_extra_bar.yaml").read_text(), "kinetic energy")
+    assert verdict.conditions == ("T = 0",)
+
+
+def test_alternatives_and_inequalities_are_read() -> None:
+    text = PUSHED.format(law="A*sin(w*t)")
+    options = {
+        "a": "if A = 0 or w = 0",
+        "b": "A > 0",
+        "c": "x = 0",
+        "d": "when A = 0",
+        "e": "A == 0 and w == 0",
+    }
+    text += f"\nquestions: [{{id: q, find: is linear momentum along right conserved, options: {json.dumps(options)}}}]"
+    verdict = found(text)["q"]
+    assert verdict.choice == "a"
+    assert "inequality" in verdict.options["b"].reason
+    assert verdict.options["c"].verdict == "unreadable"
+    assert "sufficient only" in verdict.options["d"].reason
+    assert "sufficient only" in verdict.options["e"].reason

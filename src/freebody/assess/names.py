@@ -32,7 +32,11 @@ class Names:
                 self.dimensions[f"{c.name}_0"] = self.dimensions[c.name]
 
     def __contains__(self, key: str) -> bool:
-        return key in self._elements or key in self._moving or _rated(key) in self._moving | self._functions
+        if key in self._elements or key in self._moving or _rated(key) in self._moving:
+            return True
+        while rated := _rated(key):
+            key = rated
+        return key in self._functions
 
     def element(self, key: str) -> Ratio:
         """The element of a name or of "rate(name)"."""

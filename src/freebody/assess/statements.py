@@ -50,7 +50,7 @@ class Claim:
 
     coefficients: Sequence[Ratio]
     cases: tuple[Case, ...]
-    rate: Ratio
+    rates: tuple[Ratio, ...]  # of a vector one for each component; none where there is no formula
     is_parameter: Callable[[int], bool]
     is_exact: bool  # False: there may be more cases
 
@@ -103,12 +103,16 @@ def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
     """The verdict, and whether the option is true as it is put."""
     if statement.equalities is None:
         return _never(claim)
+    if not claim.rates and not claim.is_always:
+        return _by_simulation(statement, claim), False
     left = [(case, _left_over(claim, case)) for case in statement.cases]
     open_case = next(((case, x) for case, x in left if x is not None), None)
     is_sufficient = open_case is None and bool(left)
     uncovered = None if claim.is_always and not statement.equalities else _uncovered(statement, claim)
     is_necessary = uncovered is None
-    own = " and ".join(texts_of([Case(statement.equalities, {})])) or "always"
+    own = " or ".join(texts_of(statement.cases)) or "always"
+    if not left:
+        return Verdict("wrong", "states what cannot be so"), False
     derived = " or ".join(texts_of(claim.cases)) or "always"
     if is_sufficient and is_necessary and (claim.is_exact or claim.is_always):
         if not statement.equalities:
@@ -121,7 +125,7 @@ def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
     remains = "" if open_case is None else f"the rate is still {_shown(open_case[1])}"
     if not statement.equalities:
         condition = f", and vanishes only for {derived}" if claim.cases else ""
-        return Verdict("wrong", f"not always: the rate is {_shown(claim.rate)}{condition}"), False
+        return Verdict("wrong", f"not always: the rate is {_rates(claim)}{condition}"), False
     if not claim.cases:
         return Verdict("wrong", f"with {own} {remains}; there is no condition under which it vanishes"), False
     if is_necessary:
@@ -136,9 +140,30 @@ def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
     )
 
 
+def _by_simulation(statement: Statement, claim: Claim) -> Verdict:
+    """Without a formula: against the conditions that simulations found."""
+    if not statement.equalities:
+        return Verdict("wrong", "it changes in a simulated motion")
+    covered = all(any(implies(own, case) for case in claim.cases) for own in statement.cases)
+    needed = all(any(implies(case, own) for own in statement.cases) for case in claim.cases)
+    if covered and needed and claim.cases:
+        return Verdict("right", "the condition that simulations found")
+    if covered and claim.cases:
+        return Verdict("wrong", f"is sufficient only: it is also conserved for {' or '.join(texts_of(claim.cases))}")
+    return Verdict("wrong", "it changes in a simulated motion, and no such condition was found to prevent that")
+
+
+def _rates(claim: Claim) -> str:
+    return " and ".join(_shown(rate) for rate in claim.rates) or "not zero"
+
+
 def _never(claim: Claim) -> tuple[Verdict, bool]:
+    if not claim.cases and not claim.rates:
+        return Verdict(
+            "right", "it changes in simulated motions, and no condition was found under which it does not"
+        ), False
     if not claim.cases:
-        return Verdict("right", f"the rate is {_shown(claim.rate)} and vanishes under no condition"), False
+        return Verdict("right", f"the rate is {_rates(claim)} and vanishes under no condition"), False
     if claim.is_always:
         return Verdict("wrong", "the rate vanishes for every motion"), False
     return Verdict("wrong", f"it is conserved for {' or '.join(texts_of(claim.cases))}"), False
@@ -147,18 +172,12 @@ def _never(claim: Claim) -> tuple[Verdict, bool]:
 def _left_over(claim: Claim, case: Case) -> Ratio | None:
     """What remains of the rate in a case; None if nothing does."""
     try:
-        x = case.put_in(claim.rate)
-    except CannotAnswer:
-        x = None
-    if x is not None:
-        x = x.field.lowest_terms(x)
-        if not x.is_zero():
-            return x
-    for coefficient in claim.coefficients:
-        left = case.put_in(coefficient)
-        if not left.is_zero():
-            return left
-    return None
+        for rate in claim.rates:
+            if not case.kills(rate):
+                return rate.field.lowest_terms(case.put_in(rate))
+        return None
+    except CannotAnswer:  # the rate has no value there, its coefficients may
+        return next((c for c in claim.coefficients if not case.kills(c)), None)
 
 
 def _uncovered(statement: Statement, claim: Claim) -> Case | None:
@@ -189,20 +208,39 @@ class _Reader:
         """Raises NoCondition, saying why."""
         words = " ".join(text.strip().rstrip(".").split())
         words = re.sub(r"^(?:it is |is )?(?:conserved|constant) ", "", words, flags=re.IGNORECASE)
+        words = re.sub(r"^it is ", "", words, flags=re.IGNORECASE)
         if re.fullmatch(r"(?:always|for (?:every|any) motion|unconditionally)(?: conserved)?", words, re.IGNORECASE):
             return Statement("iff", (), (ALWAYS,))
         if re.fullmatch(r"(?:never|not)(?: conserved)?(?: (?:under|for) any.*)?", words, re.IGNORECASE):
             return Statement("iff", None, ())
         word: Word = "iff"
-        for start, own in (("if and only if ", "iff"), ("iff ", "iff"), ("only if ", "only if"), ("if ", "if")):
+        starts = {"if and only if ": "iff", "iff ": "iff", "only if ": "only if", "if ": "if", "when ": "if"}
+        starts |= {"provided that ": "if", "provided ": "if", "for ": "if"}
+        starts |= {"only for ": "only if", "only when ": "only if"}
+        for start, own_word in starts.items():
             if words.lower().startswith(start):
-                word, words = own, words[len(start) :]  # type: ignore[assignment]
+                word, words = own_word, words[len(start) :]  # type: ignore[assignment]
                 break
+        words = re.sub(r"^(?:both|either) ", "", re.sub(r"\s*\((?:[^()]*) is constant\)", "", words))
         equalities: list[Ratio] = []
-        for part in re.split(r" and |, ", words):
-            equalities += self._equalities(part.strip())
-        coefficients = [c for x in equalities for c in motion_coefficients(x, self.claim.is_parameter)]
-        return Statement(word, tuple(equalities), cases_where_zero(coefficients, self._may))
+        cases: list[Case] = []
+        for alternative in re.split(r",? or ", words):
+            own: list[Ratio] = []
+            for part in re.split(r",? and |, ", alternative):
+                own += self._equalities(part.strip())
+            for x in own:
+                self._refuse_motion(x)
+            cases += cases_where_zero([x for x in own if not x.is_zero()], self._may)
+            equalities += own
+        return Statement(word, tuple(equalities), tuple(cases))
+
+    def _refuse_motion(self, x: Ratio) -> None:
+        """A condition is on parameters and given functions; one on the motion is none."""
+        field = self.model.field
+        for index in field.ingredients(x):
+            if field.generators[index].kind in ("coordinate", "speed", "acceleration"):
+                what = to_text(field.generators[index].display)
+                raise NoCondition(f"restricts the motion ({what}), not the system")
 
     def _may(self, index: int) -> bool:
         """What an option says is zero may be."""
@@ -230,7 +268,9 @@ class _Reader:
         return [(a - b).numerator()]
 
     def _sides(self, text: str) -> tuple[str, str]:
-        left, equals, right = text.partition("=")
+        if re.search(r"[<>≤≥≠]|!=", text):
+            raise NoCondition(f"'{text}' is an inequality; a condition is an equality, such as d = 0")
+        left, equals, right = text.replace("==", "=").replace(" equals ", " = ").partition("=")
         if not equals or "=" in right:
             raise NoCondition(f"'{text}'; write always, never, d = 0, x is constant, or A coincides with B")
         return left.strip(), right.strip()
@@ -253,6 +293,7 @@ class _Reader:
 
     def _parsed(self, text: str) -> Expr:
         text = re.sub(r"^\|(.+)\|$", r"\1", text.strip())  # |v| = 0 and |v| constant say the same of v
+        text = re.sub(r"^([\d.]+)\s*(?:deg|°)$", r"\1*pi/180", text)
         try:
             expr = self.names.with_rates(parse(text))
         except ExpressionError as error:
@@ -275,4 +316,6 @@ class _Reader:
     def _coincide(self, a: Point, b: Point) -> list[Ratio]:
         g, m = self.model.geometry, self.model
         parts = [m.field.element(Displacement(a, b, axis).value(g)) for axis in (RIGHT, UP)]
-        return [p.numerator() for p in parts if not m.vanishes(p)]
+        # at every instant, so that each coefficient of the motion vanishes
+        open_ = [p for p in parts if not m.vanishes(p)]
+        return [c for p in open_ for c in motion_coefficients(p, self.claim.is_parameter)]

@@ -339,7 +339,8 @@ def _freedom(names: Names, found: dict[str, str | None], path: Path) -> Quantity
 
 @_form(
     "is QUANTITY conserved | when is QUANTITY conserved",
-    r"(?:(?:is|when is|whether) (?:the )?(?P<of>.+?) (?:is )?conserved\??|conservation of (?:the )?(?P<named>.+))",
+    r"(?:(?:[Ii]s|[Ww]hen is|whether) (?:the )?(?P<of>.+?) (?:is )?conserved\??"
+    r"|conservation of (?:the )?(?P<named>.+))",
 )
 def _conserved(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     text = str(found["of"] or found["named"])
@@ -705,6 +706,9 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     else:
         quantity = read_quantity(names, phrase, ("find",))
     if quantity is None:
+        return None
+    if isinstance(quantity, Conserved) and (event is not None or at_start):
+        names.problem("what is conserved is so at every instant; leave out 'at start' and 'when'", None, "find")
         return None
     if isinstance(quantity, Work) and event is None:
         names.problem(f"say until when: work of {quantity.of} until x = h", None, "find")

@@ -46,6 +46,18 @@ def potential(reference: Reference, push: Push, value: Callable[[Measure], float
         return -_integral(force, value(push.measure) - origin)
 
 
+def work_between(reference: Reference, push: Push, start: float, end: float) -> float:
+    """The work of a load that is a law of its own measure alone, from one value of the measure to another [J]."""
+    origin = reference.start_value(push.measure)  # type: ignore[arg-type]
+
+    def force(x: Array) -> Array:
+        names: dict[str, Any] = {**reference.frame.values, VALUE.name: x + (start - origin)}
+        return np.broadcast_to(evaluate(push.law, names, ARRAY_FUNCTIONS), x.shape)
+
+    with named(push.name):
+        return _integral(force, end - start)
+
+
 def _has_rate(expr: Expr) -> bool:
     is_rate = isinstance(expr, Call) and expr.function == "rate"
     return is_rate or any(_has_rate(part) for part in children(expr))

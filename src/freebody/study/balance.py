@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import Held, Push, RateMeasure
@@ -39,6 +40,10 @@ from freebody.system.system import System
 Wrench = tuple[Ratio, Ratio, Ratio]  # force x, force y, moment about the mass centre
 
 
+class IsVector(CannotAnswer):
+    """A vector was asked for where a scalar is meant."""
+
+
 @dataclass(frozen=True)
 class Principle:
     """A rate as a sum of named parts."""
@@ -53,8 +58,9 @@ class Principle:
 class Balance:
     """One quantity of one system: the quantity itself, and its rate in two ways."""
 
-    def __init__(self, quantity: Quantity, system: System, state: SymbolicState) -> None:
+    def __init__(self, quantity: Quantity, system: System, state: SymbolicState, name: str = "quantity") -> None:
         self.quantity = quantity
+        self.name = name
         self.system = system
         self.state = state
         self.model: SymbolicModel = state.model
@@ -70,10 +76,13 @@ class Balance:
         if isinstance(q, JacobiIntegral):
             return self._jacobi()
         if isinstance(q, Energy):
+            if q.what != "kinetic" and self.unwritten:
+                names = ", ".join(dict.fromkeys(push.load for push in self.unwritten))
+                raise CannotAnswer(f"the potential energy of {names} has no closed form here")
             return self._energy(q)
         found = quantity_value(q, self.system, self.state)
         if isinstance(found, tuple):
-            raise CannotAnswer("a vector is conserved along some directions and not along others; name one")
+            raise IsVector("a vector is conserved along some directions and not along others; name one")
         return self.field.lowest_terms(self.field.element(found))
 
     def _coordinate(self, name: str) -> Coordinate:
@@ -115,7 +124,12 @@ class Balance:
     @cached_property
     def storing(self) -> tuple[Push, ...]:
         """The loads whose work is a potential energy."""
-        return tuple(push for push in self.system.pushes if _stores(self.system, push))
+        return tuple(push for push in self.system.pushes if is_conservative(self.system, push))
+
+    @cached_property
+    def unwritten(self) -> tuple[Push, ...]:
+        """Those of them whose potential is not written down: an integral of the law."""
+        return tuple(push for push in self.storing if not is_polynomial_law(push))
 
     # -- its rate -----------------------------------------------------------------------------
     @cached_property
@@ -123,14 +137,14 @@ class Balance:
         """By differentiation, the accelerations put in. Where closed loops bind the coordinates these have no short
         form: then by the principle, as far as that needs none of them (energy). Raises CannotAnswer otherwise."""
         m = self.model
-        if m.loops:
+        if m.loops or (isinstance(self.quantity, Energy) and self.unwritten):
             principle = self.by_principle() if isinstance(self.quantity, Energy) else None
             if principle is None:
                 raise CannotAnswer("closed loops bind the coordinates, so its rate has no short form")
             return m.field.lowest_terms(principle.total(m.field.zero))
         rate = m.in_independent_speeds(m.rate(self.value))
         if rate.generators() & set(m.accelerations):
-            rate = m.field.substitute(rate, m.solved_accelerations)
+            rate = m.in_independent_speeds(m.field.substitute(rate, m.solved_accelerations))
         return m.field.lowest_terms(rate)
 
     def by_principle(self) -> Principle | None:
@@ -273,9 +287,18 @@ def _merged(parts: Iterable[tuple[str, Ratio]], zero: Ratio) -> tuple[tuple[str,
     return tuple((name, zero.field.lowest_terms(part)) for name, part in total.items() if not part.is_zero())
 
 
-def _stores(system: System, push: Push) -> bool:
+def is_conservative(system: System, push: Push) -> bool:
+    """Whether a load is a law of its own measure alone: then its work is that of a potential, in closed form or not.
+    Forces and torques that are applied from outside are not counted among these."""
     if not system.loads[push.load].stores_energy:
         return False
+    if isinstance(push.measure, RateMeasure) or push.measures or push.general is not None:
+        return False
+    symbols = free_symbols(push.law)
+    return not {"@rate", "t"} & symbols and "rate(" not in str(push.law)
+
+
+def is_polynomial_law(push: Push) -> bool:
     try:
         law_polynomial(push)
     except CannotAnswer:

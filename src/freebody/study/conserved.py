@@ -10,10 +10,11 @@ Every verdict is confirmed by simulation: a conserved quantity stays within 1e-9
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 from freebody.assess.verdict import Judgement
@@ -29,7 +30,7 @@ from freebody.model.question import (
     Question,
     Spin,
 )
-from freebody.study.balance import Balance, Principle
+from freebody.study.balance import Balance, IsVector, Principle
 from freebody.study.constancy import (
     N_IN_SEARCH,
     N_MOTIONS,
@@ -47,6 +48,8 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
     Case,
     cases_where_zero,
+    implies,
+    most_general,
     motion_coefficients,
     texts_of,
 )
@@ -72,6 +75,10 @@ def _question(system: System, text: str) -> Question:
     if "conserved" not in words and not words.startswith("conservation"):
         words = f"is {words} conserved"
     return system.question(words)
+
+
+_MOST_TERMS = 250  # of a formula that is put in order
+_MOST_INSIDE = 5  # parameters inside what moves, of which pairs are tried
 
 
 @dataclass(frozen=True)
@@ -107,14 +114,14 @@ class Judge:
         try:
             if isinstance(asked.of, Momentum) and asked.of.along is None:
                 return self._of_vector(question, asked.name, asked.of)
-            found = self.finding(asked.of)
+            found = self.finding(asked.of, asked.name)
             judgement: Judgement | None = None
             if question.options:
                 from freebody.assess.statements import judge_statements
 
                 judgement = judge_statements(question, self._claim(found), self.model, self.system)
             return self._verdict(question.id, asked.name, found, judgement)
-        except CannotAnswer as error:
+        except (CannotAnswer, RoutesDisagree) as error:
             return Verdicts(question.id, asked.name, None, None, None, reason=str(error))
 
     def _of_vector(self, question: Question, name: str, quantity: Momentum) -> Verdicts:
@@ -137,7 +144,8 @@ class Judge:
 
             coefficients = [c for claim in claims for c in claim.coefficients]
             exact = all(claim.is_exact for claim in claims)
-            claim = replace(claims[open_], coefficients=coefficients, cases=cases, is_exact=exact)
+            rates = tuple(r for claim in claims for r in claim.rates)
+            claim = replace(claims[open_], coefficients=coefficients, cases=cases, rates=rates, is_exact=exact)
             judgement = judge_statements(question, claim, self.model, self.system)
         is_conserved = True if any(not c.equalities for c in cases) else None if cases else False
         notes = [
@@ -167,8 +175,8 @@ class Judge:
     def look(self, id: str, quantity: Quantity, name: str) -> Verdicts:
         """The verdict on a quantity."""
         try:
-            return self._verdict(id, name, self.finding(quantity), None)
-        except CannotAnswer as error:
+            return self._verdict(id, name, self.finding(quantity, name), None)
+        except (CannotAnswer, RoutesDisagree) as error:
             return Verdicts(id, name, None, None, None, reason=str(error))
 
     def is_nothing(self, quantity: Quantity) -> bool:
@@ -180,22 +188,56 @@ class Judge:
         return bool(seen) and all(float(abs(m.values).max()) <= TOLERANCE * m.size for m in seen)
 
     # -- the symbolic part --------------------------------------------------------------------
-    def finding(self, quantity: Quantity) -> Finding:
+    def finding(self, quantity: Quantity, name: str = "quantity") -> Finding:
         """The rate of a quantity and the cases in which it vanishes."""
-        balance = Balance(quantity, self.system, self.setup.state)
+        f = self.model.field
+        if all(f.element(i).is_zero() for inertia in self.model.inertias.values() for i in inertia):
+            raise CannotAnswer("nothing with mass moves here. Give the bodies masses or inertias")
+        balance = Balance(quantity, self.system, self.setup.state, name)
         try:
             rate = balance.rate
+        except IsVector:
+            raise
         except CannotAnswer as error:
             return self._by_simulation(balance, str(error))
         principle, notes = self._principle(balance)
         if self.model.vanishes(rate):
             return Finding(balance, (Case((), {}),), True, principle, notes)
-        cases = cases_where_zero(motion_coefficients(rate, self._is_parameter), self._may_vanish)
+        coefficients = motion_coefficients(rate, self._is_parameter)
+        cases = cases_where_zero(coefficients, self._may_vanish)
+        cases = most_general([*cases, *self._special(rate)])
         cases = tuple(case for case in cases if not self._is_between_sizes(case) and self._has_value(balance, case))
-        is_exact = not self.model.loops and all(case.is_solved for case in cases)
+        is_exact = len(coefficients) == 1 or (not self.model.loops and all(case.is_solved for case in cases))
         if not is_exact and cases:
             notes += ("these conditions are enough; that there are no others is not proved",)
         return Finding(balance, cases, is_exact, principle, notes)
+
+    def _special(self, rate: Ratio) -> Iterator[Case]:
+        """Cases that the coefficients do not show, because parameters stand inside what moves, as w in sin(w t): they
+        are zero, or two of them are equal or opposite."""
+        f = self.model.field
+        inside: set[int] = set()
+        for g in rate.generators():
+            if not f.is_constant_generator(g):
+                inside |= {k for k in f.generators[g].made_of if self._is_parameter(k)}
+        inside.discard(f.index(f.pi))
+        first = [Case((f.variable(k),), {k: f.zero}) for k in sorted(inside) if self._may_vanish(k)]
+        for a, b in combinations(sorted(inside)[:_MOST_INSIDE], 2):
+            if self._dimension(a) == self._dimension(b):
+                x, y = f.variable(a), f.variable(b)
+                first.append(Case((y - x,), {b: x}))
+                if not (f.generators[a].positive and f.generators[b].positive):
+                    first.append(Case((y + x,), {b: -x}))
+        for case in first:
+            with suppress(CannotAnswer):
+                left = f.lowest_terms(case.put_in(rate))
+                for more in cases_where_zero(motion_coefficients(left, self._is_parameter), self._may_vanish):
+                    yield case.with_more(more)
+
+    def _dimension(self, index: int) -> object:
+        shown = self.model.field.generators[index].display
+        assert isinstance(shown, Symbol)
+        return self.system.parameters[shown.name].dimension
 
     def _by_simulation(self, balance: Balance, why: str) -> Finding:
         """A verdict without a formula: a motion along which it changes refutes it for good."""
@@ -203,7 +245,9 @@ class Judge:
         if not drifts:
             raise CannotAnswer(f"{why}, and no motion could be simulated")
         if max(drifts) > VISIBLE:
-            return Finding(balance, (), False, None, (f"{why}; found by simulation",))
+            cases = tuple(self._without_loads(balance))
+            note = "; found by simulation" + ("; there may be more conditions" if cases else "")
+            return Finding(balance, cases, False, None, (f"{why}{note}",))
         if max(drifts) > TOLERANCE:
             raise CannotAnswer(f"{why}, and in simulations it changes by {max(drifts):.1g} of its size")
         note = f"{why}; it is constant in {len(drifts)} simulated motions, which is no proof"
@@ -214,9 +258,24 @@ class Judge:
         """Whether the quantity and its rate have values in a case."""
         try:
             case.put_in(balance.value)
-            return case.put_in(balance.rate).is_zero() or not case.is_solved
+            return case.kills(balance.rate) or not case.is_solved
         except CannotAnswer:
             return False
+
+    def _without_loads(self, balance: Balance) -> Iterator[Case]:
+        """Conditions found by trying: strengths of loads that vanish, one of them or all."""
+        f = self.model.field
+        names = {n for push in self.system.pushes for n in free_symbols(push.in_symbols) if n in self.system.parameters}
+        indices = [k for n in sorted(names) if self._may_vanish(k := f.index(self.model.parameters[n]))]
+        tried = [Case((f.variable(k),), {k: f.zero}) for k in indices]
+        if len(tried) > 1:
+            tried.append(Case(tuple(f.variable(k) for k in indices), dict.fromkeys(indices, f.zero)))
+        found: list[Case] = []
+        for case in tried:
+            drifts = [motion.drift for motion in self.runs.along(balance, case)]
+            if drifts and max(drifts) <= TOLERANCE and not any(implies(case, other) for other in found):
+                found.append(case)
+                yield case
 
     def _is_between_sizes(self, case: Case) -> bool:
         """Whether a case relates sizes of bodies to each other alone, as a ball as large as its bowl."""
@@ -234,9 +293,12 @@ class Judge:
             return None, (f"not compared with the balance of forces: {error}",)
         if self.model.loops:
             return principle, ()
-        if principle is not None and not self.model.vanishes(principle.total(self.model.field.zero) - balance.rate):
+        if principle is None:
+            return None, ()
+        total = self.model.in_independent_speeds(principle.total(self.model.field.zero))
+        if not self.model.vanishes(total - balance.rate):
             raise RoutesDisagree(
-                f"the rate of {balance.quantity} by its principle is not the one by differentiation. "
+                f"the rate of {balance.name} by its principle is not the one by differentiation. "
                 "No answer is shown. This is a defect of freebody; please report the model"
             )
         return principle, ()
@@ -259,8 +321,13 @@ class Judge:
 
     def _is_parameter(self, index: int) -> bool:
         """Whether a generator is a parameter of the file, not one of a start; pi counts as one."""
-        shown = self.model.field.generators[index].display
-        return isinstance(shown, Symbol) and (shown.name in self.system.parameters or shown.name == "pi")
+        g = self.model.field.generators[index]
+        shown = g.display
+        return (
+            g.kind == "parameter"
+            and isinstance(shown, Symbol)
+            and (shown.name in self.system.parameters or shown.name == "pi")
+        )
 
     def _may_vanish(self, index: int) -> bool:
         shown = self.model.field.generators[index].display
@@ -275,7 +342,7 @@ class Judge:
         return Claim(
             [] if rate is None or found.is_conserved is True else motion_coefficients(rate, self._is_parameter),
             found.cases,
-            self.model.field.one if rate is None else rate,
+            () if rate is None else (rate,),
             self._is_parameter,
             found.is_exact,
         )
@@ -291,9 +358,9 @@ class Judge:
         confirmation, counter = confirm(self.runs, balance, found.cases, is_conserved)
         parts: tuple[tuple[str, Expr], ...] = ()
         if found.principle is not None:
-            parts = tuple(
-                (what, tidy(x)) for what, part in found.principle.parts if not (x := self._reduced(part)).is_zero()
-            )
+            reduced = [(what, self._reduced(part)) for what, part in found.principle.parts]
+            shown = [(what, self._tidied(lambda x=x: x)) for what, x in reduced if not x.is_zero()]
+            parts = tuple((what, x) for what, x in shown if x is not None)
         value, rate = self._shown(found)
         return Verdicts(
             id,
@@ -319,8 +386,17 @@ class Judge:
             rate: Ratio | None = zero
         else:
             rate = None if self.model.loops and found.principle is None else balance.rate
-        value = None if self.model.loops and found.principle is None else tidy(balance.value)
-        return value, None if rate is None else tidy(rate)
+        return self._tidied(lambda: balance.value), self._tidied(lambda: rate)
+
+    def _tidied(self, element: Callable[[], Ratio | None]) -> Expr | None:
+        """For people; nothing where there is no formula, or a longer one than anybody reads."""
+        try:
+            x = element()
+        except CannotAnswer:
+            return None
+        if x is None or len(x.num) + len(x.denominator().num) > _MOST_TERMS:
+            return None
+        return tidy(x)
 
     def _reduced(self, x: Ratio) -> Ratio:
         f = self.model.field

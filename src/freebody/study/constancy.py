@@ -7,6 +7,7 @@ conditions both are done: with the condition it stays, without it it changes.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -19,6 +20,7 @@ from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
 from freebody.model.question import GeneralizedMomentum, JacobiIntegral, Quantity
 from freebody.numeric.jets import Array
+from freebody.numeric.potential import work_between
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.study.balance import Balance
 from freebody.study.draws import SEED, Draw
@@ -84,14 +86,14 @@ def confirm(
     drifts: list[float] = []
     changes: list[float] = []
     counter: CounterMotion | None = None
-    name = str(balance.quantity)
+    name = balance.name
     for case in cases:
         if case.is_solved:
             for motion in runs.along(balance, case if case.equalities else None):
                 if motion.drift > TOLERANCE:
                     raise RoutesDisagree(
-                        f"{name} should stay constant, and changes by {motion.drift:.2g} of its size in a simulation. "
-                        "No answer is shown. This is a defect of freebody; please report the model"
+                        f"the {name} should stay constant, and changes by {motion.drift:.2g} of its size in a "
+                        "simulation. No answer is shown. This is a defect of freebody; please report the model"
                     )
                 drifts.append(motion.drift)
     if is_conserved is not True:
@@ -163,7 +165,10 @@ class Runs:
                     break
                 with suppress(CannotAnswer):
                     own = draw if case is None else _in_case(self.setup, draw, case)
-                    found += _run(own, SEED + k)
+                    found += [
+                        replace(run, has_other_forms=own.reference.system is not draw.reference.system)
+                        for run in _run(own, SEED + k)
+                    ]
         return self._known[key]
 
 
@@ -174,6 +179,7 @@ class Run:
     draw: Draw
     times: Array
     snapshots: tuple[Snapshot, ...]
+    has_other_forms: bool = False  # of given functions of time than the file has
 
 
 def _in_case(setup: Setup, draw: Draw, case: Case) -> Draw:
@@ -182,25 +188,32 @@ def _in_case(setup: Setup, draw: Draw, case: Case) -> Draw:
     numbers = model.numbers(draw.sample())
     values = dict(draw.values)
     forms: dict[str, Expr] = {}
+    orders: dict[str, int] = {}
     for index, element in case.values.items():
         shown = model.field.generators[index].display
         if is_given_function(model.field, index):
             name, order = _function(shown)
-            if name not in forms or order < forms_order(forms[name]):
-                forms[name] = _polynomial(order)
+            if name in orders and orders[name] <= order:
+                continue
+            orders[name] = order
+            if all(_is_number(system, model.field.generators[k].display) for k in element.generators()):
+                forms[name] = _polynomial(order, float(model.field.evaluate(element, numbers)))
+                continue
+            # equal to other functions: to their forms, which have no symbols of functions
+            others = {p.name: p.form for p in system.parameters.values() if p.form is not None}
+            related = substitute(model.field.expression(element), others)
+            if order or "rate(" in str(related):
+                raise CannotAnswer("the case relates rates of given functions to each other")
+            forms[name] = related
         elif isinstance(shown, Symbol) and shown.name in values:
             values[shown.name] = float(model.field.evaluate(model.field.element(element), numbers))
     reference = Reference(_with_forms(system, forms) if forms else system, values)
     return Draw(values, reference, reference.assemble(guess=draw.q))
 
 
-def forms_order(form: Expr) -> int:
-    """How many coefficients a polynomial form has."""
-    from freebody.language.expression import Number, Sum
-
-    if isinstance(form, Number):
-        return 0 if form == number(0) else 1
-    return len(form.terms) if isinstance(form, Sum) else 1
+def _is_number(system: System, shown: Expr) -> bool:
+    """Whether a symbol is a parameter with a number, not a function of time."""
+    return isinstance(shown, Symbol) and shown.name in system.parameters and system.parameters[shown.name].form is None
 
 
 def _function(shown: Expr) -> tuple[str, int]:
@@ -211,15 +224,15 @@ def _function(shown: Expr) -> tuple[str, int]:
     return shown.name, order
 
 
-def _polynomial(order: int) -> Expr:
-    """A function of time whose rate of that order is zero, otherwise general."""
+def _polynomial(order: int, value: float) -> Expr:
+    """A function of time whose rate of that order has the value, otherwise general."""
     t = Symbol("t")
     total: Expr = number(0)
     power: Expr = number(1)
     for k in range(order):
         total = total + power * number(3 + 2 * k) / 10
         power = power * t
-    return total
+    return total + power * number(value / math.factorial(order))
 
 
 def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
@@ -258,7 +271,7 @@ def _run(draw: Draw, seed: int) -> list[Run]:
 
 def _motion(setup: Setup, balance: Balance, run: Run) -> Motion | None:
     """The quantity along a run."""
-    read = _reader(setup, balance, run.draw)
+    read = _reader(setup, balance, run)
     values = np.array([read(s) for s in run.snapshots])
     if not np.isfinite(values).all():
         return None
@@ -279,14 +292,19 @@ def _size(snapshot: Snapshot, balance: Balance) -> float:
         return momentum
     if dimension == ANGULAR_MOMENTUM:
         return momentum * sizes.length + spin
-    return float(shares @ speeds) / 2 if dimension == ENERGY else 0.0
+    if dimension != ENERGY:
+        return 0.0
+    loads = sum(abs(snapshot.law(push)) for push in balance.storing)
+    return float(shares @ speeds) / 2 + _SLOW * loads * sizes.length
 
 
-def _reader(setup: Setup, balance: Balance, draw: Draw) -> Callable[[Snapshot], float]:
+def _reader(setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
     """The quantity at a snapshot: stated over the numbers; by its formula where it is one of coordinates."""
     quantity = balance.quantity
     if isinstance(quantity, (GeneralizedMomentum, JacobiIntegral)):
-        return lambda s: element_at(setup, (balance.value,), draw, s)[0]
+        if run.has_other_forms:
+            raise CannotAnswer("its formula is in the functions of the file, not in those of the case")
+        return lambda s: element_at(setup, (balance.value,), run.draw, s)[0]
     from freebody.model.question import Energy
 
     if isinstance(quantity, Energy) and quantity.what != "kinetic":
@@ -298,7 +316,12 @@ def _reader(setup: Setup, balance: Balance, draw: Draw) -> Callable[[Snapshot], 
                 else float(quantity_value(Energy("kinetic", quantity.body), setup.system, s))
             )
             for push in balance.storing:
-                if quantity.body is None or quantity.body in set(push.measure.bodies()):
+                if quantity.body is not None and quantity.body not in set(push.measure.bodies()):
+                    continue
+                if push in balance.unwritten:
+                    first = run.snapshots[0].value(push.measure)  # type: ignore[arg-type]
+                    total -= work_between(s.reference, push, first, s.value(push.measure))  # type: ignore[arg-type]
+                else:
                     total += s.potential(push)
             return total
 

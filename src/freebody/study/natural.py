@@ -8,6 +8,7 @@ from typing import Any
 from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.model.elements import Push
 from freebody.model.question import (
     SYSTEM_CENTER,
     Energy,
@@ -32,7 +33,7 @@ def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
     yield Energy("total"), "total energy"
     if not model.loops and any(row.target is not None and "t" in free_symbols(row.target) for row in system.held):
         yield JacobiIntegral(), "Jacobi integral"
-    groups = list(_groups(system))
+    groups = list(_groups(system, with_single=not model.loops))
     yield from _momenta(system, *groups[0])
     for c in () if model.loops else model.coordinates:
         measure = model.measure_of(c)
@@ -43,24 +44,25 @@ def candidates(setup: Setup) -> Iterator[tuple[Quantity, str]]:
 
 
 def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantity, str]]:
-    if all(_is_massless(b.mass) for b in system.moving if is_among(b.name, group)):
+    meant = [b for b in system.moving if is_among(b.name, group)]
+    if all(_is_massless(b.mass) and _is_massless(b.inertia) for b in meant):
         return
     directions = [("right", RIGHT), ("up", UP)]
     for name, line in system.bodies[GROUND].lines.items():
         directions += [(name, line.direction), (f"normal to {name}", line.direction.normal())]
-    for name, direction in directions:
+    for name, direction in directions if not all(_is_massless(b.mass) for b in meant) else ():
         yield Momentum(group, direction), f"linear momentum{words} along {name}"
     for about, name in _centers(system, group):
         yield Spin(group, about), f"angular momentum{words} about {name}"
 
 
-def _groups(system: System) -> Iterator[tuple[Group, str]]:
+def _groups(system: System, *, with_single: bool) -> Iterator[tuple[Group, str]]:
     yield None, ""
     heavy = [b for b in system.moving if not _is_massless(b.mass) or not _is_massless(b.inertia)]
     for part in _components(system):
         if 1 < len(part) < len(heavy):
             yield part, f" of {', '.join(part[:-1])} and {part[-1]}"
-    if 1 < len(heavy) <= _MOST_SINGLE:
+    if with_single and 1 < len(heavy) <= _MOST_SINGLE:
         for body in heavy:
             yield body.name, f" of {body.name}"
 
@@ -84,7 +86,11 @@ def _components(system: System) -> list[tuple[str, ...]]:
 
 def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
     """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
-    used = {p for row in system.held for p in _points_of(row.measure)}
+    stated = [
+        *(row.measure for row in system.held),
+        *(push.measure for push in system.pushes if not _is_weight(system, push)),
+    ]
+    used = {p for measure in (*stated, *system.measures.values()) for p in _points_of(measure)}
     for point in sorted({p for p in used if p.body == GROUND}, key=str):
         yield point, "ground.origin" if str(point) == GROUND else str(point)
     if isinstance(group, str):
@@ -97,7 +103,13 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
         yield SYSTEM_CENTER, "its mass center"
 
 
+def _is_weight(system: System, push: Push) -> bool:
+    return system.loads[push.load].kind == "gravity"
+
+
 def _points_of(measure: Any) -> Iterator[Point]:
+    for part in [m for _key, m in (*getattr(measure, "terms", ()), *getattr(measure, "measures", ()))]:
+        yield from _points_of(part)
     for name in ("of", "origin", "start", "end"):
         part = getattr(measure, name, None)
         if isinstance(part, Point):

@@ -7,7 +7,19 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, differentiate, free_symbols, number, substitute
+from freebody.language.expression import (
+    Expr,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    children,
+    differentiate,
+    free_symbols,
+    number,
+    substitute,
+    whole_exponent,
+)
 from freebody.measures.base import Measure
 from freebody.model.elements import Held, Push, RateMeasure
 from freebody.symbolic.field import Ratio
@@ -88,6 +100,8 @@ def law_polynomial(push: Push) -> list[Expr]:
     symbols = free_symbols(push.law)
     if push.measures or push.general is not None or {"@rate", "t"} & symbols or "rate(" in str(push.law):
         raise CannotAnswer(f"{push.load} depends on time, a rate or another measure and has no potential energy")
+    if not _is_polynomial(push.law):
+        raise CannotAnswer(f"the law of {push.load} is no polynomial in its measure, so its potential is not closed")
     coefficients: list[Expr] = []
     derivative = push.law
     factorial = 1
@@ -103,3 +117,19 @@ def law_polynomial(push: Push) -> list[Expr]:
             return coefficients
         factorial *= k + 1
     raise CannotAnswer(f"the law of {push.load} is no polynomial in its measure, so its potential is not closed")
+
+
+def _is_polynomial(law: Expr) -> bool:
+    """Whether the measure stands in sums, products and whole powers only."""
+    if "@value" not in free_symbols(law):
+        return True
+    match law:
+        case Symbol():
+            return True
+        case Sum() | Product():
+            return all(map(_is_polynomial, children(law)))
+        case Power(base, _):
+            n = whole_exponent(law)
+            return n is not None and n >= 0 and _is_polynomial(base)
+        case _:
+            return False

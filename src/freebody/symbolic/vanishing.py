@@ -43,6 +43,18 @@ class Case:
         except ZeroDivisionError:
             raise CannotAnswer(f"it has no value for {' and '.join(self.texts())}") from None
 
+    def with_more(self, more: Case) -> Case:
+        """Both cases together."""
+        values = {k: more.put_in(v) for k, v in self.values.items()} | dict(more.values)
+        return Case((*self.equalities, *more.equalities), values, self.is_solved and more.is_solved)
+
+    def kills(self, x: Ratio) -> bool:
+        """Whether an element is zero in this case. Raises CannotAnswer where it has no value then."""
+        put = self.put_in(x)
+        if self.is_solved or put.is_zero():
+            return put.is_zero()
+        return any(_divides(e, put.numerator()) for e in self.equalities)
+
     def texts(self) -> tuple[str, ...]:
         return tuple(equality_text(e) for e in self.equalities)
 
@@ -103,7 +115,11 @@ def is_given_function(field: Field, index: int) -> bool:
 def cases_where_zero(coefficients: Sequence[Ratio], may_vanish: MayVanish) -> tuple[Case, ...]:
     """All cases in which every coefficient is zero, the more special left out where a more general one covers them.
     No case: they are never all zero; the case without equalities: they always are."""
-    found = list(_cases(list(coefficients), ALWAYS, may_vanish))
+    return most_general(list(_cases(list(coefficients), ALWAYS, may_vanish)))
+
+
+def most_general(found: Sequence[Case]) -> tuple[Case, ...]:
+    """The cases that no other one covers."""
     general: list[Case] = []
     for k, case in enumerate(found):
         if not any(implies(case, other) for other in (*general, *found[k + 1 :])):
@@ -113,20 +129,17 @@ def cases_where_zero(coefficients: Sequence[Ratio], may_vanish: MayVanish) -> tu
 
 def implies(case: Case, other: Case) -> bool:
     """Whether all equalities of the other case hold in this one."""
-    return all(_put(case, e).is_zero() for e in other.equalities)
-
-
-def _put(case: Case, x: Ratio) -> Ratio:
     try:
-        return case.put_in(x)
+        return all(case.kills(e) for e in other.equalities)
     except CannotAnswer:
-        return x
+        return False
 
 
 def _cases(open_: list[Ratio], so_far: Case, may_vanish: MayVanish) -> Iterator[Case]:
     open_ = [x for x in open_ if not x.is_zero()]
     if not open_:
-        yield so_far
+        if all(map(so_far.kills, so_far.equalities)):  # what came later may contradict what came before
+            yield _read_off(so_far)
         return
     # the coefficient with the fewest ways to vanish decides first
     ways = [(list(_ways(x, may_vanish)), x) for x in open_]
@@ -134,13 +147,44 @@ def _cases(open_: list[Ratio], so_far: Case, may_vanish: MayVanish) -> Iterator[
     for way in first[:_MOST_CASES]:
         try:
             rest = [way.put_in(x).numerator() for x in open_ if way.is_solved or x is not own]
+            values = {k: way.put_in(v) for k, v in so_far.values.items()} | dict(way.values)
         except CannotAnswer:
             continue
         if not way.is_solved:
             rest = [x for x in rest if not _divides(way.equalities[0], x)]
-        values = {k: way.put_in(v) for k, v in so_far.values.items()} | dict(way.values)
         together = Case((*so_far.equalities, *way.equalities), values, so_far.is_solved and way.is_solved)
         yield from _cases(rest, together, may_vanish)
+
+
+def _read_off(case: Case) -> Case:
+    """The case with each equality that later ones made simpler as what it has come to."""
+    equalities: list[Ratio] = []
+    for e in case.equalities:
+        solved = [k for k in case.values if k in e.generators() and e.field.generators[k].kind == "parameter"]
+        if solved and len(case.equalities) > 1:
+            k = max(solved)
+            come_to = (e.field.variable(k) - case.values[k]).numerator()
+            e = come_to if len(come_to.num) < len(e.num) else e
+        if all(e != other and e != -other for other in equalities):
+            equalities.append(e)
+    # a function that is zero has rates that are
+    field = equalities[0].field if equalities else None
+    functions = [e for e in equalities if field is not None and _is_function(field, e)]
+    later = [r for e in functions for r in _rates_of(e)]
+    return Case(tuple(e for e in equalities if e not in later), case.values, case.is_solved)
+
+
+def _is_function(field: Field, x: Ratio) -> bool:
+    return len(x.generators()) == 1 and is_given_function(field, min(x.generators())) and len(x.num) == 1
+
+
+def _rates_of(function: Ratio) -> list[Ratio]:
+    found: list[Ratio] = []
+    rate = function.field.rate(function)
+    while not rate.is_zero():
+        found.append(rate)
+        rate = function.field.rate(rate)
+    return found
 
 
 def _divides(factor: Ratio, x: Ratio) -> bool:
@@ -172,7 +216,7 @@ def factor_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
     if sign in (Sign.POSITIVE, Sign.NEGATIVE, Sign.NONNEGATIVE, Sign.NONPOSITIVE):
         yield from _sum_zero(base, may_vanish)
         return
-    yield _solved(base)
+    yield from _solved(base, may_vanish)
 
 
 def _right_angle(base: Ratio) -> int | None:
@@ -191,7 +235,7 @@ def _generator_zero(field: Field, index: int, may_vanish: MayVanish) -> Iterator
     g = field.generators[index]
     x = field.variable(index)
     if is_given_function(field, index):
-        yield Case((x,), dict(_function_and_rates(field, index)))
+        yield Case((x,), dict(_with_rates(field, index, field.zero)))
     elif g.kind in ("cos", "sin"):
         angle = field.angles[index if g.kind == "cos" else index - 1]
         inside = [k for k in angle.generators() if may_vanish(k)]
@@ -204,16 +248,6 @@ def _generator_zero(field: Field, index: int, may_vanish: MayVanish) -> Iterator
         yield Case((x,), {index: field.zero})
 
 
-def _function_and_rates(field: Field, index: int) -> Iterable[tuple[int, Ratio]]:
-    """The function is zero at all times, and so are its rates."""
-    while True:
-        yield index, field.zero
-        rate = field.rate(field.variable(index))
-        if rate.is_zero():
-            return
-        index = field.index(rate)
-
-
 def _sum_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
     """A sum of terms of one sign is zero if every term is."""
     field = base.field
@@ -223,12 +257,14 @@ def _sum_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
         yield from _cases(monomials, ALWAYS, may_vanish)
 
 
-def _solved(base: Ratio) -> Case:
-    """An equality, solved for the parameter declared last in which it is linear."""
+def _solved(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
+    """An equality, solved for the given function of highest order, or for the parameter declared last, in which it is
+    linear; and, where the coefficient of that may vanish, the cases in which both parts do."""
     field = base.field
-    for index in sorted(base.generators(), reverse=True):
+    functions = [g for g in base.generators() if is_given_function(field, g)]
+    for index in (*sorted(functions, reverse=True), *sorted(base.generators(), reverse=True)):
         g = field.generators[index]
-        if g.kind != "parameter" or field.index(field.pi) == index:
+        if index not in functions and (g.kind != "parameter" or field.index(field.pi) == index or functions):
             continue
         parts = base.numerator().coefficients(index)
         if len(parts) != 2 or any(index in field.ingredients(part) for part in parts):
@@ -236,8 +272,22 @@ def _solved(base: Ratio) -> Case:
         value = -parts[0] / parts[1]
         if g.positive and sign_of(value) in (Sign.NEGATIVE, Sign.NONPOSITIVE, Sign.ZERO):
             continue
-        return Case((base,), {index: value})
-    return Case((base,), {}, is_solved=False)
+        values = {index: value} if index not in functions else dict(_with_rates(field, index, value))
+        yield Case((base,), values)
+        if not sign_of(parts[1]).is_strict:
+            yield from _cases(list(parts), ALWAYS, may_vanish)
+        return
+    yield Case((base,), {}, is_solved=False)
+
+
+def _with_rates(field: Field, index: int, value: Ratio) -> Iterable[tuple[int, Ratio]]:
+    """A given function that is equal to something at all times, and its rates."""
+    while True:
+        yield index, value
+        rate = field.rate(field.variable(index))
+        if rate.is_zero():
+            return
+        index, value = field.index(rate), field.rate(value)
 
 
 def texts_of(cases: Sequence[Case]) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
-from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, substitute
+from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, replace_rates, substitute
 from freebody.language.units import (
     ANGULAR_VELOCITY,
     DIMENSIONLESS,
@@ -29,7 +29,7 @@ from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.carriers import is_distance_kept
-from freebody.model.elements import Held, Line, Parameter, Push, RigidBody, Sign, Start
+from freebody.model.elements import RATE, VALUE, Held, Line, Parameter, Push, RigidBody, Sign, Start
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
 from freebody.model.question import read_questions
@@ -458,7 +458,7 @@ class Reader:
         forms = self._forms()
         for name, load in loads.items():
             with self.names.at("loads", name, load.kind):
-                for push in load.pushes(self.names):
+                for push in map(_in_own_measure, load.pushes(self.names)):
                     if free_symbols(push.law) & forms.keys():
                         push = replace(push, law=substitute(push.law, forms), general=push.law)
                     found.append(replace(push, load=name))
@@ -524,3 +524,14 @@ class Reader:
                         f"or, with positions left open, list all of them: ground: {{points: [{', '.join(listed)}]}}",
                     )
                 )
+
+
+def _in_own_measure(push: Push) -> Push:
+    """A law in a named measure that is the one it pushes is a law of its own measure."""
+    own = [name for name, measure in push.measures if measure == push.measure]
+    if not own:
+        return push
+    law = push.law
+    for name in own:
+        law = substitute(replace_rates(law, {name: RATE}), {name: VALUE})
+    return replace(push, law=law, measures=tuple(item for item in push.measures if item[0] not in own))
