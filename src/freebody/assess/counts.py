@@ -12,6 +12,7 @@ from freebody.language.expression import evaluate, free_symbols
 from freebody.language.parser import parse
 from freebody.model.question import Question
 
+NUMBERS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 INFINITE = ("inf", "infinity", "infinite", "∞")
 
 
@@ -34,6 +35,8 @@ def judge_count(question: Question, n: int, mistakes: Mapping[int, str]) -> Judg
 
 def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
     words = text.strip().lower()
+    if words in NUMBERS:
+        text = str(NUMBERS.index(words))
     if words in INFINITE:
         return Verdict("wrong", "is infinite, which finitely many rigid bodies never have")
     try:
@@ -41,7 +44,7 @@ def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
     except (ExpressionError, ValueError, ArithmeticError):
         return Verdict("unreadable", "is no number")
     if value is None:
-        return Verdict("wrong", f"is no number; there are {n}")
+        return Verdict("unreadable", "is no number")
     if value == n:
         return Verdict("right", "the rank of the constraints")
     if value.denominator != 1 or value < 0:

@@ -67,12 +67,13 @@ def _rank(found: Mobility) -> Iterator[str]:
     yield f"    {rank.rank} of {found.gruebler.n_constraints} constraints are independent"
     yield from wrapped("found by", rank.how)
     yield f"    mobility    {rank.n_coordinates} - {rank.rank} = {found.degrees_of_freedom}"
-    if found.nearby is None and found.is_singular:
-        yield from wrapped("", "to first order only: no finite motion follows, the pose is the only one nearby")
-    elif found.nearby is not None and found.nearby != found.degrees_of_freedom:
-        yield from wrapped(
-            "", f"at nearby poses {found.nearby}: the pose is singular, motions branch here (bifurcation)"
-        )
+    if found.nearby is not None and found.nearby < found.degrees_of_freedom:
+        if any(d.is_shaky for d in found.dependences):
+            yield from wrapped("", f"motions that start here {found.nearby}: the rest gives way to first order only")
+        else:
+            yield from wrapped(
+                "", f"at nearby poses {found.nearby}: the pose is singular, motions branch (bifurcation)"
+            )
     if found.contradiction is not None:
         what = "cannot be assembled" if found.contradiction.is_geometric else "cannot be assembled at its start"
         yield from wrapped("conflict", f"{what}: {', '.join(found.contradiction.names)}")
@@ -105,7 +106,7 @@ def _motions(motions: Motions) -> Iterator[str]:
             low, high = plain["transmission_extremes"]
             yield (
                 f"    transmission angle {number_text(_clean(plain['transmission_angle_folded']))}° here, "
-                f"{number_text(low)}° to {number_text(high)}° along the motion"
+                f"{number_text(_clean(low))}° to {number_text(_clean(high))}° over all poses of this loop alone"
             )
     if motions.centres and len(motions.centres) <= _MOST:
         yield "Instant centres"

@@ -55,7 +55,18 @@ class ExactPose:
         loops = [model.field.follow(loop.value, told).numerator() for loop in model.loops]
         angles = _LoopAngles(self, loops).solved()
         # what is longer than this makes formulas that nobody reads
-        self._angles = angles if all(len(x.num) <= _MOST_TERMS_OF_ANGLE for x in angles.values()) else {}
+        self._angles = angles if all(map(self._is_short, angles.values())) else {}
+
+    def _is_short(self, x: Ratio) -> bool:
+        """Whether what a loop makes of a cosine or sine is worth putting in: a few terms in parameters of the model,
+        one root at most. Roots of roots, and numbers alone, make formulas that are long and slow."""
+        f = self.setup.model.field
+        if x.fraction() is not None:
+            return True
+        used = [f.generators[k] for k in f.ingredients(x)]
+        roots = [g for g in used if g.kind == "root" and g.made_of]
+        has_parameter = any(g.kind == "parameter" and g.display != PI for g in used)
+        return has_parameter and len(roots) <= 1 and max(len(x.num), len(x.denominator().num)) <= _MOST_TERMS_OF_ANGLE
 
     def centres(self, known: Mapping[tuple[str, str], Centre]) -> Exact:
         """Formulas of those centres that lie in the finite and have one."""
@@ -87,13 +98,21 @@ class ExactPose:
         g = self.setup.model.field.generators[index]
         if g.kind == "parameter":
             return isinstance(g.display, Symbol) and (g.display.name in self.system.parameters or g.display == PI)
-        return g.kind in ("cos", "sin", "root", "function")
+        if g.kind in ("cos", "sin"):  # of an angle of the model, not of some number of degrees
+            return any(self.setup.model.field.generators[k].display != PI for k in g.made_of)
+        return g.kind in ("root", "function")
 
     def _shown(self, x: Ratio | int, number: float) -> Expr | None:
         """The formula, if it is one in the parameters alone, short, and has this value."""
         f = self.setup.model.field
-        element = f.lowest_terms(f.substitute(f.element(x), self._angles))
-        if len(element.num) > _MOST_TERMS or not all(map(self.is_told, f.ingredients(element))):
+        plain = f.element(x)
+        if max(len(plain.num), len(plain.denominator().num)) > _MOST_TERMS:
+            return None
+        element = f.substitute(plain, self._angles)
+        if max(len(element.num), len(element.denominator().num)) > _MOST_TERMS:
+            return None
+        element = f.lowest_terms(element)
+        if not all(map(self.is_told, f.ingredients(element))):
             return None
         try:
             value = self.number(element)

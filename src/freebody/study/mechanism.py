@@ -3,6 +3,7 @@ reaches, where it is singular, and the ways in which it can be assembled."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -13,6 +14,8 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import RIGHT, UP
 from freebody.model.elements import RateMeasure
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
@@ -25,6 +28,7 @@ from freebody.study.exact_centres import ExactPose
 from freebody.study.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
 from freebody.study.gruebler import Gruebler, is_driven
 from freebody.study.linkages import Linkage, linkages
+from freebody.study.quantities import ORIGIN
 from freebody.system.system import System
 
 MOST_BODIES = 8  # up to which the motion is followed without being asked for
@@ -106,7 +110,7 @@ class Motions:
 
 def _path_to_plain(path: Path) -> dict[str, Any]:
     return {
-        "reach": None if path.reach is None else list(path.reach),
+        "reach": None if path.reach is None else [x if math.isfinite(x) else None for x in path.reach],
         "full_turn": path.full_turn,
         "period": path.period,
         "is_closed": path.is_closed,
@@ -136,11 +140,13 @@ def motions_of(
     else:
         given = _own_input(system, reference, q, independent, drivers)
     found = Motions(system, given)
-    if along is not None or wanted.modes or len(system.moving) <= _MOST_LISTED:
+    if along is not None or wanted.modes or (free > 0 and len(system.moving) <= _MOST_LISTED):
         found = replace(found, linkages=_in_numbers(system, reference, q))
     if free == 1 and len(system.moving) <= _MOST_LISTED:
         found = replace(found, **_at_pose(system, reference, q, drivers, given))
     if given is None or any(isinstance(row.measure, RateMeasure) for row in system.held):
+        if along is not None:
+            raise CannotAnswer(f"{along} cannot be followed: connections that hold velocities have no curve of poses")
         return found
     is_loop = has_loops(system)
     if along is not None or (is_loop and free == 1 and len(system.moving) <= MOST_BODIES):
@@ -219,6 +225,9 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
         return _input(reference, q, along, known[along], (along,))
     measures = {**dict(system.offered), **system.measures}
     measures |= {f"angle of {b.name}": Angle(b.name) for b in system.moving if b.turns}
+    for b in system.moving:
+        measures |= {f"x of {b.name}": Displacement(b.mass_center, ORIGIN, RIGHT)}
+        measures |= {f"y of {b.name}": Displacement(b.mass_center, ORIGIN, UP)}
     if along not in measures:
         raise InputError(
             f"--along {along}: no driver and no measure.{did_you_mean(along, [*known, *measures])} "

@@ -27,22 +27,24 @@ from freebody.numeric.mobility.kinds import Dependence, dependences
 from freebody.numeric.mobility.rank import Rank, rank_at
 from freebody.numeric.reference import Reference
 from freebody.study.conflicts import Conflict, conflict
-from freebody.study.draws import draws
+from freebody.study.draws import SEED, draws
 from freebody.study.gruebler import Gruebler, gruebler
 from freebody.study.mechanism import Motions, Wanted, motions_of
 from freebody.system.system import System
 
 Basis = Literal["pose", "symbols", "topology"]
-_SEEDS = (3, 5, 8)  # of nearby poses
-_NEARBY = 0.2
+_MOST_DRAWN = 8  # bodies without dimensions, up to which coordinates are named
+_N_NEARBY = 4  # nearby poses more than freedoms
+_NEARBY = 0.2  # how far they are, by the size or in radians
+_STEP = 0.02  # part of that which counts as a motion
 
 
 @dataclass(frozen=True)
 class Mobility:
     """What the doctor found.
 
-    `degrees_of_freedom` is coordinates minus `rank.rank`, at this pose; `nearby` the same at nearby poses (None where
-    the pose is the only one)."""
+    `degrees_of_freedom` is coordinates minus `rank.rank`, at this pose; `nearby` those of the motions that start here
+    (None without a pose)."""
 
     system: System
     gruebler: Gruebler
@@ -162,8 +164,8 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
     reference = Reference(system)
     try:
         q = reference.assemble()
-    except CannotAnswer:
-        return _answered(_contradictory(system, count))
+    except CannotAnswer as error:
+        return _answered(_contradictory(system, count, error, along))
     return _answered(_at_pose(system, count, reference, q, "pose", Wanted(along, modes)))
 
 
@@ -180,11 +182,13 @@ def _of_topology(system: System, count: Gruebler) -> Mobility:
 
 def _drawn(system: System, rank: Rank) -> tuple[str, ...]:
     """Independent coordinates at random dimensions, where some are found that fit together."""
+    if len(system.moving) > _MOST_DRAWN:
+        return ()
     try:
         draw = draws(system, 1)[0]
+        names = tuple(name for name, _measure in independent_measures(draw.reference, draw.q))
     except CannotAnswer:
         return ()
-    names = tuple(name for name, _measure in independent_measures(draw.reference, draw.q))
     return names if len(names) == rank.n_freedoms else ()
 
 
@@ -193,15 +197,23 @@ def _of_symbols(system: System, count: Gruebler) -> Mobility:
     try:
         found = draws(system, 1)[0]
     except CannotAnswer as error:
-        return replace(_of_topology(system, count), notes=(f"generic geometry, since {error}",))
-    study = _at_pose(system, count, found.reference, found.q, "symbols", Wanted())
+        note = (
+            f"no values of the symbols were found that fit together ({error}): the rank is that of dimensions that do"
+        )
+        return replace(_of_topology(system, count), notes=(note,))
+    q = found.q
+    if not system.start and all(b.start.angle is None for b in system.moving):
+        q = found.anywhere(SEED, 0.0, 0.3).q  # nobody meant the angles to be zero
+    study = _at_pose(system, count, found.reference, q, "symbols", Wanted())
     return replace(study, notes=("parameters without a value have random ones", *study.notes))
 
 
-def _contradictory(system: System, count: Gruebler) -> Mobility:
+def _contradictory(system: System, count: Gruebler, error: CannotAnswer, along: str | None) -> Mobility:
     """A system that cannot be assembled: because of its start, or at all."""
     found = conflict(system)
-    if found is not None and not found.is_geometric:
+    if found is None or along is not None:
+        raise error  # something else is the matter, or there is no motion to follow
+    if not found.is_geometric:
         loose = _without_start(system)
         reference = Reference(loose)
         try:
@@ -241,21 +253,23 @@ def _guess(system: System, reference: Reference) -> Array:
 def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, basis: Basis, wanted: Wanted) -> Mobility:
     rank = rank_at(reference, q)
     found = dependences(reference, q, rank)
-    nearby = _nearby(reference, q, rank, found)
+    nearby = _nearby(reference, q, rank)
+    if nearby < rank.n_freedoms and all(d.kind != "momentary" for d in found):
+        # nothing nearby: the rows are as dependent as the count says, but what they leave is no motion
+        found = tuple(replace(d, kind="momentary", is_shaky=True) for d in found)
     independent = independent_measures(reference, q)
-    motions = (
-        motions_of(system, reference, q, count, rank.n_freedoms if nearby is None else nearby, independent, wanted)
-        if basis == "pose"
-        else None
-    )
+    motions = motions_of(system, reference, q, count, nearby, independent, wanted) if basis == "pose" else None
     notes: list[str] = []
     loose = [b.name for b in system.moving if all(b.name not in row.measure.bodies() for row in system.held)]
     if loose:
         notes.append(f"connected with nothing: {', '.join(loose)}")
     if count.drivers:
         free = len(q) - rank_at(reference, q, without=count.drivers).rank
-        notes.append(f"without {', '.join(count.drivers)}: {free} degrees of freedom")
+        notes.append(f"without {', '.join(count.drivers)}: {free} degree{'s' * (free != 1)} of freedom")
     idle = idle_freedoms(reference, q)
+    over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else ""
+    if over_driven:
+        notes.append(over_driven)
     return Mobility(
         system,
         count,
@@ -271,21 +285,35 @@ def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, ba
     )
 
 
-def _nearby(reference: Reference, q: Array, rank: Rank, found: tuple[Dependence, ...]) -> int | None:
-    """Freedoms at nearby poses; None where there are no others."""
-    if not any(d.kind == "momentary" for d in found):
+def _over_driven(reference: Reference, q: Array) -> str:
+    """Whether drivers lead the same freedom at different rates."""
+    try:
+        reference.velocities(q, with_start=False)
+    except CannotAnswer as error:
+        return f"over-driven: {error}"
+    return ""
+
+
+def _nearby(reference: Reference, q: Array, rank: Rank) -> int:
+    """Freedoms of the motions that start here: as many as nearby poses have, and as directions in which there are any.
+    What moves to first order only is not among them."""
+    if not rank.circuits or not rank.n_freedoms:
         return rank.n_freedoms
-    if any(d.is_shaky for d in found):
-        return None
     free: list[int] = []
-    for seed in _SEEDS:
+    moves: list[Array] = []
+    for seed in range(rank.n_freedoms + _N_NEARBY):
         try:
             there, _v = reference.wander(q, np.random.default_rng(seed), _NEARBY)
         except CannotAnswer:
             continue
-        if float(reference.sizes.relative(there - q).max()) > 0.01 * _NEARBY:
+        move = (there - q) / reference.sizes.unit_moves
+        if float(np.abs(move).max()) > _STEP * _NEARBY:
             free.append(rank_at(reference, there).n_freedoms)
-    return min(free, default=None)
+            moves.append(move / np.linalg.norm(move))
+    if not moves:
+        return 0
+    reached = int(np.linalg.matrix_rank(np.array(moves), tol=_STEP))
+    return min(*free, reached, rank.n_freedoms)
 
 
 # -- answers and advice -----------------------------------------------------------------------
@@ -334,6 +362,11 @@ def _advice(found: Mobility) -> str:
     kinds = {d.kind for d in found.dependences}
     if found.contradiction is not None:
         return found.contradiction.message
+    over_driven = [note for note in found.notes if note.startswith("over-driven")]
+    if over_driven:
+        return f"Leave out one of {', '.join(found.gruebler.drivers)}: they lead the same freedom at different rates."
+    if any(d.is_shaky for d in found.dependences) and found.gruebler.drivers:
+        return f"The drivers ({', '.join(found.gruebler.drivers)}) are at a dead point: lead another measure."
     if any(d.is_shaky for d in found.dependences):
         return (
             "It gives way to first order only, so small errors of the lengths become large displacements: change "
@@ -352,5 +385,6 @@ def _advice(found: Mobility) -> str:
         return unique[0].upper() + unique[1:]
     if found.degrees_of_freedom == 0:
         return "Nothing can move, and all reactions are unique."
-    lead = ", ".join(found.independent_coordinates) or f"{found.degrees_of_freedom} coordinates"
+    n = found.degrees_of_freedom
+    lead = ", ".join(found.independent_coordinates) or f"{n} coordinate{'s' * (n > 1)}"
     return f"Lead {lead} to determine the motion; all reactions are unique."

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -145,9 +146,11 @@ def _dead_points(mechanism: Mechanism, stations: Sequence[Station], k: int, name
     size = mechanism.reference.sizes.length if mechanism.measures[k].dimension == LENGTH else 1.0
     if float(np.abs(rates).max()) < 1e-9 * size:
         return
-    for i in range(len(stations) - 1):
-        a, b = stations[i], stations[i + 1]
-        if (rates[i] >= 0.0) == (rates[i + 1] >= 0.0):
+    # a rate that is zero but for round-off at a station has no sign of its own: those around it decide
+    clear = [i for i in range(len(stations)) if abs(rates[i]) > 1e-9 * size]
+    for i, j in pairwise(clear):
+        a, b = stations[i], stations[j]
+        if (rates[i] >= 0.0) == (rates[j] >= 0.0):
             continue
         here, part = _still(mechanism, a, b, k)
         end = "upper" if a.rates[k] >= 0.0 else "lower"
@@ -155,7 +158,7 @@ def _dead_points(mechanism: Mechanism, stations: Sequence[Station], k: int, name
         kind: Kind = "dead point" if k == 0 else "output dead point"
         what = f"{end} limit of {name}" if k == 0 else f"{name} is {extreme}"
         value = float(here.values[k]) if k else None
-        yield i + part, PathPoint(kind, float(here.values[0]), here.x * mechanism.D, what, value)
+        yield i + part * (j - i), PathPoint(kind, float(here.values[0]), here.x * mechanism.D, what, value)
 
 
 def _still(mechanism: Mechanism, a: Station, b: Station, k: int) -> tuple[Station, float]:
