@@ -96,7 +96,9 @@ def assembly_modes(
         raise CannotAnswer(
             f"no pose was found in {n_done} starts in which {search.wanted}. Change the values, or the lengths"
         )
-    return Modes(_named(reference, _in_order(search, poses, q), t), n_done, n_since)
+    # names do not depend on where the search began, so that a mode that was chosen keeps its own
+    named = _named(reference, _in_order(search, poses), t)
+    return Modes(sorted(named, key=lambda mode: search.apart(mode.q, q) > _SAME_SINGULAR), n_done, n_since)
 
 
 def chosen(reference: Reference, q: Array, name: str) -> Array:
@@ -177,13 +179,13 @@ class _Search:
             )
 
 
-def _in_order(search: _Search, poses: Sequence[Fit], q: Array) -> list[Array]:
-    """The pose of q, then the others by where they are, so that the order does not depend on the search."""
+def _in_order(search: _Search, poses: Sequence[Fit]) -> list[Array]:
+    """The poses by where they are, so that the order does not depend on the search."""
     turning = search.reference.sizes.turning
 
-    def key(pose: Array) -> tuple[bool, list[float]]:
+    def key(pose: Array) -> list[float]:
         turned = np.where(turning, np.mod(pose + 1e-4, math.tau), pose / search.reference.sizes.length)
-        return search.apart(pose, q) > _SAME_SINGULAR, np.round(turned, 4).tolist()
+        return np.round(turned, 4).tolist()
 
     return sorted((fit.q for fit in poses), key=key)
 
