@@ -251,7 +251,7 @@ measures: {{theta: angle of crank}}
 start: {{theta: 60 deg}}
 """
     )
-    within(2.0, lambda: mobility(system).to_plain())
+    within(4.0, lambda: mobility(system).to_plain())
 
 
 # -- what the pose is -------------------------------------------------------------------------

@@ -64,7 +64,7 @@ def conserved(system: System, question: str | None = None) -> Conservation:
         asked = tuple(q for q in system.questions if isinstance(q.quantity, Conserved))
     else:
         asked = (_question(system, question),)
-    setup = Setup(system)
+    setup = Setup(system, N_MOTIONS if asked else N_IN_SEARCH)
     if asked:
         return Conservation(system, tuple(Judge(setup).answer(q) for q in asked), is_search=False)
     return Conservation(system, tuple(_searched(setup)), is_search=True)
