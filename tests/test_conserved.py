@@ -371,7 +371,7 @@ def test_the_command_prints_the_documented_json() -> None:
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in FOLDER.glob("*.yaml")))
 def test_every_example_is_searched_within_seconds(name: str, within: Within) -> None:
-    """Two seconds are meant (BENCHMARKS.md has what was measured); twice that, since the machine may have other work."""
+    """Two seconds are meant, and measured in BENCHMARKS.md; here twice that, for machines with other work."""
     system = fb.System.load(FOLDER / f"{name}.yaml")
     within(4.0, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
     if name != "body_on_driven_roller":
