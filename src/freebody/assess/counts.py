@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from freebody.assess.verdict import Judgement, Verdict
-from freebody.assess.words import listed
+from freebody.assess.verdict import Judgement, Verdict, judgement_of
 from freebody.errors import ExpressionError
 from freebody.language.expression import evaluate, free_symbols
 from freebody.language.parser import parse
@@ -19,18 +18,7 @@ INFINITE = ("inf", "infinity", "infinite", "∞")
 def judge_count(question: Question, n: int, mistakes: Mapping[int, str]) -> Judgement:
     """Judges options that are counts. mistakes: what leads to a wrong number."""
     verdicts = {letter: _verdict(text, n, mistakes) for letter, text in question.options.items()}
-    right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
-    notes = [f"({k}) {v.reason}" for k, v in verdicts.items() if v.verdict == "unreadable"]
-    if not question.options:
-        return Judgement(None, {}, ())
-    if not right:
-        notes.append("no option is right")
-    elif len(right) > 1:
-        notes.append(f"several options are right: {listed(right)}")
-    key = question.key
-    if key is not None and verdicts[key].verdict != "right":
-        notes.append(f"the key says {key}, but " + (f"{listed(right)} is right" if right else f"it is {n}"))
-    return Judgement(right[0] if len(right) == 1 else None, verdicts, tuple(notes))
+    return judgement_of(verdicts, question.key, f"it is {n}")
 
 
 def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.assess.names import Names, named_in
-from freebody.assess.verdict import Judgement, Verdict
-from freebody.assess.words import is_readable, listed
+from freebody.assess.verdict import Judgement, Verdict, judgement_of
+from freebody.assess.words import is_readable
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_text
@@ -82,21 +82,10 @@ def judge_statements(question: Question, claim: Claim, model: SymbolicModel, sys
             verdicts[letter], lesser[letter] = _verdict(reader.read(text), claim)
         except NoCondition as error:
             verdicts[letter], lesser[letter] = Verdict("unreadable", f"is no condition: {error}"), False
-    right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
-    if not right:
+    if all(v.verdict != "right" for v in verdicts.values()):
         for letter in (k for k, is_true in lesser.items() if is_true):
             verdicts[letter] = Verdict("right", verdicts[letter].reason)
-            right.append(letter)
-    notes = [f"({k}) {v.reason}" for k, v in verdicts.items() if v.verdict == "unreadable"]
-    if not right:
-        notes.append("no option is right")
-    elif len(right) > 1:
-        notes.append(f"several options are right: {listed(right)}")
-    key = question.key
-    if key is not None and verdicts[key].verdict != "right":
-        instead = f"{listed(right)} is right" if right else f"it {verdicts[key].reason}"
-        notes.append(f"the key says {key}, but {instead}")
-    return Judgement(right[0] if len(right) == 1 else None, verdicts, tuple(notes))
+    return judgement_of(verdicts, question.key)
 
 
 def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from freebody.study.verdicts import Conservation, Verdicts
 
 _RULE = "─"
+_ROUND_OFF = 1e-12
 _LONGEST = 60  # operations of a formula that stands in one line
 
 
@@ -100,7 +101,9 @@ def _verdict(verdict: Verdicts) -> Iterator[str]:
         yield from wrapped("to author", note)
     if verdict.counter is not None:
         c = verdict.counter
-        start = ", ".join(f"{name} = {number_text(value)}" for name, value in c.start.items())
+        start = ", ".join(
+            f"{name} = {number_text(0.0 if abs(value) < 1e-12 else value)}" for name, value in c.start.items()
+        )
         yield from wrapped(
             "changes",
             f"from {number_text(c.before)} to {number_text(c.after)} within {number_text(c.time)} s"
@@ -121,4 +124,4 @@ def _answer(verdict: Verdicts) -> str:
         return "for every motion"
     if verdict.is_conserved is False:
         return "no"
-    return f"if and only if {' or '.join(verdict.conditions)}"
+    return verdict.when

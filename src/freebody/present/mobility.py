@@ -120,6 +120,8 @@ def _motions(motions: Motions) -> Iterator[str]:
             )
             exact = "" if c.formula is None else f" = ({', '.join(map(to_text, c.formula))})"
             yield f"    {' - '.join(c.pair):<24} {where}{exact}"
+    if any(c.formula is not None for c in motions.centres) or any(r.formula is not None for r in motions.ratios):
+        yield "    formulas: at this pose and on this branch, while the loops close and the roots are real"
     if motions.ratios and motions.input is not None and len(motions.ratios) <= _MOST:
         yield f"Rates per unit rate of {motions.input.name}"
         for r in motions.ratios:

@@ -55,6 +55,9 @@ from freebody.symbolic.vanishing import (
 )
 from freebody.system.system import System
 
+_MOST_TERMS = 250  # of a formula that is put in order
+_MOST_INSIDE = 5  # parameters inside what moves, of which pairs are tried
+
 
 def conserved(system: System, question: str | None = None) -> Conservation:
     """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
@@ -66,7 +69,8 @@ def conserved(system: System, question: str | None = None) -> Conservation:
         asked = (_question(system, question),)
     setup = Setup(system, N_MOTIONS if asked else N_IN_SEARCH)
     if asked:
-        return Conservation(system, tuple(Judge(setup).answer(q) for q in asked), is_search=False)
+        judge = Judge(setup)
+        return Conservation(system, tuple(judge.answer(q) for q in asked), is_search=False)
     return Conservation(system, tuple(_searched(setup)), is_search=True)
 
 
@@ -75,10 +79,6 @@ def _question(system: System, text: str) -> Question:
     if "conserved" not in words and not words.startswith("conservation"):
         words = f"is {words} conserved"
     return system.question(words)
-
-
-_MOST_TERMS = 250  # of a formula that is put in order
-_MOST_INSIDE = 5  # parameters inside what moves, of which pairs are tried
 
 
 @dataclass(frozen=True)
@@ -356,6 +356,8 @@ class Judge:
             notes += self._edges(found.cases)
             notes += self._in_words(balance, found.cases)
         confirmation, counter = confirm(self.runs, balance, found.cases, is_conserved)
+        if is_conserved is not True and counter is None:
+            notes.append("no simulated motion with the numbers of the file showed a change")
         parts: tuple[tuple[str, Expr], ...] = ()
         if found.principle is not None:
             reduced = [(what, self._reduced(part)) for what, part in found.principle.parts]
@@ -377,7 +379,24 @@ class Judge:
             choice=None if judgement is None else judgement.choice,
             options={} if judgement is None else judgement.options,
             author_notes=() if judgement is None else judgement.notes,
+            is_exact=found.is_exact,
+            provided=self._provided(found) if is_conserved is None else (),
         )
+
+    def _provided(self, found: Finding) -> tuple[str, ...]:
+        """Parameters that are taken to be there, without which terms of the rate would vanish as well."""
+        try:
+            rate = found.balance.rate
+        except CannotAnswer:
+            return ()
+        names: dict[str, None] = {}
+        for coefficient in motion_coefficients(rate, self._is_parameter):
+            _unit, factors = rate.field.factor(coefficient.num)
+            for base, _exponent in factors:
+                e = base.field.generators[min(base.generators())].display
+                if len(base.num) == 1 and isinstance(e, Symbol) and e.name in self._substance:
+                    names[e.name] = None
+        return tuple(names)
 
     def _shown(self, found: Finding) -> tuple[Expr | None, Expr | None]:
         """The quantity and its rate; nothing longer than anybody reads."""

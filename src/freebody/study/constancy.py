@@ -101,8 +101,6 @@ def confirm(
             if motion.drift > VISIBLE:
                 changes.append(motion.drift)
                 counter = counter or motion.told()
-        if not changes:
-            return None, None
     if not drifts and not changes:
         return None, None
     return Confirmation(len(drifts) + len(changes), max(drifts, default=None), min(changes, default=None)), counter

@@ -84,7 +84,8 @@ class Mobility:
 
     @property
     def is_singular(self) -> bool:
-        """Whether the rank is smaller at this pose than nearby, or an input is at a dead point."""
+        """Whether the rank is smaller at this pose than nearby; dead points of the input are told apart from it, in
+        `motions.singular`."""
         return any(d.kind == "momentary" for d in self.dependences)
 
     @property
@@ -383,6 +384,8 @@ def _advice(found: Mobility) -> str:
         if "special geometry" in kinds and found.degrees_of_freedom:
             return f"It moves only as long as the dimensions are exactly so: {unique}"
         return unique[0].upper() + unique[1:]
+    if found.degrees_of_freedom == 0 and found.gruebler.drivers:
+        return f"It moves as {', '.join(found.gruebler.drivers)} lead it; all reactions are unique."
     if found.degrees_of_freedom == 0:
         return "Nothing can move, and all reactions are unique."
     n = found.degrees_of_freedom

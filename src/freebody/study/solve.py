@@ -141,7 +141,7 @@ class _Solver:
         found = Judge(self.setup).answer(q)
         answer = "conserved for every motion" if found.is_conserved else "not conserved"
         if found.is_conserved is None:
-            answer = f"conserved if and only if {' or '.join(found.conditions)}"
+            answer = f"conserved {found.when}"
         c = found.confirmation
         return Answer(
             q.id,

@@ -34,7 +34,16 @@ class Verdicts:
     choice: str | None = None
     options: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
     author_notes: tuple[str, ...] = ()
+    is_exact: bool = True  # the conditions are all there are; otherwise they are enough
+    provided: tuple[str, ...] = ()  # parameters that are taken not to vanish
     same_as: str = ""  # an earlier quantity that is the same formula
+
+    @property
+    def when(self) -> str:
+        """Under which conditions it is conserved, in words: whether only then is said where it is known."""
+        word = "if and only if" if self.is_exact else "if"
+        given = f" (for {', '.join(self.provided)} ≠ 0)" if self.provided else ""
+        return f"{word} {' or '.join(self.conditions)}{given}"
 
     @property
     def is_answered(self) -> bool:
@@ -50,6 +59,8 @@ class Verdicts:
             "value": None if self.value is None else to_python(self.value),
             "rate": None if self.rate is None else to_python(self.rate),
             "conditions": list(self.conditions),
+            "conditions_are_all": self.is_exact,
+            "provided": list(self.provided),
             "notes": list(self.notes),
             "principle": self.principle or None,
             "parts": {name: to_python(part) for name, part in self.parts},
