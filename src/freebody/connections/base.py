@@ -1,6 +1,7 @@
 """The base of all connections.
 
-A connection is one file in this folder: a `Spec` with a `kind`, and `rows`, which says which measures it holds.
+A connection is one file in this folder: a `Spec` with a `kind`, and `rows`, which says which measures it holds, or
+`bounds`, which says which it bounds or rubs along.
 It may offer natural coordinates (`offers`), which are used where the user named none.
 """
 
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Point
-from freebody.model.elements import Held
+from freebody.model.elements import Bound, Held, Rub
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -34,7 +35,11 @@ class Connection(Spec):
 
     def rows(self, names: Names) -> list[Held]:
         """The measures it holds."""
-        raise NotImplementedError
+        return []
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        """The measures that it bounds, and those along which it resists by dry friction."""
+        return [], []
 
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""

@@ -10,7 +10,7 @@ Source: Norton, Design of Machinery, ch. 9 (the fundamental law of gearing, on p
 
 from __future__ import annotations
 
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import ZERO, Expr, add, negate
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -25,12 +25,6 @@ def touching(
     """(distance of centres, its value, arc that rolls off) of two touching circles."""
     r2 = negate(r_second) if internal else r_second
     total = add(r_first, r2)
-    rolled = Combination(
-        (
-            (r_first, Angle(first.body)),
-            (r2, Angle(second.body)),
-            (negate(total), Bearing(first, second)),
-        ),
-        LENGTH,
-    )
+    terms = ((r_first, Angle(first.body)), (r2, Angle(second.body)), (negate(total), Bearing(first, second)))
+    rolled = Combination(tuple(term for term in terms if term[0] != ZERO), LENGTH)  # a point does not turn
     return Distance(first, second), total, rolled

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection, coincidence
-from freebody.model.elements import Held
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import read_friction
+from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
 class Pin(Connection, kind="pin"):
-    """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows)."""
+    """`pin: [ground.A, rod.start]`. Holds r_second - r_first = 0 (2 rows). `friction` with the `radius` of the journal:
+    the torque that resists is mu r times the force in the pin."""
 
     first: str
     second: str
+    friction: Formula | dict[str, Any] = 0
+    radius: Formula | None = None
 
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
@@ -28,3 +35,19 @@ connections: {it: {pin: [ground.A, rod.start]}}
             names.problem(f"pins {first.body} to itself; name points of two bodies")
             return []
         return coincidence(first, second)
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        friction = read_friction(names, self.friction, DIMENSIONLESS)
+        if friction.is_none:
+            return [], []
+        radius = names.optional(self, "radius", LENGTH)
+        bodies = [names.point(text, key).body for key, text in (("first", self.first), ("second", self.second))]
+        if radius is None:
+            names.problem("friction in a pin acts at the radius of its journal; give radius", None, "friction")
+            return [], []
+        for key, body in zip(("first", "second"), bodies, strict=True):
+            if not names.known(body).turns:
+                names.problem(f"{body} is a particle; friction in a pin needs bodies that turn", None, key)
+        row = Held("friction", "friction torque", Angle(bodies[1], bodies[0]), connection=connection)
+        load = (f"{connection}.x", f"{connection}.y")
+        return [], [Rub(row, friction.static * radius, friction.kinetic * radius, load)]

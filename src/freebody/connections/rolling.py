@@ -71,7 +71,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         )
         return [
             Held("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
-            Held("no slip", "friction force", rolled, sign=-1),
+            Held("no slip", "friction force", rolled, sign=-1, needs="contact"),
         ]
 
     def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[Held]:
@@ -81,7 +81,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         slip = Combination(((ONE, along), (arm, Angle(body.name, line.direction.body))), LENGTH)
         return [
             Held("contact", "normal force", gap, arm, sign=-1 if self.below else 1, unilateral=True),
-            Held("no slip", "friction force", slip),
+            Held("no slip", "friction force", slip, needs="contact"),
         ]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -12,8 +12,9 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction, Point
-from freebody.model.elements import Held
-from freebody.model.spec import Heading
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import read_friction
+from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -45,12 +46,14 @@ def guide(
 
 class Slider(Connection, kind="slider"):
     """`slider: {body: block, along: right}`; `on` is the guiding body (default the ground), `through` a point
-    of the guide. Holds the displacement across the guide and the angle (2 rows)."""
+    of the guide. Holds the displacement across the guide and the angle (2 rows).
+    `friction`: the force that resists is mu times the normal force."""
 
     body: str
     along: Heading
     on: str = GROUND
     through: str | None = None
+    friction: Formula | dict[str, Any] = 0
 
     example = """
 bodies: {block: {rectangle: {mass: 1 kg, width: 1 m, height: 1 m}}}
@@ -68,6 +71,15 @@ connections: {it: {slider: {body: block, along: right}}}
             angle = Angle(point.body, direction.body)
             rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
         return rows
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        friction = read_friction(names, self.friction, DIMENSIONLESS)
+        if friction.is_none:
+            return [], []
+        point = names.point(self.body, "body")
+        travel = guide(names, point, self.along, self.on, self.through)[1]
+        row = Held("friction", "friction force", travel, connection=connection)
+        return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.body, "body")

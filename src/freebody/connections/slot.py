@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.slider import guide
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held
-from freebody.model.spec import Heading
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import read_friction
+from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -18,12 +20,14 @@ if TYPE_CHECKING:
 
 class Slot(Connection, kind="slot"):
     """`slot: {pin: rod.end, along: up}`; `on` is the slotted body (default the ground), `through` a point of
-    the slot's centre line. Holds the displacement across the slot (1 row)."""
+    the slot's centre line. Holds the displacement across the slot (1 row). `friction`: the force that resists is mu
+    times the normal force."""
 
     pin: str
     along: Heading
     on: str = GROUND
     through: str | None = None
+    friction: Formula | dict[str, Any] = 0
 
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
@@ -37,6 +41,15 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
             names.problem(f"the pin and the slot are both on {point.body}")
             return []
         return [Held("normal", "normal force", across)]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        friction = read_friction(names, self.friction, DIMENSIONLESS)
+        if friction.is_none:
+            return [], []
+        point = names.point(self.pin, "pin")
+        travel = guide(names, point, self.along, self.on, self.through)[1]
+        row = Held("friction", "friction force", travel, connection=connection)
+        return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.pin, "pin")

@@ -14,7 +14,7 @@ from typing import Literal, TypeVar
 from freebody.language.expression import Expr, Symbol
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Direction, Geometry, Point, Scalar, Vector, unit
+from freebody.measures.geometry import ZERO, Direction, Geometry, Point, Scalar, Vector, unit
 
 S = TypeVar("S", bound=Scalar)
 
@@ -81,6 +81,8 @@ class RigidBody:
     fixed: bool = False
     start: Start = Start()
     is_placeholder: bool = False  # stands in for a body that could not be read
+    corners: tuple[str, ...] = ()  # points on its straight-edged rim, in order
+    is_ring: bool = False  # a circle with room inside
 
     def point(self, name: str | None = None) -> Point:
         chosen = name or self.default_point
@@ -94,8 +96,6 @@ class RigidBody:
 
     @property
     def mass_center(self) -> Point:
-        from freebody.measures.geometry import ZERO
-
         return Point(self.name, (ZERO, ZERO), self.name)
 
 
@@ -140,6 +140,7 @@ class Held:
     ends: tuple[str, ...] = ()  # bodies between which a named section runs, for "tension of rope at left"
     if_needed: bool = False  # held only where the other connections leave it free
     unilateral: bool = False  # an ideal string or contact: the reaction must not be negative
+    needs: str = ""  # the component of the same connection without which it is not held: no grip where nothing touches
     connection: str = ""
     general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
 
@@ -151,6 +152,60 @@ class Held:
     @property
     def name(self) -> str:
         return f"{self.connection}.{self.component}"
+
+
+@dataclass(frozen=True)
+class Span:
+    """Where a contact exists: a measure is between two values (a foot on an edge)."""
+
+    measure: Measure
+    low: Expr | None = None
+    high: Expr | None = None
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A measure that may not pass a limit: sign (measure - target) >= 0. While it is closed its row is held, and its
+    reaction, sign * multiplier, is not negative."""
+
+    row: Held
+    restitution: Expr = ZERO
+    within: tuple[Span, ...] = ()
+    starts_closed: bool = False  # the start pose closes it
+
+    @property
+    def name(self) -> str:
+        return self.row.name
+
+
+@dataclass(frozen=True)
+class Rub:
+    """Dry friction along a measure. While it does not run its row is held, as long as its multiplier stays within
+    static * load; while it runs, the force is kinetic * load against the rate.
+
+    The load is the size of the resultant of the multipliers named in `load` (one or two); without any, `static` and
+    `kinetic` are the limits themselves, laws of time and of `measures`. `of` is the bound without which there is no
+    friction. Where the friction that resists a growing measure differs from the one that resists a falling one, the
+    second is given by `static_back` and `kinetic_back` (a belt round a drum)."""
+
+    row: Held
+    static: Expr
+    kinetic: Expr
+    load: tuple[str, ...] = ()
+    of: str = ""
+    static_back: Expr | None = None
+    kinetic_back: Expr | None = None
+    measures: tuple[tuple[str, Measure], ...] = ()
+
+    @property
+    def name(self) -> str:
+        return self.row.name
+
+    def coefficient(self, direction: int, *, at_rest: bool = False) -> Expr:
+        """What multiplies the load: direction +1 where the measure grows (or would), -1 where it falls."""
+        if direction < 0 and self.static_back is not None and self.kinetic_back is not None:
+            return self.static_back if at_rest else self.kinetic_back
+        return self.static if at_rest else self.kinetic
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,8 @@ class Build:
     radius: Expr | None = None
     turns: bool = True
     default_point: str = "center"
-    inner_radius: Expr | None = None
+    corners: tuple[str, ...] = ()  # points of a straight-edged rim, in order
+    is_ring: bool = False
 
 
 class Shape(Spec):
@@ -78,6 +79,7 @@ class Rod(Shape, kind="rod"):
             m,
             divide(multiply(m, power(length, number(2))), number(12)),
             points={"start": (negate(half), ZERO), "end": (half, ZERO)},
+            corners=("start", "end"),
         )
 
 
@@ -108,7 +110,7 @@ class Ring(Shape, kind="ring"):
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
         given = names.optional(self, "inertia", INERTIA)
-        return Build(m, m * power(r, number(2)) if given is None else given, radius=r)
+        return Build(m, m * power(r, number(2)) if given is None else given, radius=r, is_ring=True)
 
 
 class Sphere(Shape, kind="sphere"):
@@ -155,6 +157,7 @@ class Rectangle(Shape, kind="rectangle"):
                 "top_left": (negate(x), y),
                 "top_right": (x, y),
             },
+            corners=("bottom_left", "bottom_right", "top_right", "top_left"),
         )
 
 
@@ -190,7 +193,14 @@ class Polygon(Shape, kind="polygon"):
         about_origin = divide(m * polar, 6 * area2)
         inertia = about_origin - m * (cx * cx + cy * cy)
         points = {f"corner{k}": corner for k, corner in enumerate(corners, 1)}
-        return Build(m, inertia, (cx, cy), points | {"origin": (ZERO, ZERO)}, default_point="origin")
+        return Build(
+            m,
+            inertia,
+            (cx, cy),
+            points | {"origin": (ZERO, ZERO)},
+            default_point="origin",
+            corners=tuple(f"corner{k}" for k in range(1, len(corners) + 1)),
+        )
 
 
 class Body(Shape, kind="body"):

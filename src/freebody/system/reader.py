@@ -12,6 +12,7 @@ from typing import Any, TypeVar, cast
 from pydantic import ValidationError
 
 from freebody.connections.base import Connection
+from freebody.connections.contact import Contact, Pair
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
 from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, replace_rates, substitute
@@ -29,7 +30,7 @@ from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.carriers import is_distance_kept
-from freebody.model.elements import RATE, VALUE, Held, Line, Parameter, Push, RigidBody, Sign, Start
+from freebody.model.elements import RATE, VALUE, Bound, Held, Line, Parameter, Push, RigidBody, Rub, Sign, Start
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
 from freebody.model.question import read_questions
@@ -52,7 +53,8 @@ SECTIONS = (
     "start",
     "questions",
 )
-BODY_OPTIONS = ("at", "angle", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
+BODY_OPTIONS = ("at", "angle", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "outline")
+MOST_ASKED = 40
 _HALF_TURN = 1.5707963267948966
 
 SpecT = TypeVar("SpecT", bound=Spec)
@@ -84,10 +86,11 @@ class Reader:
         loads = self._specs("loads", Load.kinds)
         measures = self._measures()
         held, offered = self._held(connections)
+        contacts, limits, brakes = self._bounds(connections)
         pushes = self._pushes(loads)
         start, rates = self._start(measures)
         mode = self._mode()
-        self.names.held = held
+        self.names.held = [*held, *_rows_to_ask_for(contacts, limits, brakes)]
         self.names.loads = {p.load: ENERGY / p.measure.dimension for p in pushes}
         questions = read_questions(self.names, self.data.get("questions"))
         self._ground_points()
@@ -114,6 +117,9 @@ class Reader:
             file=self.file,
             unspecified=self.open.places,
             mode=mode,
+            contacts=contacts,
+            limits=limits,
+            brakes=brakes,
         )
 
     # -- sections -----------------------------------------------------------------------------
@@ -329,7 +335,23 @@ class Reader:
             turns=build.turns,
             fixed=bool(entry.get("fixed", False)),
             start=self._start_of_body(entry, build.default_point, offsets),
+            corners=self._outline(entry, offsets) or build.corners,
+            is_ring=build.is_ring,
         )
+
+    def _outline(self, entry: dict[str, Any], points: Mapping[str, Any]) -> tuple[str, ...]:
+        """`outline: [P, Q, R]`: points of the body that are the corners of what touches others."""
+        given = entry.get("outline")
+        if given is None:
+            return ()
+        if not isinstance(given, list) or len(cast("list[Any]", given)) < 2:
+            self.names.problem("outline is a list of points of the body, e.g. outline: [P, Q, R]", None, "outline")
+            return ()
+        corners = [str(name) for name in cast("list[Any]", given)]
+        for k, name in enumerate(corners):
+            if name not in points:
+                self.names.problem(f"there is no point {name}.{did_you_mean(name, points)}", None, "outline", k)
+        return tuple(corners) if all(name in points for name in corners) else ()
 
     def _start_of_body(self, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
         names = self.names
@@ -443,6 +465,26 @@ class Reader:
         order = {id(row): k for k, row in enumerate(rows)}
         return sorted(kept, key=lambda row: order[id(row)]), offered
 
+    def _bounds(
+        self, connections: Mapping[str, Connection]
+    ) -> tuple[tuple[Pair, ...], tuple[Bound, ...], tuple[Rub, ...]]:
+        """What may touch, other limits, and dry friction."""
+        contacts: list[Pair] = []
+        limits: list[Bound] = []
+        brakes: list[Rub] = []
+        forms = self._forms()
+        for name, connection in connections.items():
+            with self.names.at("connections", name, connection.kind):
+                if isinstance(connection, Contact):
+                    contacts += connection.pairs(self.names, name)
+                    continue
+                bounds, rubs = connection.bounds(self.names, name)
+                limits += (replace(bound, row=self._in_numbers(bound.row)) for bound in bounds)
+                for rub in rubs:
+                    static, kinetic = (substitute(e, forms) for e in (rub.static, rub.kinetic))
+                    brakes.append(replace(rub, static=static, kinetic=kinetic))
+        return tuple(contacts), tuple(limits), tuple(brakes)
+
     def _in_numbers(self, row: Held) -> Held:
         """A row with the forms of functions of time in its target."""
         forms = self._forms()
@@ -524,6 +566,16 @@ class Reader:
                         f"or, with positions left open, list all of them: ground: {{points: [{', '.join(listed)}]}}",
                     )
                 )
+
+
+def _rows_to_ask_for(contacts: tuple[Pair, ...], limits: tuple[Bound, ...], brakes: tuple[Rub, ...]) -> list[Held]:
+    """Rows that questions can name; of a crowd of contacts nobody asks for one."""
+    bounds, rubs = list(limits), list(brakes)
+    for pair in contacts if len(contacts) <= MOST_ASKED else ():
+        more_bounds, more_rubs = pair.elements()
+        bounds += more_bounds
+        rubs += more_rubs
+    return [item.row for item in (*bounds, *rubs)]
 
 
 def _in_own_measure(push: Push) -> Push:

@@ -71,6 +71,7 @@ def json_schema() -> dict[str, Any]:
             "points": points,
             "lines": lines,
             "fixed": {"type": "boolean"},
+            "outline": {"type": "array", "items": {"type": "string"}, "minItems": 2},
         },
     }
     parameter = {

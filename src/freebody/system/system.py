@@ -9,17 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Self, cast
 
 from freebody.connections.base import Connection
+from freebody.connections.contact import Pair
 from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, Parameter, Push, RigidBody
+from freebody.model.elements import Bound, Held, Parameter, Push, RigidBody, Rub
 from freebody.model.names import did_you_mean
 from freebody.model.question import Question
 from freebody.model.spec import Spec
@@ -48,6 +50,9 @@ class System:
     # dimensions that the model leaves open: the parameter of each, and where it would stand in the document
     unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
     mode: str | None = None  # the assembly mode at the start, by name
+    contacts: tuple[Pair, ...] = ()  # outlines that may touch
+    limits: tuple[Bound, ...] = ()  # bounds other than contacts: stops
+    brakes: tuple[Rub, ...] = ()  # dry friction other than that of contacts
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
@@ -113,6 +118,25 @@ class System:
         """The bodies that are not fixed."""
         return tuple(b for b in self.bodies.values() if not b.fixed)
 
+    @cached_property
+    def bounds(self) -> tuple[Bound, ...]:
+        """All one-sided measures: stops, and every place where two outlines can touch."""
+        return self._sites[0]
+
+    @cached_property
+    def rubs(self) -> tuple[Rub, ...]:
+        """All dry friction, in joints and in contacts."""
+        return self._sites[1]
+
+    @cached_property
+    def _sites(self) -> tuple[tuple[Bound, ...], tuple[Rub, ...]]:
+        bounds, rubs = list(self.limits), list(self.brakes)
+        for pair in self.contacts:
+            more_bounds, more_rubs = pair.elements()
+            bounds += more_bounds
+            rubs += more_rubs
+        return tuple(bounds), tuple(rubs)
+
     @property
     def has_values(self) -> bool:
         """True if every parameter has a number."""
@@ -137,7 +161,8 @@ class System:
 
     def _meaning(self) -> tuple[object, ...]:
         described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
-        return (*described, self.start, self.start_rates, self.questions, self.mode)
+        bounded = (self.contacts, self.limits, self.brakes)
+        return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
 
 
 def _plain(value: Any) -> Any:

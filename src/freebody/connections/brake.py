@@ -1,0 +1,74 @@
+"""Dry friction of a given size: brakes, clutches, and any measure that resists with a Coulomb force."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.base import Connection
+from freebody.language.expression import free_symbols
+from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import read_friction
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Brake(Connection, kind="brake"):
+    """`brake: {between: [drum, ground], torque: T}`: dry friction against a relative turn; a clutch is one between two
+    bodies that turn. torque: the largest torque, a formula in parameters, time `t` and named measures, or
+    {static: ..., kinetic: ...}."""
+
+    between: list[str]
+    torque: Formula | dict[str, Any]
+
+    example = """
+bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}, angular_velocity: 10 rad/s}}
+connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: 0.1 N m}}}
+"""
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        if len(self.between) != 2:
+            names.problem("a brake is between two bodies, e.g. between: [drum, ground]", None, "between")
+            return [], []
+        first, second = (names.body(name, "between", k) for k, name in enumerate(self.between))
+        for k, body in enumerate((first, second)):
+            if not body.turns:
+                names.problem(f"{body.name} is a particle and does not turn", None, "between", k)
+        measure = Angle(first.name, second.name)
+        return [], [_rub(names, connection, "torque", measure, self.torque, TORQUE, "torque")]
+
+
+class DryFriction(Connection, kind="dry_friction"):
+    """`dry_friction: {measure: x, force: F}`: a Coulomb force (a torque for an angle) of a given size that resists
+    the rate of a measure, and holds it where it can. force: as the torque of a brake."""
+
+    measure: str | dict[str, Any]
+    force: Formula | dict[str, Any]
+
+    example = """
+bodies: {block: {particle: {mass: 1 kg}, velocity: [1 m/s, 0]}}
+measures: {x: x of block}
+connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {measure: x, force: 2 N}}}
+"""
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        measure = names.measure(self.measure, "measure")
+        if measure is None:
+            return [], []
+        dimension = TORQUE if measure.dimension == DIMENSIONLESS else FORCE
+        return [], [_rub(names, connection, "friction", measure, self.force, dimension, "force")]
+
+
+def _rub(
+    names: Names, connection: str, component: str, measure: Measure, size: Any, dimension: Dimension, field: str
+) -> Rub:
+    extra = {"t": TIME} | {n: m.dimension for n, m in names.measures.items()}
+    friction = read_friction(names, size, dimension, field, extra=extra)
+    used = sorted((free_symbols(friction.static) | free_symbols(friction.kinetic)) & set(names.measures))
+    reaction = "friction torque" if dimension == TORQUE else "friction force"
+    row = Held(component, reaction, measure, connection=connection)
+    return Rub(row, friction.static, friction.kinetic, measures=tuple((n, names.measures[n]) for n in used))

@@ -1,0 +1,186 @@
+"""Contact: outlines that may touch, slide or roll on each other, bounce and part."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.base import Connection
+from freebody.connections.outlines import KINDS, Outline, read_outline
+from freebody.connections.sites import Site, sites
+from freebody.language.expression import ZERO, Expr
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import Friction, read_friction, read_restitution
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+MOST_SITES = 20_000  # more are left to time stepping, which looks at near pairs only
+
+
+@dataclass(frozen=True)
+class Surface:
+    """What a contact is made of."""
+
+    friction: Friction
+    restitution: Expr
+    rolling_resistance: Expr
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two outlines that may touch."""
+
+    connection: str
+    first: Outline
+    second: Outline
+    surface: Surface
+    starts_closed: bool
+    is_alone: bool  # the only pair of its connection
+
+    def elements(self) -> tuple[list[Bound], list[Rub]]:
+        """Bounds and rubs of every place where the two can touch."""
+        places = sites(self.first, self.second)
+        bounds: list[Bound] = []
+        rubs: list[Rub] = []
+        for site in places:
+            bound, own = self._site(site, "contact" if self.is_alone and len(places) == 1 else site.label)
+            bounds.append(bound)
+            rubs += own
+        return bounds, rubs
+
+    def _site(self, site: Site, component: str) -> tuple[Bound, list[Rub]]:
+        row = Held(
+            component,
+            "normal force",
+            site.measure,
+            site.target,
+            site.sign,
+            ends=tuple(dict.fromkeys((*site.label.split(" on "), *site.ends))),
+            unilateral=True,
+            connection=self.connection,
+        )
+        bound = Bound(row, self.surface.restitution, site.within, self.starts_closed)
+        rubs: list[Rub] = []
+        f = self.surface.friction
+        if not f.is_none:
+            slip = Held(
+                "slip" if component == "contact" else f"slip of {component}",
+                "friction force",
+                site.slip,
+                sign=site.slip_sign,
+                ends=row.ends,
+                connection=self.connection,
+            )
+            rubs.append(Rub(slip, f.static, f.kinetic, (row.name,), row.name))
+        if self.surface.rolling_resistance != ZERO:
+            turn = Held(
+                "rolling" if component == "contact" else f"rolling of {component}",
+                "rolling resistance",
+                Angle(site.ends[0], site.ends[1]),
+                ends=row.ends,
+                connection=self.connection,
+            )
+            rubs.append(
+                Rub(turn, self.surface.rolling_resistance, self.surface.rolling_resistance, (row.name,), row.name)
+            )
+        return bound, rubs
+
+
+class Contact(Connection, kind="contact"):
+    """`contact: {between: [ball, ground.floor], friction: mu, restitution: e}`; `among: [a, b, floor]` for every pair
+    of several, `among: all` for all bodies and lines of the ground.
+
+    What touches is named by a body (its circle, or its straight edges and corners), a point, a line (solid on the
+    right of its direction, so below one that points to the right; `below: true` for the other side), or `inside bowl`
+    for the inside of a ring. friction: one coefficient, or {static: 0.5, kinetic: 0.4}; restitution between 0 (default)
+    and 1; rolling_resistance: the arm of the normal force [m]. A contact whose bodies have no place (`at`) starts
+    touching, and `touching: true` moves the bodies there, or out of each other, by the least; `touching: false` leaves
+    them where they are."""
+
+    between: list[str] | None = None
+    among: list[str] | str | None = None
+    friction: Formula | dict[str, Any] = 0
+    restitution: Formula = 0
+    rolling_resistance: Formula = 0
+    touching: bool | None = None
+    below: bool = False
+
+    spread = ("between",)
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
+"""
+
+    def pairs(self, names: Names, connection: str) -> list[Pair]:
+        """The pairs of outlines that may touch."""
+        surface = Surface(
+            read_friction(names, self.friction, DIMENSIONLESS),
+            read_restitution(names, self.restitution),
+            names.positive(self, "rolling_resistance", LENGTH),
+        )
+        outlines = self._outlines(names)
+        joined = [(a, b) for a, b in itertools.combinations(outlines, 2) if _may_touch(names, a, b)]
+        found: list[Pair] = []
+        for a, b in joined:
+            if a.body == b.body:
+                if self.between is not None:
+                    names.problem(f"{a.label} and {b.label} are parts of the same body", None, "between")
+                continue
+            if not sites(a, b):
+                if self.between is not None:
+                    names.problem(
+                        f"there is no contact of {a.label} with {b.label}: both are straight lines, or both hollow, or "
+                        f"one of each. A contact takes two of {KINDS}; one must be a circle, a point or a polygon",
+                        None,
+                        "between",
+                    )
+                continue
+            found.append(Pair(connection, a, b, surface, self._starts_closed(names, a, b), len(joined) == 1))
+        return found
+
+    def _outlines(self, names: Names) -> list[Outline]:
+        if (self.between is None) == (self.among is None):
+            names.problem("say what touches: between: [ball, ground.floor], or among: [a, b, c] for all pairs")
+            return []
+        field = "between" if self.among is None else "among"
+        texts = self.between if self.among is None else self.among
+        if texts == "all":
+            moving = [b.name for b in names.bodies.values() if b.name != GROUND and _has_outline(b)]
+            texts = [*moving, *(f"{GROUND}.{line}" for line in names.bodies[GROUND].lines)]
+        elif isinstance(texts, str):
+            names.problem("among is a list of bodies, points and lines, or all", None, "among")
+            return []
+        assert isinstance(texts, list)
+        if self.between is not None and len(texts) != 2:
+            names.problem(f"between takes two, found {len(texts)}; write among for more", None, "between")
+            return []
+        found = [read_outline(names, text, field, k, below=self.below) for k, text in enumerate(texts)]
+        return [outline for outline in found if outline is not None]
+
+    def _starts_closed(self, names: Names, a: Outline, b: Outline) -> bool:
+        if self.touching is not None:
+            return self.touching
+        moving = [body for body in (names.known(a.body), names.known(b.body)) if not body.fixed]
+        return self.between is not None and all(body.start.at is None for body in moving)
+
+    def mentions(self, names: Names) -> set[str]:
+        texts = self.between or (self.among if isinstance(self.among, list) else list(names.bodies))
+        return {t.removeprefix("inside of ").removeprefix("inside ").partition(".")[0] for t in texts} & set(
+            names.bodies
+        )
+
+
+def _has_outline(body: Any) -> bool:
+    return body.radius is not None or bool(body.corners) or not body.turns
+
+
+def _may_touch(names: Names, a: Outline, b: Outline) -> bool:
+    return not (names.known(a.body).fixed and names.known(b.body).fixed)

@@ -1,0 +1,184 @@
+"""Outlines: the parts of bodies that can touch others.
+
+Every outline is made of round parts (a circle, or a point as a circle of radius 0), straight parts (a line, or an edge
+of a polygon) and hollow ones (the inside of a ring). Straight parts are solid on the right of their direction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import ZERO, Call, Expr, negate
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.model.elements import Line, RigidBody, Span
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Round:
+    """A circle about a point of a body; radius 0 for a point. `where` limits the directions from which a corner can be
+    touched to those between its edges."""
+
+    center: Point
+    radius: Expr
+    label: str
+    edges: tuple[Straight, ...] = ()  # of which it is a corner: the one before and the one after
+
+    @property
+    def body(self) -> str:
+        return self.center.body
+
+    def beside(self, point: Point) -> tuple[Span, ...]:
+        """Where a point must be to be nearest to this corner: beyond the ends of both its edges."""
+        if not self.edges:
+            return ()
+        before, after = self.edges
+        return Span(before.travel(point), high=ZERO), Span(after.travel(point), low=after.length)
+
+
+@dataclass(frozen=True)
+class Straight:
+    """A line, or an edge of a given length that begins at the line's point."""
+
+    line: Line
+    length: Expr | None
+    label: str
+
+    @property
+    def body(self) -> str:
+        return self.line.direction.body
+
+    def travel(self, point: Point) -> Displacement:
+        """How far along the line a point is."""
+        return Displacement(point, self.line.through, self.line.direction)
+
+    def height(self, point: Point) -> Displacement:
+        """How far on the free side of the line a point is."""
+        return Displacement(point, self.line.through, self.line.direction.normal())
+
+    def beside(self, point: Point) -> tuple[Span, ...]:
+        """Where a point must be to be nearest to the edge and not to its ends."""
+        return () if self.length is None else (Span(self.travel(point), ZERO, self.length),)
+
+
+@dataclass(frozen=True)
+class Hollow:
+    """The inside of a ring."""
+
+    center: Point
+    radius: Expr
+    label: str
+
+    @property
+    def body(self) -> str:
+        return self.center.body
+
+
+Part = Round | Straight | Hollow
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What of a body, or of the ground, can touch."""
+
+    body: str
+    label: str
+    rounds: tuple[Round, ...] = ()
+    straights: tuple[Straight, ...] = ()
+    hollows: tuple[Hollow, ...] = ()
+
+    @property
+    def is_polygon(self) -> bool:
+        return bool(self.rounds and self.straights)
+
+
+KINDS = "a circle, a point (a particle, a corner), a line, a polygon (rectangle, polygon, rod), the inside of a ring"
+
+
+def read_outline(names: Names, text: str, *path: str | int, below: bool = False) -> Outline | None:
+    """`ball`, `rod.end`, `ground.floor`, `inside bowl`; None with a problem noted if it cannot touch anything."""
+    words = " ".join(str(text).split())
+    for prefix in ("inside of ", "inside "):
+        if words.startswith(prefix):
+            body = names.body(words.removeprefix(prefix), *path)
+            radius = names.radius(body.name, *path)
+            return Outline(body.name, words, hollows=(Hollow(body.center, radius, words),))
+    line = names.line(words)
+    if line is not None:
+        if below:
+            line = Line(line.through, line.direction.reversed(), line.name)
+        label = line.name or words
+        return Outline(line.direction.body, label, straights=(Straight(line, None, label),))
+    body_name, _, point_name = words.partition(".")
+    if point_name:
+        point = names.point(words, *path)
+        return Outline(point.body, words, (Round(point, ZERO, words),))
+    body = names.body(body_name, *path)
+    if body.is_placeholder or body_name not in names.bodies:
+        return None
+    return _of_body(names, body, *path)
+
+
+def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
+    if body.radius is not None:
+        return Outline(body.name, body.name, (Round(body.center, body.radius, body.name),))
+    if body.corners:
+        return _polygon(names, body, *path)
+    if not body.turns:
+        return Outline(body.name, body.name, (Round(body.center, ZERO, body.name),))
+    lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
+    what = f"; name one of its lines: {', '.join(lines)}" if body.name == GROUND and lines else ""
+    names.problem(
+        f"{body.name} has no outline that could touch{what}. What can: {KINDS}. Give {body.name} a radius, "
+        f"or outline: [P, Q, R] with points of its own, or name one of its points",
+        None,
+        *path,
+    )
+    return None
+
+
+def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
+    """Edges and corners of a convex polygon, counter-clockwise; a rod has two corners, and an edge either way."""
+    corners = list(body.corners)
+    turning = _turns(names, body, corners)
+    if turning and len({turn > 0 for turn in turning}) > 1:
+        names.problem(f"the outline of {body.name} is not convex; weld convex bodies together instead", None, *path)
+        return None
+    if turning and turning[0] < 0:
+        corners.reverse()
+    edges: list[Straight] = []
+    for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
+        (px, py), (qx, qy) = body.points[start], body.points[end]
+        dx, dy = px + negate(qx), py + negate(qy)
+        length = Call("sqrt", dx * dx + dy * dy)
+        label = f"{body.name} {start}-{end}"
+        along = Direction(body.name, (dx / length, dy / length), label)
+        edges.append(Straight(Line(body.point(end), along, label), length, label))
+    rounds = [
+        Round(body.point(corner), ZERO, f"{body.name}.{corner}", (edges[k - 1], edges[k]))
+        for k, corner in enumerate(corners)
+    ]
+    return Outline(body.name, body.name, tuple(rounds), tuple(edges))
+
+
+def _turns(names: Names, body: RigidBody, corners: list[str]) -> list[float]:
+    """Twice the area of the triangle at every corner, positive where the outline turns counter-clockwise; empty where
+    numbers are missing, and for a rod."""
+    if len(corners) < 3:
+        return []
+    numbers = [(names.numeric(x), names.numeric(y)) for x, y in (body.points[c] for c in corners)]
+    points = [(x, y) for x, y in numbers if x is not None and y is not None]
+    if len(points) < len(corners):
+        return []
+    found: list[float] = []
+    for k, (bx, by) in enumerate(points):
+        (ax, ay), (cx, cy) = points[k - 1], points[(k + 1) % len(points)]
+        found.append((bx - ax) * (cy - by) - (by - ay) * (cx - bx))
+    return [turn for turn in found if abs(turn) > 1e-12 * max(map(abs, found))]
+
+
+__all__ = ["KINDS", "Hollow", "Outline", "Part", "Round", "Straight", "read_outline"]

@@ -1,0 +1,50 @@
+"""Stop: a measure stays between limits, at which it is stopped or bounces back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from freebody.connections.base import Connection
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.friction import read_restitution
+from freebody.model.spec import Formula
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Stop(Connection, kind="stop"):
+    """`stop: {measure: theta, min: 0, max: 60 deg, restitution: 0.3}`: min <= measure <= max; one of the two may be
+    left out."""
+
+    measure: str | dict[str, Any]
+    min: Formula | None = None
+    max: Formula | None = None
+    restitution: Formula = 0
+
+    example = """
+bodies: {cart: {particle: {mass: 1 kg}, at: [1 m, 0], velocity: [-1 m/s, 0]}}
+measures: {x: x of cart}
+connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x, min: 0, restitution: 0.5}}}
+"""
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        measure = names.measure(self.measure, "measure")
+        if self.min is None and self.max is None:
+            names.problem("a stop needs min or max")
+        if measure is None:
+            return [], []
+        restitution = read_restitution(names, self.restitution)
+        reaction = {LENGTH: "stop force", DIMENSIONLESS: "stop torque"}.get(measure.dimension, "stop force")
+        found: list[Bound] = []
+        for key, sign in (("min", 1), ("max", -1)):
+            value = getattr(self, key)
+            if value is not None:
+                limit = names.formula(value, measure.dimension, key)
+                row = Held(key, reaction, measure, limit, sign, unilateral=True, connection=connection)
+                found.append(Bound(row, restitution))
+        low, high = (names.numeric(b.row.target) if b.row.target is not None else None for b in (found[0], found[-1]))
+        if len(found) == 2 and low is not None and high is not None and low > high:
+            names.problem(f"min ({low:g}) is above max ({high:g})")
+        return found, []

@@ -1,0 +1,65 @@
+"""What a user says of friction and restitution, read and checked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+from freebody.language.expression import ZERO, Expr
+from freebody.language.units import DIMENSIONLESS, Dimension
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Coulomb friction: what holds at rest, and what resists a motion."""
+
+    static: Expr = ZERO
+    kinetic: Expr = ZERO
+
+    @property
+    def is_none(self) -> bool:
+        return self.static == ZERO and self.kinetic == ZERO
+
+
+def read_friction(names: Names, value: Any, dimension: Dimension, field: str = "friction", **more: Any) -> Friction:
+    """One coefficient for both, or {static: ..., kinetic: ...}; a problem is noted where one is negative, or the static
+    one smaller. more: what `Names.formula` takes."""
+    if not isinstance(value, dict):
+        one = _not_negative(names, value, dimension, (field,), **more)
+        return Friction(one, one)
+    entry = cast("dict[str, Any]", value)
+    for key in entry:
+        if key not in ("static", "kinetic"):
+            from freebody.model.names import did_you_mean
+
+            names.problem(f"friction has no {key}.{did_you_mean(key, ('static', 'kinetic'))}", None, field, key)
+    if "static" not in entry or "kinetic" not in entry:
+        names.problem("friction is one coefficient, or both: {static: 0.5, kinetic: 0.4}", None, field)
+        return Friction()
+    static, kinetic = (
+        _not_negative(names, entry[key], dimension, (field, key), **more) for key in ("static", "kinetic")
+    )
+    s, k = names.numeric(static), names.numeric(kinetic)
+    if s is not None and k is not None and s < k:
+        names.problem(f"static friction ({s:g}) is smaller than kinetic friction ({k:g}); it cannot be", None, field)
+    return Friction(static, kinetic)
+
+
+def read_restitution(names: Names, value: Any, field: str = "restitution") -> Expr:
+    """A number between 0 and 1; a problem is noted if it is not."""
+    expr = names.formula(value, DIMENSIONLESS, field)
+    number = names.numeric(expr)
+    if number is not None and not 0.0 <= number <= 1.0:
+        names.problem(f"restitution is {number:g}; it lies between 0 (no rebound) and 1 (no loss)", None, field)
+    return expr
+
+
+def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[str, ...], **more: Any) -> Expr:
+    expr = names.formula(value, dimension, *path, **more)
+    number = names.numeric(expr)
+    if number is not None and number < 0.0:
+        names.problem(f"friction is negative ({number:g}); a coefficient of friction is 0 or more", None, *path)
+    return expr

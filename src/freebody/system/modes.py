@@ -1,0 +1,100 @@
+"""Modes: which bounds are closed, and which dry friction sticks or slides. In one mode a system is an ordinary one:
+
+    closed     the row of the bound is held
+    sticking   the row of the slip is held where it is
+    sliding    a load pushes the slip: -s c N, s the sign of its rate, c the kinetic coefficient, N the friction's load
+
+N is a multiplier of the system itself; it enters as a symbol of its own, which the routes solve for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from freebody.language.expression import Expr, Symbol, number
+from freebody.language.units import FORCE
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.geometry import ONE
+from freebody.model.elements import Held, Parameter, Push, RateMeasure, Rub
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class Mode:
+    """Contact states by name. A rub that is not listed has no force: its bound is open."""
+
+    closed: frozenset[str] = frozenset()
+    rubs: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
+
+    @classmethod
+    def of(cls, closed: set[str] | frozenset[str], rubs: Mapping[str, int]) -> Mode:
+        return cls(frozenset(closed), tuple(sorted(rubs.items())))
+
+    @property
+    def states(self) -> dict[str, int]:
+        return dict(self.rubs)
+
+
+def ideal_bounds(system: System) -> tuple[Held, ...]:
+    """Rows of the connections that cannot pull: ideal strings and rolling contacts. They are closed at the start."""
+    return tuple(row for row in system.held if row.unilateral)
+
+
+def is_held_in(row: Held, mode: Mode) -> bool:
+    """Whether a row of the system is held in a mode: one that cannot pull, or needs such a one, only while that is
+    closed."""
+    if row.unilateral:
+        return row.name in mode.closed
+    return not row.needs or f"{row.connection}.{row.needs}" in mode.closed
+
+
+def sticking_row(rub: Rub) -> Held:
+    """The row that holds a slip where it is."""
+    measure = rub.row.measure
+    if isinstance(measure, RateMeasure) or measure.incremental:
+        return rub.row
+    return replace(rub.row, measure=kept(measure))
+
+
+def kept(measure: Measure) -> Measure:
+    """A measure of which only changes mean something, so that it is held at its start value."""
+    return Combination(((ONE, measure),), measure.dimension)
+
+
+def load_symbol(rub: Rub) -> str:
+    """The name of the load of a sliding friction; no user can type it."""
+    return f"@load of {rub.name}"
+
+
+def in_mode(system: System, mode: Mode) -> tuple[System, dict[str, Rub]]:
+    """The system in one mode, without bounds or dry friction of its own, and the rubs whose load its symbols name."""
+    states = mode.states
+    held = [row for row in system.held if is_held_in(row, mode)]
+    held += [bound.row for bound in system.bounds if bound.name in mode.closed]
+    pushes = list(system.pushes)
+    parameters = dict(system.parameters)
+    loads: dict[str, Rub] = {}
+    for rub in system.rubs:
+        state = states.get(rub.name)
+        if state == 0:
+            held.append(sticking_row(rub))
+        elif state is not None:
+            law: Expr = number(-state) * rub.coefficient(state)
+            if rub.load:
+                name = load_symbol(rub)
+                parameters[name] = Parameter(name, FORCE, None, "nonnegative")
+                law = law * Symbol(name)
+                loads[name] = rub
+            pushes.append(Push("", rub.row.measure, law, rub.measures, load=rub.name))
+    alone = replace(
+        system,
+        held=tuple(held),
+        pushes=tuple(pushes),
+        parameters=parameters,
+        contacts=(),
+        limits=(),
+        brakes=(),
+    )
+    return alone, loads
