@@ -65,7 +65,8 @@ class Pair:
             unilateral=True,
             connection=self.connection,
         )
-        bound = Bound(row, self.surface.restitution, site.within, self.starts_closed)
+        family = f"{self.connection}: {self.first.label}, {self.second.label}"
+        bound = Bound(row, self.surface.restitution, site.within, self.starts_closed, family, site.obstacle)
         rubs: list[Rub] = []
         f = self.surface.friction
         if not f.is_none:

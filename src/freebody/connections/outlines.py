@@ -27,6 +27,7 @@ class Round:
     radius: Expr
     label: str
     edges: tuple[Straight, ...] = ()  # of which it is a corner: the one before and the one after
+    neighbours: tuple[Point, ...] = ()  # the corners before and after
 
     @property
     def body(self) -> str:
@@ -159,7 +160,13 @@ def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
         along = Direction(body.name, (dx / length, dy / length), label)
         edges.append(Straight(Line(body.point(end), along, label), length, label))
     rounds = [
-        Round(body.point(corner), ZERO, f"{body.name}.{corner}", (edges[k - 1], edges[k]))
+        Round(
+            body.point(corner),
+            ZERO,
+            f"{body.name}.{corner}",
+            (edges[k - 1], edges[k]),
+            tuple(body.point(c) for c in (corners[k - 1], corners[(k + 1) % len(corners)])),
+        )
         for k, corner in enumerate(corners)
     ]
     return Outline(body.name, body.name, tuple(rounds), tuple(edges))

@@ -22,6 +22,7 @@ from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE
 from freebody.model.elements import Span
 
@@ -38,6 +39,7 @@ class Site:
     slip: Measure
     slip_sign: int
     within: tuple[Span, ...] = ()
+    obstacle: str = ""
 
 
 def sites(first: Outline, second: Outline) -> list[Site]:
@@ -66,6 +68,10 @@ def _label(a: Round, other: str) -> str:
 
 
 def _on_line(a: Round, line: Straight) -> Site:
+    within = line.beside(a.center)
+    if line.length is not None:  # a corner touches an edge only with both its neighbours above
+        above = line.line.direction.normal()
+        within += tuple(Span(Displacement(other, a.center, above), ZERO) for other in dict.fromkeys(a.neighbours))
     slip: Measure = line.travel(a.center)
     if a.radius != ZERO:
         slip = Combination(((ONE, slip), (a.radius, Angle(a.body, line.body))), LENGTH)
@@ -77,7 +83,8 @@ def _on_line(a: Round, line: Straight) -> Site:
         1,
         slip,
         1,
-        line.beside(a.center),
+        within,
+        f"{a.label} in {line.body}" if line.length is not None else "",
     )
 
 

@@ -171,7 +171,9 @@ class Bound:
     row: Held
     restitution: Expr = ZERO
     within: tuple[Span, ...] = ()
-    starts_closed: bool = False  # the start pose closes it
+    starts_closed: bool = False  # the start pose closes it, or another of its family
+    family: str = ""  # places at which the same two outlines touch
+    obstacle: str = ""  # sites of the same family and obstacle face one corner or circle with all edges of an outline
 
     @property
     def name(self) -> str:

@@ -5,6 +5,8 @@
     body_angle (time, body)                    [rad]; body_angular_velocity, body_angular_acceleration
     <measure>, <measure>_rate, <measure>_acceleration      every named measure
     <connection>.<reaction>                    every reaction, positive as it is named (a tension pulls): `rope.tension`
+    <contact>.state                            0 open, 1 closed without friction, 2 sticking, 3 and 4 sliding one way or
+                                               the other; <contact>.used_friction: what friction carries by what it can
     <load>.force                               every load that acts along one measure (springs and dampers: pulling)
     kinetic_energy, potential_energy, work     [J]
 
@@ -58,6 +60,10 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
         data[f"{name}_acceleration"] = ("time", acceleration, _named(f"{unit}/s^2", f"second derivative of {name}"))
     data |= _reactions(result)
     data |= _loads(result)
+    if result.course.contact is not None:
+        from freebody.study.contact_series import contact_series
+
+        data |= contact_series(result, dict(zip((r.name for r in system.rows), reaction_names(system), strict=True)))
     energy = result.energy
     for name, values, what in (
         ("kinetic_energy", energy.kinetic, "kinetic energy"),
@@ -92,10 +98,10 @@ def _named(unit: str, long_name: str) -> dict[str, str]:
 def reaction_names(system: System) -> list[str]:
     """What the reaction of each held row is called: `rope.tension`, `contact.normal_force` by its name, or `A.x` by its
     component where a connection has several of the same name."""
-    called = [(row.connection, row.reaction) for row in system.held]
+    called = [(row.connection, row.reaction) for row in system.rows]
     return [
         f"{row.connection}.{row.reaction}".replace(" ", "_") if called.count(pair) == 1 else row.name.replace(" ", "_")
-        for row, pair in zip(system.held, called, strict=True)
+        for row, pair in zip(system.rows, called, strict=True)
     ]
 
 
@@ -114,7 +120,7 @@ def _single(system: System) -> list[Push]:
 def _reactions(result: Simulation) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.system)
-    for k, row in enumerate(result.system.held):
+    for k, row in enumerate(result.system.rows):
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
         unit = "N" if row.measure.dimension == LENGTH else "N m" if row.measure.dimension == DIMENSIONLESS else "SI"

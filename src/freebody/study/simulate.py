@@ -15,6 +15,10 @@ from freebody.errors import InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
+from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.hybrid import Hybrid, Options
+from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.start import assembled_touching
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import Engine, Watch
@@ -46,11 +50,12 @@ class Simulator:
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
                 raise InputError(f"{name} = {value:g} is not positive; the model says that it is")
         self.reference = Reference(system, values)
-        q = self.reference.assemble()
+        q = assembled_touching(self.reference)
         v = self.reference.velocities(q)
         self.numbers = self.reference.numbers()
-        watches = [*_watches(self, events), *_pulls(system)]
-        self.engine = Engine(self.numbers, watches, list(system.measures.values()))
+        watches, tracked = _watches(self, events), list(system.measures.values())
+        self.bounded = Bounded(self.numbers, watches, tracked) if has_phases(system) else None
+        self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
         self.value_at_start = start.value
@@ -65,7 +70,7 @@ class Simulator:
         """Independent velocities at the start."""
         self.engine.evaluate(self.start, 0.0)
         n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
-        return n_free - len(self.system.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])
+        return n_free - len(self.engine.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])
 
     def run(
         self,
@@ -81,10 +86,17 @@ class Simulator:
         state: Array | None = None,
         start: float = 0.0,
         near: Array | None = None,
+        law: Law = Law.NEWTON,
+        jams: bool = False,
     ) -> Course:
         """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
-        self.engine.count_from(self._near if near is None else near)
+        near = self._near if near is None else near
+        self.engine.count_from(near)
         y = (self.start if state is None else state).copy()
+        if self.bounded is not None:
+            options = Options(tolerance, method, step or 0.0, longest, max_seconds, law, jams)
+            wanted = np.array([until]) if outputs is None else outputs
+            return Hybrid(self.bounded, options).run(y, start, until, wanted, near, progress)
         return self.engine.run(
             y,
             until,
@@ -234,18 +246,22 @@ def simulate(
     progress: Progress | None = None,
     verify: bool = False,
     from_result: Simulation | None = None,
+    impact: str = "newton",
+    jams: bool = False,
 ) -> Simulation:
     """The motion of a system from its start to the time `until` [s].
 
     tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of
     order 8, an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control
     [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
-    the whole if nothing is said. verify: a second run, a hundred times as exact, tells from when on they part.
+    the whole if nothing is said. impact: the law of impact, "newton", "poisson"
+    or "keller". jams: where no contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred times as exact, tells from when on they part.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
     """
     _check(until, tolerance, method, step, every, max_seconds)
+    law = _law_of_impact(impact)
     simulator = Simulator(system, values, events) if from_result is None else from_result.simulator
     start = 0.0 if from_result is None else from_result.t_end
     state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
@@ -271,8 +287,9 @@ def simulate(
         state=state,
         start=start,
         near=near,
+        law=law,
+        jams=jams,
     )
-    course = _with_condition(course, simulator)
     trusted = None
     if verify:
         finer = simulator.run(
@@ -298,6 +315,17 @@ def _check(
         raise InputError(f"a step of {step:g} s is for the method rk4; {method} chooses its steps by the tolerance")
     if every is not None and until / every > MOST_OUTPUTS:
         raise InputError(f"every {every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
+
+
+def _law_of_impact(name: str) -> Law:
+    if name not in [law.value for law in Law]:
+        raise InputError(f"there is no law of impact {name}; take {', '.join(law.value for law in Law)}")
+    return Law(name)
+
+
+def has_phases(system: System) -> bool:
+    """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
+    return bool(system.contacts or system.limits or system.brakes) or any(row.unilateral for row in system.held)
 
 
 def _is_driven(system: System) -> bool:
@@ -334,30 +362,6 @@ def _size(simulator: Simulator, measure: Measure) -> float:
     from freebody.language.units import LENGTH
 
     return simulator.numbers.length if measure.dimension == LENGTH else 1.0
-
-
-def _pulls(system: System) -> list[Watch]:
-    """Ideal strings and contacts cannot push: their reaction changing sign is an event."""
-    return [
-        Watch(
-            f"{row.name} would have to {'push' if row.reaction == 'tension' else 'pull'}",
-            held=k,
-            sign=row.sign,
-            direction=-1,
-        )
-        for k, row in enumerate(system.held)
-        if row.unilateral
-    ]
-
-
-def _with_condition(course: Course, simulator: Simulator) -> Course:
-    """The message says from when on an ideal string or contact does what it cannot: the motion beyond is not its."""
-    names = {watch.name for watch in simulator.engine.watches if watch.measure is None}
-    first = next((e for e in course.happenings if e.name in names), None)
-    if first is None:
-        return course
-    said = f"from t = {first.time:.6g} s on {first.name}: the motion beyond holds only if it could"
-    return replace(course, message=f"{course.message}; {said}" if course.message else said)
 
 
 def _last_state(result: Simulation) -> Array:

@@ -129,6 +129,11 @@ class System:
         return self._sites[1]
 
     @cached_property
+    def rows(self) -> tuple[Held, ...]:
+        """The rows whose multipliers a motion has: what is held, what is bounded, what rubs."""
+        return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
+
+    @cached_property
     def _sites(self) -> tuple[tuple[Bound, ...], tuple[Rub, ...]]:
         bounds, rubs = list(self.limits), list(self.brakes)
         for pair in self.contacts:

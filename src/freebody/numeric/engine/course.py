@@ -24,6 +24,8 @@ class Status(StrEnum):
     STEP_TOO_SMALL = "step too small"
     TOO_LONG = "too long"
     INTERRUPTED = "interrupted"
+    INCONSISTENT = "no consistent force"  # Painleve: contact and friction contradict each other
+    CHATTER = "chatter"  # events without end at one instant, or too many of them
 
     @property
     def is_complete(self) -> bool:
@@ -34,7 +36,8 @@ class Status(StrEnum):
 @dataclass(frozen=True)
 class Happening:
     """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
-    begins) or "zero" (zero all along, said once)."""
+    begins) or "zero" (zero all along, said once); of contacts and friction what happens to them: "touches", "rebounds",
+    "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"."""
 
     time: float
     name: str
@@ -70,6 +73,33 @@ class Tracks:
 
 
 @dataclass(frozen=True)
+class Collision:
+    """Impacts at one instant: impulses [N s] and rates of gaps [m/s] by name, and the kinetic energy that they take [J].
+    energy_grew: the law of impact made energy, as Newton's may with friction."""
+
+    time: float
+    impulses: Mapping[str, float]
+    friction: Mapping[str, float]
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    energy_change: float
+    energy_grew: bool
+
+
+@dataclass(frozen=True)
+class ContactRecord:
+    """Contact along a motion. states: (n_times, n_bounds) 1 where closed; slips: (n_times, n_rubs) 0 where friction
+    sticks, +1 or -1 where it slides, 2 where there is none."""
+
+    bounds: tuple[str, ...]
+    rubs: tuple[str, ...]
+    states: NDArray[np.int8]
+    slips: NDArray[np.int8]
+    collisions: tuple[Collision, ...]
+    n_phases: int
+
+
+@dataclass(frozen=True)
 class Course:
     """A motion in arrays. The last body is the fixed one. SI units, angles in rad."""
 
@@ -94,6 +124,8 @@ class Course:
     method: str
     tracks: Tracks
     near: Floats  # bearings at the end, from which a continued motion counts on
+    violated: int = -1  # the guard whose violation ended the motion
+    contact: ContactRecord | None = None  # of a system with bounds or dry friction
 
     @property
     def t_end(self) -> float:

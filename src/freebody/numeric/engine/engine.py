@@ -24,6 +24,7 @@ from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.stepping import Run
 from freebody.numeric.engine.tableaus import DOP853, Tableau
 from freebody.numeric.engine.tape import play
+from freebody.numeric.engine.writing import Guard, Written
 from freebody.numeric.numbers import Numbers
 
 
@@ -43,13 +44,27 @@ class Watch:
     size: float = 1.0  # what counts as large
 
 
+@dataclass(frozen=True)
+class Rows:
+    """What is held of a written system, along what friction slides, and what is guarded."""
+
+    written: Written
+    held: tuple[int, ...]
+    sliding: tuple[tuple[int, int], ...]
+    guards: tuple[Guard, ...]
+
+
 class Packed:
     """Rows of a system in arrays, and the room in which they are evaluated."""
 
-    def __init__(self, numbers: Numbers, packing: Packing) -> None:
+    def __init__(self, numbers: Numbers, packing: Packing, mode: Rows | None = None) -> None:
         self.numbers = numbers
         self.n_bodies = packing.n_bodies
-        self.layout, self.order, self.rows = packing.layout()
+        self.written = packing.written() if mode is None else mode.written
+        chosen = None if mode is None else mode.held
+        sliding, guards = ((), ()) if mode is None else (mode.sliding, mode.guards)
+        self.layout, self.order = self.written.layout(chosen, sliding, guards)
+        self.rows = self.written.rows
         self._bearings = packing.bearings()
         self.turning = packing.keys()
         self.room = room_for(self.layout)
@@ -98,6 +113,21 @@ class Packed:
         self.room.measures[:, NEAR] = near
 
 
+def packed(numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()) -> Packing:
+    """The held rows and loads of a system, and what is watched."""
+    packing = Packing(numbers)
+    for row in numbers.system.held:
+        packing.hold(row)
+    for push in numbers.system.pushes:
+        packing.push(push)
+    for watch in watches:
+        if watch.measure is not None:
+            packing.watch(watch.measure)
+    for measure in tracked:
+        packing.watch(measure)
+    return packing
+
+
 class Observer(Packed):
     """Measures that are watched along a motion that is known."""
 
@@ -135,24 +165,20 @@ class Engine(Packed):
     """A system with a number for every parameter, packed."""
 
     def __init__(
-        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()
+        self,
+        numbers: Numbers,
+        watches: Sequence[Watch] = (),
+        tracked: Sequence[Measure | RateMeasure] = (),
+        mode: Rows | None = None,
     ) -> None:
-        """tracked: measures whose turns are to be counted in every step of a motion."""
+        """tracked: measures whose turns are to be counted in every step of a motion. mode: another choice of held rows
+        than all of the system's, of what was packed with the same watches and tracked measures."""
         self.watches = tuple(watches)
-        packing = Packing(numbers)
-        for row in numbers.system.held:
-            packing.hold(row)
-        for push in numbers.system.pushes:
-            packing.push(push)
-        for watch in watches:
-            if watch.measure is not None:
-                packing.watch(watch.measure)
-        before = packing.keys().keys()
-        for measure in tracked:
-            packing.watch(measure)
-        self.is_tracked = bool(packing.keys().keys() - before) or bool(before and tracked)
-        super().__init__(numbers, packing)
-        self.pushes = packing.pushes
+        packing = packed(numbers, watches, tracked) if mode is None else mode.written.packing
+        self.is_tracked = bool(tracked) and bool(packing.keys())
+        super().__init__(numbers, packing, mode)
+        self.held = [packing.held[k].held for k in (range(len(packing.held)) if mode is None else mode.held)]
+        self.pushes = [push for _where, push, _linear, _works in packing.pushed]
         self.watched_rows = [-1 if w.measure is None else self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
@@ -262,12 +288,15 @@ class Engine(Packed):
         max_seconds: float = math.inf,
         max_steps: int = 10_000_000,
         progress: Progress | None = None,
+        guarded: tuple[Floats, Callable[[int], bool]] | None = None,
     ) -> Course:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. tolerance: the error
         allowed in a step, relative to the size of the system (`stepping`). step: the first step, or the only one of a
-        method without error control. outputs: times at which the motion is wanted, besides its events and its end."""
+        method without error control. outputs: times at which the motion is wanted, besides its events and its end. guarded:
+        sizes of the guards of the mode, and whether a violation means something; the first one ends the motion."""
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
-        return Motion(self, y, start, until, tolerance, method, step, longest, wanted).course(
-            began, max_seconds, max_steps, progress
-        )
+        motion = Motion(self, y, start, until, tolerance, method, step, longest, wanted)
+        if guarded is not None:
+            motion.guard(*guarded)
+        return motion.course(began, max_seconds, max_steps, progress)

@@ -33,8 +33,8 @@ ZERO = 1e-12  # by the size of what is watched
 TOUCH = 1e-9
 
 
-def found_in_step(motion: Motion) -> bool:
-    """Adds the events of the last step; True if a terminal one ends the motion there."""
+def found_in_step(motion: Motion, until: float | None = None) -> bool:
+    """Adds the events of the last step, up to a time in it; True if a terminal one ends the motion there."""
     run, watches = motion.run, motion.engine.watches
     t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
     y = np.zeros_like(run.states[0])
@@ -60,6 +60,8 @@ def found_in_step(motion: Motion) -> bool:
     found.sort(key=lambda item: (item[0], item[1]))
     for s, k, kind in found:
         watch = watches[k]
+        if until is not None and t0 + s * h > until:
+            break
         t, state = _mended(motion, watch, k, t0, s * h) if kind != "touch" else (t0 + s * h, None)
         happening = Happening(t, watch.name, kind, watch.is_terminal and kind != "touch")
         motion.add(happening, state)

@@ -48,15 +48,16 @@ def part(function: Function) -> Function:
     return _numba.njit(inline="always", **_OPTIONS)(function)
 
 
-def entry(*arguments: Any) -> Callable[[Function], Function]:
-    """A function called from Python; its argument types are those of the given examples."""
+def entry(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], Function]:
+    """A function called from Python; its argument types are those of the given examples. more: sources besides those of
+    the engine from which it is compiled."""
 
     def compiled(function: Function) -> Function:
         if _numba.config.DISABLE_JIT:
             return function
         signature = tuple(_numba.typeof(a) for a in arguments)
         config = _numba.config
-        before, config.CACHE_DIR = config.CACHE_DIR, str(_folder())
+        before, config.CACHE_DIR = config.CACHE_DIR, str(_folder(more))
         try:
             return _numba.njit(signature, cache=True, **_OPTIONS)(function)
         finally:
@@ -71,11 +72,11 @@ def is_compiled() -> bool:
 
 
 @cache
-def _folder() -> Path:
+def _folder(more: tuple[str, ...] = ()) -> Path:
     """Where this version's kernels are kept: beside other caches of the user, else in a temporary folder."""
     digest = hashlib.sha256()
-    for name in _SOURCES:
-        digest.update(Path(__file__).with_name(f"{name}.py").read_bytes())
+    for name in (*_SOURCES, *more):
+        digest.update((Path(__file__).parent / f"{name}.py").read_bytes())
     name = f"freebody-kernels-{digest.hexdigest()[:16]}"
     home = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
     for parent in (Path(home) if home else Path.home() / ".cache", Path(tempfile.gettempdir())):

@@ -68,6 +68,12 @@ class Layout(NamedTuple):
     held_ptr: Ints
     held_slots: Ints2  # (n, 2): coordinate (3 body + 0, 1, 2) and entry; those that are always zero are left out
 
+    slide: Ints2  # (n, 6): row of the slip, what presses (`dynamics.PRESSED_*`), held a, held b, tape, works
+    slide_factor: Floats2  # (n, 2): force = [0] * load; sign of the load of one held row
+
+    guard: Ints2  # (n, 5): kind (`dynamics.GUARD_*`), row or held, held a, held b, tape
+    guard_factor: Floats2  # (n, 4): see `dynamics.guarded`
+
     push: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential
     push_law: Floats2  # (n, 3): law = [0] + [1] value + [2] rate
 
@@ -97,6 +103,10 @@ class Room(NamedTuple):
     step: Floats
     multiplier: Floats
     acceleration: Floats
+    slide_force: Floats
+    slide_response: Floats2  # (n + 1, n_held): multipliers by a unit force along each slip, and without friction
+    unit_force: Floats
+    slide_matrix: Floats2  # (n, n + 1)
     info: Floats  # smallest pivot, regularised?, work power
 
 
@@ -135,6 +145,10 @@ def room_for(layout: Layout) -> Room:
         step=empty(n_held),
         multiplier=empty(n_held),
         acceleration=empty(3 * n),
+        slide_force=empty(len(layout.slide)),
+        slide_response=empty(len(layout.slide) + 1, n_held),
+        unit_force=empty(3 * n),
+        slide_matrix=empty(len(layout.slide), len(layout.slide) + 1),
         info=empty(8),
     )
     fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)

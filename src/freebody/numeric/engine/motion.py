@@ -15,6 +15,7 @@ from freebody.numeric.engine.course import Course, Happening, Status, Tracks
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
+from freebody.numeric.engine.patrol import Patrol, Violation
 from freebody.numeric.engine.tableaus import METHODS
 
 if TYPE_CHECKING:
@@ -52,6 +53,13 @@ class Motion:
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Happening] = []
         self.implicit: Implicit | None = None
+        self.patrol: Patrol | None = None
+        self.violation: Violation | None = None
+
+    def guard(self, sizes: Floats, is_valid: Callable[[int], bool]) -> None:
+        """The first violation of a guard of the layout ends the motion; see `Patrol`."""
+        self.patrol = Patrol(self, sizes, is_valid)
+        self.run.count[stepping.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------
     def course(self, began: float, max_seconds: float, max_steps: int, progress: Progress | None) -> Course:
@@ -80,9 +88,10 @@ class Motion:
                         progress(float(clock[stepping.NOW]), int(count[stepping.STEPS]))
                     if result == stepping.LOOK:
                         self._track()
-                    if result == stepping.LOOK and self.engine.watches and self._look():
+                    if result == stepping.LOOK and self._look():
                         status = Status.EVENT
-                        message = f"{self.happenings[-1].name} at t = {self.happenings[-1].time:.9g} s"
+                        if self.violation is None:
+                            message = f"{self.happenings[-1].name} at t = {self.happenings[-1].time:.9g} s"
                         break
                     if result == stepping.TOO_SMALL:
                         status, message = self._trouble()
@@ -219,18 +228,29 @@ class Motion:
 
     def add(self, happening: Happening, state: Floats | None) -> None:
         """Notes an event, and the motion at its instant."""
-        e = self.engine
         self.happenings.append(happening)
         if state is not None:
-            self.values_at(-1.0, state, happening.time)
-            n = 3 * (e.n_bodies + 1)
-            self.extra.append((happening.time, state, self._slope[n : 2 * n].copy(), e.room.multiplier.copy()))
+            self._keep(happening.time, state)
+
+    def _keep(self, t: float, state: Floats) -> None:
+        """The motion at an instant between output times."""
+        e = self.engine
+        self.values_at(-1.0, state, t)
+        n = 3 * (e.n_bodies + 1)
+        self.extra.append((t, state, self._slope[n : 2 * n].copy(), e.room.multiplier.copy()))
 
     def _look(self) -> bool:
         """Finds the events of the last step; True if a terminal one ends the motion there."""
         from freebody.numeric.engine.events import found_in_step
 
-        return found_in_step(self)
+        violation = None if self.patrol is None else self.patrol.violation()
+        if self.engine.watches and found_in_step(self, None if violation is None else violation.time):
+            return True
+        if violation is None:
+            return False
+        self.violation = violation
+        self._keep(violation.time, violation.state)
+        return True
 
     # -- trouble ------------------------------------------------------------------------------
     def _trouble(self) -> tuple[Status, str]:
@@ -261,7 +281,9 @@ class Motion:
                 accelerations.append(a)
                 multipliers.append(m)
         order = np.argsort(times, kind="stable")
-        last = self.happenings[-1].time if status is Status.EVENT else math.inf
+        last = math.inf
+        if status is Status.EVENT:
+            last = self.happenings[-1].time if self.violation is None else self.violation.time
         order = np.array([i for i in order if times[i] <= last], dtype=np.intp)
         Y = np.array(states)[order]
         multiplier_rows = np.array(multipliers).reshape(len(times), -1)[order][:, e.place_of]
@@ -289,6 +311,7 @@ class Motion:
             method=self.method,
             tracks=Tracks.of(e.turning, self.tracks),
             near=e.room.measures[:, NEAR].copy(),
+            violated=-1 if self.violation is None else self.violation.guard,
         )
 
     def _unique(self, times: Floats, states: Floats, shape: tuple[int, ...]) -> Any:

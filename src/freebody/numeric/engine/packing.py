@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, substitute
-from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Direction, Point
-from freebody.model.elements import RATE, VALUE, Component, Held, Push, RateMeasure
-from freebody.numeric.engine.complement import held_entries, schur_complement
+from freebody.model.elements import Bound, Component, Held, Push, RateMeasure, Rub
 from freebody.numeric.engine.laws import linear_law, stored_law
-from freebody.numeric.engine.layout import Floats, Layout, floats, ints, pointers
-from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
-from freebody.numeric.engine.ordering import elimination_order
-from freebody.numeric.engine.tapes import Tapes
+from freebody.numeric.engine.measures_planar import KINDS
 from freebody.numeric.numbers import Numbers
 
+if TYPE_CHECKING:
+    from freebody.numeric.engine.writing import Written
+
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
-_MASSLESS = 1e-4  # mass lent to a body without any, by the typical mass of the others
+MASSLESS = 1e-4  # mass lent to a body without any, by the typical mass of the others
 
 
 @dataclass(frozen=True)
-class _Base:
+class Base:
     """constant + sum of coefficient * measure."""
 
     constant: float
@@ -36,42 +33,65 @@ class _Base:
 
 
 @dataclass
-class _Composed:
+class Composition:
     """An expression in base rows and time."""
 
     expr: Expr
     inputs: dict[str, int]
 
 
+@dataclass(frozen=True)
+class Hold:
+    """A row that may be held."""
+
+    where: Where
+    target: Expr | None
+    held: Held
+    is_place: bool
+
+
+@dataclass(frozen=True)
+class Slide:
+    """Dry friction: the row of its slip, the place among the rows that may be held that keeps it where it is, and where
+    its load is among them."""
+
+    where: Where
+    rub: Rub
+    keeps: int
+    loads: tuple[int, ...]
+    sign: int
+
+
 @dataclass
-class _Product:
+class Product:
     """Sum of c(pose) dm/dt, both c and m rows of their own."""
 
     terms: list[tuple[tuple[str, int], tuple[str, int]]]
 
 
 _Key = tuple[tuple[int, ...], tuple[float, ...]]  # bodies and numbers of a measure
-_Where = tuple[str, int]  # "base" or "other", and the place there
+Where = tuple[str, int]  # "base" or "other", and the place there
 
 
 class Packing:
-    """Collects measures, rows, held rows and loads of a system, then makes a `Layout` of them."""
+    """Collects measures, rows, held rows and loads of a system; `written` makes arrays of them."""
 
     def __init__(self, numbers: Numbers) -> None:
         self.numbers = numbers
         self._bodies = {body.name: k for k, body in enumerate(numbers.system.moving)}
         self.n_bodies = len(self._bodies)
-        self._constant_force = np.zeros((self.n_bodies + 1, 3))
+        self.constant_force = np.zeros((self.n_bodies + 1, 3))
         self._measures: list[dict[_Key, int]] = [{} for _ in KINDS]
-        self._pieces: list[tuple[int, _Key]] = []
+        self.pieces: list[tuple[int, _Key]] = []
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
-        self._base: dict[_Base, int] = {}
-        self._bases: list[_Base] = []
-        self._other: list[_Composed | _Product] = []
-        self._by_measure: dict[Measure | RateMeasure, _Where] = {}
-        self._held: list[tuple[_Where, Expr | None, Held]] = []
-        self._watched: list[_Where] = []
-        self._pushes: list[tuple[_Where, Push, tuple[float, float, float] | None, bool]] = []
+        self._base: dict[Base, int] = {}
+        self.bases: list[Base] = []
+        self.other: list[Composition | Product] = []
+        self.by_measure: dict[Measure | RateMeasure, Where] = {}
+        self.held: list[Hold] = []
+        self.rubs: list[Slide] = []
+        self.watched: list[Where] = []
+        self.pushed: list[tuple[Where, Push, tuple[float, float, float] | None, bool]] = []
 
     # -- measures -----------------------------------------------------------------------------
     def _body(self, name: str) -> int:
@@ -92,7 +112,7 @@ class Packing:
         _x, _y, c, s = self.numbers.fixed_pose(direction.body)
         return self.n_bodies, (c * x - s * y, s * x + c * y)
 
-    def _elementary(self, measure: Measure) -> _Base | None:
+    def _elementary(self, measure: Measure) -> Base | None:
         """A row of one elementary measure, entered in the arrays of its kind."""
         name = type(measure).__name__
         if all(kind.name != name for kind in KINDS):
@@ -125,11 +145,11 @@ class Packing:
         key = (tuple(bodies), tuple(numbers))
         known = self._measures[index]
         if key not in known:
-            known[key] = len(self._pieces)
-            self._pieces.append((index, key))
+            known[key] = len(self.pieces)
+            self.pieces.append((index, key))
             if kind.has_bearing and name != "Distance":
                 self._with_bearing[known[key]] = (measure, constant, numbers[-1] if name == "Lead" else None)
-        return _Base(constant, ((known[key], 1.0),))
+        return Base(constant, ((known[key], 1.0),))
 
     def _fixed_angle(self, measure: Measure, field_name: str, body: str) -> float:
         """What the angle of a fixed body adds to a measure that reads it: measures are linear in angles."""
@@ -137,10 +157,10 @@ class Packing:
         return angle if field_name == "of" else -angle
 
     # -- rows ---------------------------------------------------------------------------------
-    def _linear(self, measure: Measure) -> _Base | None:
+    def _linear(self, measure: Measure) -> Base | None:
         """A measure as a combination of elementary ones with constant coefficients, if it is one."""
         if isinstance(measure, Combination):
-            total = _Base(0.0, ())
+            total = Base(0.0, ())
             for coefficient, part in measure.terms:
                 inner = self._linear(part)
                 if inner is None or "t" in free_symbols(coefficient):
@@ -157,7 +177,7 @@ class Packing:
             rest = substitute(measure.expression, dict.fromkeys(names, ZERO))
             if "t" in free_symbols(rest):
                 return None
-            total = _Base(self.numbers.number(rest), ())
+            total = Base(self.numbers.number(rest), ())
             for name, part in names.items():
                 inner = self._linear(part)
                 if inner is None:
@@ -166,32 +186,32 @@ class Packing:
             return total
         return self._elementary(measure)
 
-    def row(self, measure: Measure | RateMeasure) -> _Where:
+    def row(self, measure: Measure | RateMeasure) -> Where:
         """The row of a measure, made when it is first asked for."""
-        if measure not in self._by_measure:
-            self._by_measure[measure] = self._new_row(measure)
-        return self._by_measure[measure]
+        if measure not in self.by_measure:
+            self.by_measure[measure] = self._new_row(measure)
+        return self.by_measure[measure]
 
-    def _new_row(self, measure: Measure | RateMeasure) -> _Where:
+    def _new_row(self, measure: Measure | RateMeasure) -> Where:
         if isinstance(measure, RateMeasure):
             terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
-            self._other.append(_Product(terms))
-            return "other", len(self._other) - 1
+            self.other.append(Product(terms))
+            return "other", len(self.other) - 1
         linear = self._linear(measure)
         if linear is not None:
             return "base", self._enter(linear)
         inputs: dict[str, int] = {}
         expr = self._expression(measure, inputs)
-        self._other.append(_Composed(expr, inputs))
-        return "other", len(self._other) - 1
+        self.other.append(Composition(expr, inputs))
+        return "other", len(self.other) - 1
 
-    def _enter(self, base: _Base) -> int:
+    def _enter(self, base: Base) -> int:
         if base not in self._base:
-            self._base[base] = len(self._bases)
-            self._bases.append(base)
+            self._base[base] = len(self.bases)
+            self.bases.append(base)
         return self._base[base]
 
-    def _coefficient(self, coefficient: Component | Measure) -> _Where:
+    def _coefficient(self, coefficient: Component | Measure) -> Where:
         if not isinstance(coefficient, Component):
             return self.row(coefficient)
         from freebody.measures.displacement import Displacement
@@ -226,42 +246,65 @@ class Packing:
 
     def keys(self) -> dict[tuple[int, _Key], int]:
         """Measures that count turns, with their place in the layout: the same measure has the same key everywhere."""
-        return {self._pieces[old]: place for old, place in self._places().items() if old in self._with_bearing}
+        return {self.pieces[old]: place for old, place in self._places().items() if old in self._with_bearing}
 
     def _places(self) -> dict[int, int]:
-        order = sorted(range(len(self._pieces)), key=lambda k: self._pieces[k][0])
+        order = sorted(range(len(self.pieces)), key=lambda k: self.pieces[k][0])
         return {old: new for new, old in enumerate(order)}
 
-    @property
-    def pushes(self) -> list[Push]:
-        """The loads that are not constant forces."""
-        return [push for _where, push, _linear, _works in self._pushes]
-
     # -- held rows and loads ------------------------------------------------------------------
-    def hold(self, held: Held) -> None:
-        """Enters a held row; what it is held at, as far as it is constant, becomes part of the row."""
+    def hold(self, held: Held) -> int:
+        """Enters a row that may be held, and gives its place among them; what it is held at, as far as it is constant,
+        becomes part of the row."""
         row, target = self.row(held.measure), held.target
         if isinstance(held.measure, RateMeasure):
-            self._held.append((row, target, held))
-            return
+            return self._hold(row, target, held)
         offset = 0.0
         if target is None:
             offset = self.numbers.start_value(held.measure)
         elif "t" not in free_symbols(target):
             offset, target = self.numbers.number(target), None
         if offset and row[0] == "base":
-            base = self._bases[row[1]]
-            row = "base", self._enter(_Base(base.constant - offset, base.terms))
+            base = self.bases[row[1]]
+            row = "base", self._enter(Base(base.constant - offset, base.terms))
         elif offset:
-            composed = self._other[row[1]]
-            assert isinstance(composed, _Composed)
-            self._other.append(_Composed(composed.expr - _exact(offset), composed.inputs))
-            row = "other", len(self._other) - 1
-        self._held.append((row, target, held))
+            composed = self.other[row[1]]
+            assert isinstance(composed, Composition)
+            self.other.append(Composition(composed.expr - _exact(offset), composed.inputs))
+            row = "other", len(self.other) - 1
+        return self._hold(row, target, held)
+
+    def _hold(self, row: Where, target: Expr | None, held: Held, *, is_place: bool = True) -> int:
+        is_place = is_place and not isinstance(held.measure, RateMeasure)
+        self.held.append(Hold(row, target, held, is_place))
+        return len(self.held) - 1
+
+    def bound(self, bound: Bound) -> int:
+        """Enters a row that is held while a bound is closed, and what says where the contact exists."""
+        place = self.hold(bound.row)
+        self.watched.append(self.held[place].where)
+        for span in bound.within:
+            self.watch(span.measure)
+        return place
+
+    def rub(self, rub: Rub, loads: tuple[int, ...], sign: int) -> int:
+        """Enters dry friction, and gives the place of the row that keeps it where it is; what that is, `Written.keep`
+        says. loads: places of the rows whose multipliers press; sign: of a single one that can only push."""
+        where = self.row(rub.row.measure)
+        if where[0] == "base":  # a row of its own, which can be held at any value
+            self.bases.append(self.bases[where[1]])
+            keeps = self._hold(("base", len(self.bases) - 1), None, rub.row)
+        else:
+            keeps = self._hold(where, None, rub.row, is_place=False)
+        for _name, measure in rub.measures:
+            self.row(measure)
+        self.watched.append(where)
+        self.rubs.append(Slide(where, rub, keeps, loads, sign))
+        return keeps
 
     def watch(self, measure: Measure | RateMeasure) -> None:
         """Enters a measure whose value and rate are wanted."""
-        self._watched.append(self.row(measure))
+        self.watched.append(self.row(measure))
 
     def push(self, push: Push) -> None:
         """Enters a load. One that never changes becomes a constant force."""
@@ -274,16 +317,16 @@ class Packing:
         for _name, other in push.measures:
             self.row(other)
         works = stored_law(push, self.numbers.values) is None
-        self._pushes.append((self.row(push.measure), push, linear, works))
+        self.pushed.append((self.row(push.measure), push, linear, works))
 
     def _is_constant(self, measure: Measure, force: float) -> bool:
         """Adds the generalized force of a constant push along a measure with a constant gradient."""
         linear = self._linear(measure)
         if linear is None:
             return False
-        forces = np.zeros_like(self._constant_force)
+        forces = np.zeros_like(self.constant_force)
         for k, coefficient in linear.terms:
-            index, (bodies, numbers) = self._pieces[k]
+            index, (bodies, numbers) = self.pieces[k]
             name = KINDS[index].name
             if name == "Angle":
                 forces[bodies[0], 2] += coefficient
@@ -296,210 +339,15 @@ class Packing:
                     forces[body, 1] += sign * coefficient * numbers[5]
             else:
                 return False
-        self._constant_force += force * forces
-        self._constant_force[self.n_bodies] = 0.0
+        self.constant_force += force * forces
+        self.constant_force[self.n_bodies] = 0.0
         return True
 
-    # -- the layout ---------------------------------------------------------------------------
-    def layout(self) -> tuple[Layout, list[int], dict[Any, int]]:
-        """The arrays; the order of the held rows (places in the order in which they were entered); and the row of
-        every measure that was asked for."""
-        order = sorted(range(len(self._pieces)), key=lambda k: self._pieces[k][0])
-        new_place = {old: new for new, old in enumerate(order)}
-        counts = [sum(1 for index, _ in self._pieces if index == i) for i in range(len(KINDS))]
-        kinds = np.concatenate(([0], np.cumsum(counts)))
-        starts = np.concatenate(([0], np.cumsum([3 * k.n_bodies * c for k, c in zip(KINDS, counts, strict=True)])))
-        n_entries = int(starts[-1])
-        measure_bodies = np.zeros((len(order), MAX_BODIES))
-        measure_numbers = np.zeros((len(order), MAX_NUMBERS))
-        for new, old in enumerate(order):
-            _index, (bodies, numbers) = self._pieces[old]
-            measure_bodies[new, : len(bodies)] = bodies
-            measure_numbers[new, : len(numbers)] = numbers
+    def written(self) -> Written:
+        """What has been entered, as arrays."""
+        from freebody.numeric.engine.writing import Written
 
-        def slots_of_measure(old: int) -> list[tuple[int, int]]:
-            index, (bodies, _numbers) = self._pieces[old]
-            begin = int(starts[index]) + 3 * len(bodies) * (new_place[old] - int(kinds[index]))
-            return [(b, begin + 3 * j) for j, b in enumerate(bodies) if b != self.n_bodies]
-
-        rows = _Rows(n_entries)
-        bases = self._bases
-        for base in bases:
-            pieces = [(b, o, c) for k, c in base.terms for b, o in slots_of_measure(k)]
-            rows.add_base(pieces)
-        number = {("base", k): k for k in range(len(bases))}
-        tapes = Tapes(self.numbers.values)
-        products: list[tuple[int, int, int]] = []
-        composed: list[tuple[int, int]] = []
-        rated: set[int] = set()
-        for k, other in enumerate(self._other):
-            if isinstance(other, _Composed):
-                r = number["other", k] = len(rows.slots)
-                used = sorted(set(other.inputs.values()))
-                rated |= set(used)
-                tape = tapes.write(other.expr, {n: (row, 0.0) for n, row in other.inputs.items()})
-                rows.add_composed(len(composed), used)
-                composed.append((r, tape))
-        for k, other in enumerate(self._other):
-            if isinstance(other, _Product):
-                r = number["other", k] = len(rows.slots)
-                terms = [(number[c], number[m]) for c, m in other.terms]
-                rated |= {x for pair in terms for x in pair}
-                rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
-                products += [(r, c, m) for c, m in terms]
-        rated |= {number[where] for where in self._watched}
-        pushes = self._written_pushes(tapes, number, rated)
-        held = self._written_held(tapes, number)
-        held_slots: list[list[tuple[int, int]]] = [rows.slots[h["row"]] for h in held]
-        sequence = elimination_order([frozenset(b for b, _o in s) for s in held_slots])
-        held = [held[k] for k in sequence]
-        held_slots = [held_slots[k] for k in sequence]
-        masses = self._masses()
-        unchanging = self._unchanging(n_entries, kinds, starts, measure_numbers)
-        entries = [held_entries(slots, unchanging, masses["inverse_mass"]) for slots in held_slots]
-        base_terms = [[(new_place[k], c) for k, c in base.terms] for base in bases]
-        layout = Layout(
-            **masses,
-            constant_force=self._constant_force.ravel().copy(),
-            kinds=ints(kinds),
-            starts=ints(starts[:-1]),
-            measure_bodies=ints(measure_bodies, 2),
-            measure_numbers=floats(measure_numbers),
-            term_ptr=pointers(base_terms),
-            term_measure=ints([k for terms in base_terms for k, _c in terms]),
-            term_coefficient=floats([c for terms in base_terms for _k, c in terms]),
-            row_constant=floats([b.constant for b in bases] + [0.0] * (len(rows.slots) - len(bases))),
-            slot_ptr=pointers(rows.slots),
-            slots=ints([slot for slots in rows.slots for slot in slots], 2),
-            mix=ints([m[:2] for m in rows.mix], 2),
-            mix_coefficient=floats([m[2] for m in rows.mix]),
-            cleared=ints(rows.cleared),
-            rated=ints(sorted(r for r in rated if r < len(bases))),
-            product=ints(products, 2, 3),
-            product_mix=ints(rows.product_mix, 2, 3),
-            composed=ints(composed, 2),
-            composed_mix=ints(rows.composed_mix, 2, 4),
-            tape_ptr=ints(tapes.ptr),
-            tape=ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
-            tape_number=floats(tapes.constants),
-            held=ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in held], 2, 4),
-            held_scale=floats([h["scale"] for h in held]),
-            held_ptr=pointers(entries),
-            held_slots=ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
-            push=ints([(p["row"], p["tape"], p["works"]) for p in pushes], 2, 3),
-            push_law=floats(np.array([p["law"] for p in pushes]).reshape(-1, 3)),
-            **schur_complement(entries, masses["inverse_mass"]),
-        )
-        found = {measure: number[where] for measure, where in self._by_measure.items()}
-        return layout, sequence, found
-
-    def _unchanging(self, n_entries: int, kinds: Any, starts: Any, numbers: Floats) -> dict[int, float]:
-        """Gradient entries of measures that are the same in every pose, with their values."""
-        gradient = np.zeros(n_entries)
-        fill(ints(kinds), ints(starts), numbers, gradient)
-        found: dict[int, float] = {}
-        for index, kind in enumerate(KINDS):
-            size = 3 * kind.n_bodies
-            for k in range(int(kinds[index]), int(kinds[index + 1])):
-                begin = int(starts[index]) + size * (k - int(kinds[index]))
-                found |= {begin + j: float(gradient[begin + j]) for j in kind.unchanging}
-        return found
-
-    def _masses(self) -> dict[str, Any]:
-        """Inverse masses, and what is lent to bodies that have none."""
-        masses = np.zeros((self.n_bodies + 1, 3))
-        turns = np.zeros((self.n_bodies + 1, 3), dtype=bool)
-        for body, k in self._bodies.items():
-            b = self.numbers.system.bodies[body]
-            masses[k, :2] = self.numbers.number(b.mass)
-            masses[k, 2] = self.numbers.number(b.inertia) if b.turns else 0.0
-            turns[k] = (True, True, b.turns)
-        mass = float(masses[:, 0].max(initial=0.0)) or 1.0
-        typical = np.array([mass, mass, mass * self.numbers.length**2])
-        lent = np.where(turns & (masses == 0.0), _MASSLESS * typical, 0.0)
-        used = masses + lent
-        inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
-        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": ints([int(lent.any())])}
-
-    def _written_held(self, tapes: Tapes, number: Mapping[_Where, int]) -> list[dict[str, Any]]:
-        written: list[dict[str, Any]] = []
-        for where, target, held in self._held:
-            is_place = not isinstance(held.measure, RateMeasure)
-            other = self._other[where[1]] if where[0] == "other" else None
-            moves = isinstance(other, _Composed) and "t" in free_symbols(other.expr)
-            written.append(
-                {
-                    "row": number[where],
-                    "tape": -1 if target is None else tapes.write(target, {}),
-                    "is_place": is_place,
-                    "works": target is not None or moves,
-                    "scale": 1.0 / self.numbers.length if held.measure.dimension == LENGTH else 1.0,
-                }
-            )
-        return written
-
-    def _written_pushes(self, tapes: Tapes, number: Mapping[_Where, int], rated: set[int]) -> list[dict[str, Any]]:
-        written: list[dict[str, Any]] = []
-        for where, push, linear, works in self._pushes:
-            r = number[where]
-            tape = -1
-            if works or (linear is not None and linear[2] != 0.0):
-                rated.add(r)
-            if linear is None:
-                is_place = not isinstance(push.measure, RateMeasure)
-                origin = self.numbers.start_value(push.measure) if is_place else 0.0  # type: ignore[arg-type]
-                inputs, rates = {VALUE.name: (r, -origin)}, {RATE.name: r}
-                for name, other in push.measures:
-                    inputs[name] = (number[self.row(other)], 0.0)
-                    rates[f"rate({name})"] = number[self.row(other)]
-                    rated.add(rates[f"rate({name})"])
-                tape = tapes.write(push.law, inputs, rates)
-            written.append({"row": r, "tape": tape, "law": linear or (0.0, 0.0, 0.0), "works": works})
-        return written
-
-
-class _Rows:
-    """The slots of rows, and what must be added up to fill them."""
-
-    def __init__(self, n_entries: int) -> None:
-        self.n_entries = n_entries
-        self.slots: list[list[tuple[int, int]]] = []
-        self.cleared: list[int] = []
-        self.mix: list[tuple[int, int, float]] = []
-        self.product_mix: list[tuple[int, int, int]] = []
-        self.composed_mix: list[tuple[int, int, int, int]] = []
-
-    def _own(self, bodies: Iterable[int]) -> dict[int, int]:
-        """Entries of its own for a row, one for each body."""
-        own: dict[int, int] = {}
-        for body in bodies:
-            if body not in own:
-                own[body] = self.n_entries
-                self.cleared.append(self.n_entries)
-                self.n_entries += 3
-        self.slots.append(list(own.items()))
-        return own
-
-    def add_base(self, pieces: Sequence[tuple[int, int, float]]) -> None:
-        """A row of measures: (body, entries, coefficient). A single measure lends it its own entries."""
-        bodies = [b for b, _o, _c in pieces]
-        if len(set(bodies)) == len(bodies) and all(c == 1.0 for _b, _o, c in pieces):
-            self.slots.append([(b, o) for b, o, _c in pieces])
-            return
-        own = self._own(bodies)
-        self.mix += [(own[b], o, c) for b, o, c in pieces]
-
-    def add_product(self, terms: Sequence[tuple[int, int]]) -> None:
-        """A row of products: (product, measure row)."""
-        own = self._own(b for _p, m in terms for b, _o in self.slots[m])
-        self.product_mix += [(own[b], p, o) for p, m in terms for b, o in self.slots[m]]
-
-    def add_composed(self, k: int, used: Sequence[int]) -> None:
-        """A row that is an expression in the rows `used`."""
-        own = self._own(b for m in used for b, _o in self.slots[m])
-        for m in used:
-            pieces = [(own[b], k, o, m) for b, o in self.slots[m]]
-            self.composed_mix += pieces or [(0, k, -1, m)]
+        return Written(self)
 
 
 # -- small things -----------------------------------------------------------------------------
@@ -511,9 +359,9 @@ def _exact(value: float) -> Expr:
     return number(value)
 
 
-def _sum(a: _Base, b: _Base, factor: float) -> _Base:
+def _sum(a: Base, b: Base, factor: float) -> Base:
     """a + factor * b, measures in the order in which they first occur."""
     terms = dict(a.terms)
     for k, c in b.terms:
         terms[k] = terms.get(k, 0.0) + factor * c
-    return _Base(a.constant + factor * b.constant, tuple(terms.items()))
+    return Base(a.constant + factor * b.constant, tuple(terms.items()))

@@ -26,6 +26,7 @@ from freebody.numeric.engine.dynamics import (
     closed,
     factored,
     gaps,
+    guarded,
     kinematics,
     power,
     respond,
@@ -446,3 +447,19 @@ def visit(L, S, R, s, y, t, out, n_times):
     for _ in range(max(1, n_times)):
         slope(L, S, y, t, out)
     return True
+
+
+_TABLE = np.zeros((1, 1))
+
+
+@entry(_L, _S, _R, _STATE, _FLOAT, _STATE, _TABLE, _TABLE, _TABLE)
+def patrol(L, S, R, parts, t, y, values, rates, sizes):
+    """What is guarded at parts of the last step (after a negative part, at the state y and the time t as they are): one
+    row of values, rates and sizes for each."""
+    for j in range(len(parts)):
+        if parts[j] >= 0.0:
+            between(R, parts[j], y)
+            t = R.clock[BEFORE] + parts[j] * R.clock[DONE_STEP]
+        project(L, S, R.clock, R.count, R.unit, y, t)
+        respond(L, S, t)
+        guarded(L, S, t, values[j], rates[j], sizes[j])

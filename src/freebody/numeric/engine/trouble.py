@@ -29,7 +29,7 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
         if name:
             return Status.NOT_FINITE, f"{name} has no finite value beyond t = {t:.6g} s; change its law or stop before"
     rows, ratio = _dependent(engine)
-    held = engine.numbers.system.held
+    held = engine.held
     names = list(dict.fromkeys(held[k].connection for k in rows))
     if rows and ratio < SINGULAR:
         drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
@@ -67,7 +67,6 @@ def _dependent(engine: Engine) -> tuple[list[int], float]:
 
 def _without_value(engine: Engine, run: Run, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
     """The first load or held measure that is not finite in states a little ahead."""
-    system = engine.numbers.system
     for h in (0.0, *(float(run.clock[stepping.STEP]) * 10.0**k for k in range(9))):
         ahead = y + h * out
         stepping.visit(engine.layout, engine.room, run, -1.0, ahead, t + h, np.zeros(engine.n_y), 1)
@@ -84,5 +83,5 @@ def _without_value(engine: Engine, run: Run, y: np.ndarray, out: np.ndarray, t: 
             if not np.isfinite(rows[row, [0, 2]]).all() or (
                 tape >= 0 and not np.isfinite(engine.room.held[place, :3]).all()
             ):
-                return system.held[k].name
+                return engine.held[k].name
     return ""

@@ -1,0 +1,1 @@
+"""Contact, friction and impact in numbers: forces, impulses and their ranges from matrices, without any body."""

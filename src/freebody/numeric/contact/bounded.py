@@ -1,0 +1,342 @@
+"""A system with bounds and dry friction, packed once: its instants in dense matrices, and an engine for every mode."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.model.elements import Bound, Held, RateMeasure
+from freebody.model.elements import Rub as RubElement
+from freebody.numeric.contact.problem import ContactProblem, Rub
+from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.engine import Engine, Rows, Watch, packed
+from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_VALUE, Guard
+from freebody.numeric.numbers import Numbers
+
+LENT = 1e-4  # part of the mass lent to massless bodies that they keep in contact problems
+MOST_BOUNDS = 6000
+
+
+@dataclass(frozen=True)
+class Barrier:
+    """A bound in numbers: gap = sign * row, >= 0."""
+
+    name: str
+    words: tuple[str, str]  # of what touches what
+    kind: str  # "contact", "string" or "stop"
+    place: int  # among the rows that may be held
+    row: int
+    sign: int
+    restitution: float
+    within: tuple[tuple[int, float, float], ...]  # rows that must be between two values
+    family: str
+    obstacle: str
+    bound: Bound
+    is_ideal: bool = False
+    grips: tuple[int, ...] = ()  # places of rows that are held with it
+
+
+@dataclass(frozen=True)
+class Drag:
+    """Dry friction in numbers: the row of its slip, and the place of the row that keeps it."""
+
+    name: str
+    words: tuple[str, str]
+    row: int
+    keeps: int
+    of: int  # the barrier without which there is none, or -1
+    loads: tuple[int, ...]  # places of the rows that press
+    load_sign: int
+    rub: RubElement
+
+
+@dataclass(frozen=True)
+class ModeOf:
+    """Which barriers are closed, and for every drag 0 (sticks), +1, -1 (slides) or None (no force)."""
+
+    closed: frozenset[int]
+    drags: tuple[int | None, ...]
+
+
+@dataclass(frozen=True)
+class Instant:
+    """A state in dense form. Rows are all that may be held; gradients (n_rows, n), rates and biases (n_rows,)."""
+
+    y: Floats
+    t: float
+    gradients: Floats
+    values: Floats
+    rates: Floats
+    biases: Floats
+    force: Floats  # (n,) of the loads
+
+
+class Bounded:
+    """All rows of a system, its barriers and drags."""
+
+    def __init__(
+        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()
+    ) -> None:
+        system = numbers.system
+        n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
+        if n_sites > MOST_BOUNDS:
+            raise CannotAnswer(
+                f"{len(system.contacts)} pairs can touch at more than {MOST_BOUNDS} places; events of so many are not "
+                "followed one by one. Use time stepping: method moreau, with a step"
+            )
+        self.numbers, self.watches, self.tracked = numbers, tuple(watches), tuple(tracked)
+        self._packing = packing = packed(numbers, watches, tracked)
+        self.rows = system.rows
+        places = {row.name: k for k, row in enumerate(self.rows)}
+        ideal = [Bound(row) for row in system.held if row.unilateral]
+        bounds = [*ideal, *system.bounds]
+        for bound in ideal:
+            packing.watched.append(packing.held[places[bound.name]].where)
+        for bound in system.bounds:
+            packing.bound(bound)
+        for rub in system.rubs:
+            loads = tuple(places[name] for name in rub.load)
+            packing.rub(rub, loads, self._load_sign(loads))
+        self.written = packing.written()
+        self.bilateral = tuple(k for k, row in enumerate(system.held) if not (row.unilateral or row.needs))
+        grips = {
+            bound.name: tuple(
+                k for k, row in enumerate(system.held) if row.needs and f"{row.connection}.{row.needs}" == bound.name
+            )
+            for bound in ideal
+        }
+        self.barriers = [self._barrier(b, places[b.name], grips.get(b.name, ()), b in ideal) for b in bounds]
+        number = {barrier.name: k for k, barrier in enumerate(self.barriers)}
+        self.drags = [
+            Drag(
+                rub.name,
+                (rub.row.ends[0], rub.row.ends[1]) if len(rub.row.ends) > 1 else (rub.row.connection, ""),
+                self.written.row_of_rub(k),
+                places[rub.name],
+                number.get(rub.of, -1),
+                packing.rubs[k].loads,
+                packing.rubs[k].sign,
+                rub,
+            )
+            for k, rub in enumerate(system.rubs)
+        ]
+        self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
+
+    def _load_sign(self, loads: tuple[int, ...]) -> int:
+        """The sign with which a single row presses; 0: by its size."""
+        row = self.rows[loads[0]] if len(loads) == 1 else None
+        return row.sign if row is not None and row.unilateral else 0
+
+    def _barrier(self, bound: Bound, place: int, grips: tuple[int, ...], is_ideal: bool) -> Barrier:
+        number, row = self.numbers.number, bound.row
+        kind = "string" if row.reaction == "tension" else "stop" if row.reaction.startswith("stop") else "contact"
+        ends = (
+            (row.ends[0], row.ends[1]) if kind == "contact" and len(row.ends) > 1 else (row.connection, row.component)
+        )
+        if kind == "string" and row.component != "length":
+            ends = (f"{row.connection} ({row.component})", "")
+        if kind == "contact" and is_ideal:
+            bodies = list(dict.fromkeys(row.measure.bodies()))
+            ends = (bodies[0], bodies[1] if len(bodies) > 1 else row.connection)
+        tolerance = 1e-9 * self.numbers.length
+        return Barrier(
+            bound.name,
+            ends,
+            kind,
+            place,
+            self.written.row_of_held(place),
+            row.sign,
+            number(bound.restitution),
+            tuple(
+                (
+                    self.written.rows[span.measure],
+                    -np.inf if span.low is None else number(span.low) - tolerance,
+                    np.inf if span.high is None else number(span.high) + tolerance,
+                )
+                for span in bound.within
+            ),
+            bound.family or bound.name,
+            bound.obstacle,
+            bound,
+            is_ideal,
+            grips,
+        )
+
+    @property
+    def n_bodies(self) -> int:
+        return self._packing.n_bodies
+
+    # -- engines ------------------------------------------------------------------------------
+    @cached_property
+    def free(self) -> Engine:
+        """The system with its bilateral rows only."""
+        return Engine(self.numbers, self.watches, self.tracked, Rows(self.written, self.bilateral, (), ()))
+
+    def held_in(self, mode: ModeOf) -> tuple[int, ...]:
+        """Places of the rows that are held in a mode."""
+        places = set(self.bilateral)
+        for k in mode.closed:
+            places.add(self.barriers[k].place)
+            places.update(self.barriers[k].grips)
+        places.update(d.keeps for d, state in zip(self.drags, mode.drags, strict=True) if state == 0)
+        return tuple(sorted(places))
+
+    def engine(self, mode: ModeOf) -> tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]:
+        """The engine of a mode, its guards, and what each of them guards: ("gap", barrier), ("press", barrier),
+        ("foot", barrier), ("slip", drag), ("grip", drag)."""
+        if mode not in self._engines:
+            guards: list[Guard] = []
+            about: list[tuple[str, int]] = []
+            for k, barrier in enumerate(self.barriers):
+                if k not in mode.closed:
+                    guards.append(Guard(OF_VALUE, barrier.row, sign=barrier.sign))
+                    about.append(("gap", k))
+                    continue
+                guards.append(Guard(OF_MULTIPLIER, barrier.place, sign=barrier.sign))
+                about.append(("press", k))
+                for row, low, high in barrier.within:
+                    for sign, limit in ((1.0, low), (-1.0, high)):
+                        if np.isfinite(limit):
+                            guards.append(Guard(OF_VALUE, row, sign=sign, offset=limit))
+                            about.append(("foot", k))
+            for k, state in enumerate(mode.drags):
+                if state == 0:
+                    guards.append(Guard(OF_RESERVE, rub=k))
+                    about.append(("grip", k))
+                elif state is not None:
+                    guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state)))
+                    about.append(("slip", k))
+            sliding = tuple((k, state) for k, state in enumerate(mode.drags) if state)
+            rows = Rows(self.written, self.held_in(mode), sliding, tuple(guards))
+            engine = Engine(self.numbers, self.watches, self.tracked, rows)
+            self._engines[mode] = engine, tuple(guards), about
+        return self._engines[mode]
+
+    # -- instants -----------------------------------------------------------------------------
+    def instant(self, y: Floats, t: float, near: Floats) -> Instant:
+        """Everything about a state that contact problems need."""
+        e = self.free
+        e.count_from(near)
+        stepping.visit(e.layout, e.room, e.idle, -1.0, y.copy(), t, np.zeros(e.n_y), 1)
+        n = 3 * (e.n_bodies + 1)
+        rows = [self.written.row_of_held(k) for k in range(len(self.rows))]
+        gradients = np.array([e.gradient_of(row) for row in rows]).reshape(len(rows), n)
+        table = e.room.rows
+        v = y[n : 2 * n]
+        drifts = table[rows, dynamics.DRIFT] if rows else np.zeros(0)
+        goals = self._goals(t)
+        return Instant(
+            y,
+            t,
+            gradients,
+            table[rows, dynamics.VALUE].copy() if rows else np.zeros(0),
+            gradients @ v + drifts - goals[:, 1],
+            (table[rows, dynamics.BIAS].copy() if rows else np.zeros(0)) - goals[:, 2],
+            e.room.force.copy(),
+        )
+
+    def _goals(self, t: float) -> Floats:
+        """(n_rows, 3) targets of the bilateral rows that move, and their rates, as of the instant looked at."""
+        e = self.free
+        goals = np.zeros((len(self.rows), 3))
+        for k, place in zip(self.bilateral, e.place_of, strict=True):
+            if e.layout.held[place, 1] >= 0:
+                goals[k] = e.room.held[place, :3]
+                if not e.layout.held[place, 2]:  # a target of velocities
+                    goals[k] = 0.0, goals[k, 0], goals[k, 1]
+        return goals
+
+    def values_of(self, rows: Sequence[int]) -> Floats:
+        """Values of rows at the instant looked at last."""
+        return self.free.room.rows[list(rows), dynamics.VALUE]
+
+    @cached_property
+    def inverse_mass(self) -> Floats:
+        """(n,) by coordinate; bodies without mass keep a small one."""
+        layout = self.free.layout
+        lent = layout.mass_gap > 0.0
+        return np.where(lent, layout.inverse_mass / LENT, layout.inverse_mass)
+
+    def is_valid(self, k: int) -> bool:
+        """Whether a barrier exists at the instant that `free` looked at last: a foot is on its edge."""
+        return within(self.barriers[k], self.free.room.rows)
+
+    def problem(self, now: Instant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool) -> Problem:
+        """The contact problem of a set of barriers and of drags (with the sign of their slip rate): in accelerations, or
+        in rates."""
+        held = [*self.bilateral, *(grip for k in closed for grip in self.barriers[k].grips)]
+        places = [*held, *(self.barriers[k].place for k in closed), *(self.drags[k].keeps for k in drags)]
+        signs = np.ones(len(places))
+        normals = range(len(held), len(held) + len(closed))
+        for row, k in zip(normals, closed, strict=True):
+            signs[row] = self.barriers[k].sign
+        at = {place: row for row, place in enumerate(places)}
+        J = now.gradients[places] * signs[:, None]
+        weighted = J * self.inverse_mass
+        A = weighted @ J.T
+        if of_rates:
+            b = signs * now.rates[places]
+        else:
+            b = weighted @ now.force + signs * now.biases[places]
+        rubs = tuple(
+            self._rub(k, sliding, at, len(held) + len(closed) + n, now.t)
+            for n, (k, sliding) in enumerate(drags.items())
+        )
+        return Problem(ContactProblem(A, b, tuple(normals), rubs), tuple(closed), tuple(drags), weighted, len(held))
+
+    def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> Rub:
+        drag, number = self.drags[k], self.numbers.number
+        rub = drag.rub
+        if not drag.loads:
+            static, kinetic = self._limits(k, t)
+            return Rub(row, (static, static), (kinetic, kinetic), constant=1.0, sliding=sliding)
+        static = number(rub.coefficient(1, at_rest=True)), number(rub.coefficient(-1, at_rest=True))
+        kinetic = number(rub.coefficient(1)), number(rub.coefficient(-1))
+        loads = tuple(at[place] for place in drag.loads if place in at)
+        if len(loads) == 1 and drag.load_sign:
+            return Rub(row, static, kinetic, normals=loads, sliding=sliding)
+        return Rub(row, static, kinetic, magnitudes=(loads,) if loads else (), sliding=sliding)
+
+    def _limits(self, k: int, t: float) -> tuple[float, float]:
+        """The largest friction at rest and in motion of a brake, at the instant looked at."""
+        static, kinetic = (max(0.0, self.free.tape_value(tape, t)) for tape in self.written.limit_tapes(k))
+        return max(static, kinetic), kinetic
+
+    def is_angle(self, row: Held) -> bool:
+        return row.measure.dimension == DIMENSIONLESS
+
+    def keep(self, drag: int, now: Instant) -> None:
+        """The slip of a drag is kept from now on where it is."""
+        self.written.keep(drag, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A contact problem, and what its rows are: held ones, closed barriers, drags. weighted: (n_rows, n) J M^-1."""
+
+    matrices: ContactProblem
+    closed: tuple[int, ...]
+    drags: tuple[int, ...]
+    weighted: Floats
+    n_held: int
+
+    def row_of_barrier(self, k: int) -> int:
+        return self.n_held + self.closed.index(k)
+
+    def row_of_drag(self, k: int) -> int:
+        return self.n_held + len(self.closed) + self.drags.index(k)
+
+    def with_rates(self, b: Floats) -> Problem:
+        return replace(self, matrices=replace(self.matrices, b=b))
+
+
+def within(barrier: Barrier, rows: Floats) -> bool:
+    """Whether a barrier exists, by the rows of an engine at the instant that it looked at last."""
+    return all(low <= rows[row, dynamics.VALUE] <= high for row, low, high in barrier.within)

@@ -1,0 +1,219 @@
+"""Motions that change their law on the way: phases of one mode each, and the instants between them."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from freebody.numeric.contact.bounded import Bounded, ModeOf, within
+from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.record import Phase, merged
+from freebody.numeric.contact.transition import After, Choice, Transition
+from freebody.numeric.contact.words import events_between
+from freebody.numeric.engine.course import Collision, Course, Happening, Status
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
+
+MOST_AT_ONCE = 40  # phases without progress
+MOST_EVENTS = 20_000
+ADVICE = "use time stepping (method moreau, with a step), which does not follow single events"
+Progress = Callable[[float, int], None]
+
+
+@dataclass(frozen=True)
+class Options:
+    """How a motion is run; see `study.simulate`."""
+
+    tolerance: float = 1e-9
+    method: str = "auto"
+    step: float = 0.0
+    longest: float = math.inf
+    max_seconds: float = math.inf
+    law: Law = Law.NEWTON
+    jams: bool = False  # where no force is consistent: an impulse, instead of the end
+    most_events: int = MOST_EVENTS
+
+
+class Hybrid:
+    """One motion under way."""
+
+    def __init__(self, bounded: Bounded, options: Options) -> None:
+        self.bounded, self.options = bounded, options
+        self.transition = Transition(bounded, options.law, jams=options.jams)
+        self.phases: list[Phase] = []
+        self.events: list[Happening] = []
+        self.collisions: list[Collision] = []
+
+    def run(
+        self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
+    ) -> Course:
+        """The motion from a state; outputs: times at which it is wanted."""
+        began = time.perf_counter()
+        t, mode = start, None
+        result = self.transition.after(y, t, near, None)
+        self._note(None, result, t)
+        forbidden: list[Choice] = []
+        n_at_once = 0
+        status, message = Status.FINISHED, ""
+        while True:
+            y, mode = result.y, result.mode
+            if mode is None:
+                status, message = Status.INCONSISTENT, self._contradiction(result, t)
+                if not self.phases:
+                    self.phases.append(self._no_phase(y, t))
+                break
+            if t >= until:
+                break
+            left = self.options.max_seconds - (time.perf_counter() - began)
+            if left <= 0.0:
+                status, message = Status.TOO_LONG, f"stopped at t = {t:.6g} s after {len(self.phases)} phases"
+                break
+            if n_at_once > MOST_AT_ONCE or len(self.events) > self.options.most_events:
+                status = Status.CHATTER
+                what = "no mode lasts" if n_at_once > MOST_AT_ONCE else f"{len(self.events)} events"
+                message = f"{what} at t = {t:.9g} s; {ADVICE}"
+                break
+            engine, guards, about = self.bounded.engine(mode)
+            self._keep(mode, y, t, near)
+            engine.count_from(near)
+            sizes = self._sizes(engine, guards, y, t)
+            course = engine.run(
+                y,
+                until,
+                start=t,
+                tolerance=self.options.tolerance,
+                method=self.options.method,
+                step=self.options.step,
+                longest=self.options.longest,
+                outputs=np.concatenate(([t], outputs[outputs > t])),
+                max_seconds=left,
+                progress=progress,
+                guarded=(sizes, lambda g, e=engine, a=about: self._is_valid(e, a[g])),
+            )
+            self.phases.append(Phase(course, engine, mode))
+            near = course.near
+            y = engine.state(course.poses[-1, :-1], course.velocities[-1, :-1])
+            y[-1] = course.work[-1]
+            self.events += course.happenings
+            if course.violated < 0:
+                status, message = course.status, course.message
+                if status in (Status.STEP_TOO_SMALL, Status.NOT_FINITE) and any(mode.drags):
+                    jam = self._jam(mode, course.t_end)
+                    if jam:
+                        status, message = Status.INCONSISTENT, jam
+                break
+            what, k = about[course.violated]
+            is_progress = course.t_end > t
+            n_at_once = 0 if is_progress else n_at_once + 1
+            if is_progress:
+                forbidden = []
+            t = course.t_end
+            forbidden += self._excluded(what, k, mode, is_progress=is_progress)
+            result = self.transition.after(
+                y, t, near, self._without(mode, what, k), (k,) if what == "gap" else (), forbidden
+            )
+            self._note(mode, result, t)
+        return self._course(status, message, time.perf_counter() - began)
+
+    # -- between phases -----------------------------------------------------------------------
+    def _excluded(self, what: str, k: int, mode: ModeOf, *, is_progress: bool) -> list[Choice]:
+        """What a violation shows to be impossible from now on."""
+        if what in ("press", "foot"):
+            return [("closed", k, None)]
+        if what == "gap":
+            return [] if is_progress else [("open", k, None)]
+        if what == "grip":
+            return [("drag", k, 0)]
+        return [] if is_progress else [("drag", k, mode.drags[k])]
+
+    def _without(self, mode: ModeOf, what: str, k: int) -> ModeOf:
+        return replace(mode, closed=mode.closed - {k}) if what == "foot" else mode
+
+    def _keep(self, mode: ModeOf, y: Floats, t: float, near: Floats) -> None:
+        """What sticks is kept where it is now."""
+        sticking = [k for k, state in enumerate(mode.drags) if state == 0]
+        fresh = not self.phases or any(self.phases[-1].mode.drags[k] != 0 for k in sticking)
+        if sticking and fresh:
+            now = self.bounded.instant(y, t, near)
+            for k in sticking:
+                if not self.phases or self.phases[-1].mode.drags[k] != 0:
+                    self.bounded.keep(k, now)
+
+    def _is_valid(self, engine: Engine, about: tuple[str, int]) -> bool:
+        what, k = about
+        return what != "gap" or within(self.bounded.barriers[k], engine.room.rows)
+
+    def _sizes(self, engine: Engine, guards: Any, y: Floats, t: float) -> Floats:
+        """What counts as large of each guard: lengths, speeds and forces of the system now."""
+        length = self.bounded.numbers.length
+        accelerations, multipliers = engine.evaluate(y, t)
+        n = 3 * (self.bounded.n_bodies + 1)
+        unit = engine.unit
+        fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * length
+        hardest = float((np.abs(accelerations.ravel()) / unit).max(initial=0.0)) * length
+        speed = max(fastest, math.sqrt(hardest * length))
+        force = np.abs(engine.room.force.reshape(-1, 3)) * [1.0, 1.0, 1.0 / length]
+        strength = max(float(force.max(initial=0.0)), float(np.abs(multipliers).max(initial=0.0)))
+        known = {OF_VALUE: length, OF_RATE: speed, OF_MULTIPLIER: strength}
+        return np.array([known.get(guard.kind, 0.0) for guard in guards])
+
+    # -- words --------------------------------------------------------------------------------
+    def _note(self, before: ModeOf | None, result: After, t: float) -> None:
+        names = [b.name for b in self.bounded.barriers]
+        for impact in result.impacts:
+            self.collisions.append(
+                Collision(
+                    t,
+                    {names[k]: x for k, x in impact.impulses.items()},
+                    {self.bounded.drags[k].name: x for k, x in impact.friction.items()},
+                    {names[k]: x for k, x in impact.before.items()},
+                    {names[k]: x for k, x in impact.after.items()},
+                    impact.energy_change,
+                    impact.energy_grew,
+                )
+            )
+            result.y[-1] += impact.energy_change
+        self.events += events_between(self.bounded, before, result, t)
+
+    def _contradiction(self, result: After, t: float) -> str:
+        return (
+            f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither slide nor hold "
+            "(Painleve's paradox). A rigid model ends here. Go on with an impulse (jams: true), make the contact "
+            "compliant with a spring, or lower the friction"
+        )
+
+    def _jam(self, mode: ModeOf, t: float) -> str:
+        """Sliding friction whose forces grow without bound."""
+        names = ", ".join(d.name for d, state in zip(self.bounded.drags, mode.drags, strict=True) if state)
+        return (
+            f"at t = {t:.9g} s the forces of {names} grow without bound: sliding friction jams there (Painleve). A "
+            "rigid model ends here. Go on with an impulse (jams: true), make the contact compliant with a spring, or "
+            "lower the friction"
+        )
+
+    # -- the result ---------------------------------------------------------------------------
+    def _course(self, status: Status, message: str, wall: float) -> Course:
+        events = tuple(sorted(self.events, key=lambda e: e.time))
+        grew = [c for c in self.collisions if c.energy_grew]
+        if grew:
+            said = (
+                f"the law of impact made energy at t = {grew[0].time:.6g} s (Newton's may with friction; Poisson's "
+                "does not)"
+            )
+            message = f"{message}; {said}" if message else said
+        return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
+
+    def _no_phase(self, y: Floats, t: float) -> Phase:
+        """The first instant, where nothing can follow on it: its forces are not known."""
+        b = self.bounded
+        course = b.free.run(y, t + 1e-9, start=t, outputs=np.array([t]))
+        one = {name: getattr(course, name)[:1] for name in ("times", "poses", "velocities", "work")}
+        unknown = {name: np.full_like(getattr(course, name)[:1], np.nan) for name in ("accelerations", "multipliers")}
+        course = replace(course, **one, **unknown, unique=np.zeros_like(course.unique[:1]))
+        return Phase(course, b.free, ModeOf(frozenset(), (None,) * len(b.drags)))

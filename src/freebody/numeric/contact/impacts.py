@@ -1,0 +1,108 @@
+"""Impacts: impulses P of all rows at once, u+ = A P + u-, with A = J M^-1 J^T and velocities u of the rows.
+
+Newton      0 <= P _|_ u+ + e min(u-, 0) >= 0 at normals, Coulomb's law between impulses on the slip rate u+.
+Poisson     compression, 0 <= P_c _|_ u_c >= 0 with Coulomb on u_c; then expansion, P_e = e P_c + x,
+            0 <= x _|_ u+ >= 0 with Coulomb on u+: two problems of the same form.
+Keller      one contact, slip followed through the impact: see `keller.py`.
+
+Each problem is that of forces with velocities for accelerations. Friction has one coefficient, the kinetic one, because
+an impulse that sticks at the end may have slipped before. Loads of finite force (brakes) carry no impulse.
+Sources: Newton's law in this form: Moreau 1988; Poisson's: Glocker & Pfeiffer, Nonlinear Dynamics 7 (1995) 471-497.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+
+from freebody.numeric.contact.forces import contact_forces
+from freebody.numeric.contact.problem import Array, ContactProblem, Mode, Rub, Status
+
+_GREW = 1e-11
+
+
+class Law(Enum):
+    """How an impact restores what it compresses."""
+
+    NEWTON = "newton"
+    POISSON = "poisson"
+    KELLER = "keller"
+
+
+@dataclass(frozen=True, slots=True)
+class ImpactOutcome:
+    """Impulses and velocities after, (n,) each, in the mode at the end; NaN if there are none.
+
+    `energy_change`: sum P (u+ + u-)/2 [J] over all rows; held rows that moved before take part. `energy_grew`: it
+    exceeds rounding, which Newton's law with friction allows (Kane & Levinson 1985).
+    """
+
+    status: Status
+    mode: Mode
+    impulses: Array
+    velocities: Array
+    energy_change: float
+    energy_grew: bool
+    is_proven: bool = True
+
+    @property
+    def is_found(self) -> bool:
+        return self.status in (Status.UNIQUE, Status.SEVERAL)
+
+
+def impact(problem: ContactProblem, restitution: Mapping[int, float], law: Law = Law.NEWTON) -> ImpactOutcome:
+    """The impulses of all touching contacts at once.
+
+    `problem.b`: velocities of all rows before (held ones must vanish after); rubs as for forces, `sliding` is not used.
+    `restitution`: e in [0, 1] of each normal row, 0 where none is given. Raises ValueError if e is out of range, and
+    for Keller's law unless there is one normal with one rub at most.
+    """
+    if any(not 0.0 <= e <= 1.0 for e in restitution.values()):
+        raise ValueError("restitution must lie in [0, 1]")
+    if law is Law.KELLER:
+        from freebody.numeric.contact.keller import Restitution, impact_without_collision
+
+        return impact_without_collision(problem, max(restitution.values(), default=0.0), Restitution.POISSON)
+    smooth = replace(problem, rubs=impulsive(problem))
+    if law is Law.POISSON:
+        return _poisson(smooth, restitution)
+    target = problem.b.copy()
+    for row in problem.normals:
+        target[row] += restitution.get(row, 0.0) * min(float(problem.b[row]), 0.0)
+    found = contact_forces(replace(smooth, b=target))
+    return judged(problem, found.status, found.mode, found.forces, is_proven=found.is_proven)
+
+
+def impulsive(problem: ContactProblem) -> tuple[Rub, ...]:
+    """The rubs as they act in an impact: kinetic coefficients, no slip known, nothing from finite forces."""
+    return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.rubs)
+
+
+def _poisson(problem: ContactProblem, restitution: Mapping[int, float]) -> ImpactOutcome:
+    compression = contact_forces(problem)
+    if not compression.is_found:
+        return judged(problem, compression.status, compression.mode, compression.forces, compression.is_proven)
+    released = np.zeros(problem.n)
+    for row in problem.normals:
+        released[row] = restitution.get(row, 0.0) * compression.forces[row]
+    rubs = tuple(replace(rub, constant=float(sum(released[j] for j in rub.normals))) for rub in problem.rubs)
+    held = list(problem.held_rows)
+    velocities = compression.accelerations.copy()
+    velocities[held] = 0.0
+    expansion = contact_forces(replace(problem, b=velocities + problem.A @ released, rubs=rubs))
+    status = expansion.status if compression.status is Status.UNIQUE else Status.SEVERAL
+    status = status if expansion.is_found else expansion.status
+    impulses = compression.forces + released + expansion.forces
+    return judged(problem, status, expansion.mode, impulses, is_proven=compression.is_proven and expansion.is_proven)
+
+
+def judged(problem: ContactProblem, status: Status, mode: Mode, impulses: Array, is_proven: bool) -> ImpactOutcome:
+    """The outcome of impulses, with its energy: dT = sum P (u+ + u-)/2, because u+ - u- = A P."""
+    velocities = problem.A @ impulses + problem.b
+    velocities[list(problem.held_rows)] = 0.0
+    change = float(impulses @ (velocities + problem.b)) / 2.0
+    terms = float(np.abs(impulses) @ (np.abs(velocities) + np.abs(problem.b))) / 2.0
+    return ImpactOutcome(status, mode, impulses, velocities, change, change > _GREW * terms, is_proven)

@@ -1,0 +1,132 @@
+"""The phases of a motion, put together to one course."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.numeric.contact.bounded import Bounded, Drag, ModeOf
+from freebody.numeric.engine import stepping
+from freebody.numeric.engine.course import Collision, ContactRecord, Course, Happening, Status, Tracks
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.layout import Floats
+
+ABSENT = 2  # in `ContactRecord.slips`: no friction
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A part of a motion in one mode."""
+
+    course: Course
+    engine: Engine
+    mode: ModeOf
+
+
+def merged(
+    bounded: Bounded,
+    phases: list[Phase],
+    status: Status,
+    message: str,
+    wall: float,
+    events: tuple[Happening, ...],
+    collisions: tuple[Collision, ...],
+) -> Course:
+    """One course of all phases. At an instant between two phases it has the state after it; multipliers are those of
+    all rows that may be held, zero where they are not, and friction forces where friction slides."""
+    parts: list[tuple[Course, slice]] = []
+    for k, phase in enumerate(phases):
+        times = phase.course.times
+        following = phases[k + 1].course.times[0] if k + 1 < len(phases) else np.inf
+        n = int(np.searchsorted(times, following, side="left"))
+        parts.append((phase.course, slice(0, n)))
+    kept = [k for k, (_course, part) in enumerate(parts) if part.stop > 0]
+
+    def joined(name: str) -> Floats:
+        return np.concatenate([getattr(parts[k][0], name)[parts[k][1]] for k in kept])
+
+    multipliers, unique, states, slips = (
+        np.concatenate([table[parts[k][1]] for k, table in enumerate(tables) if k in set(kept)])
+        for tables in zip(*(_rows(bounded, phase) for phase in phases), strict=True)
+    )
+    courses = [phase.course for phase in phases]
+    last = courses[-1]
+    times = joined("times")
+    with_tracks = [c.tracks for c in courses if len(c.tracks.times)]
+    return Course(
+        status=status,
+        message=message,
+        times=times,
+        poses=joined("poses"),
+        velocities=joined("velocities"),
+        accelerations=joined("accelerations"),
+        multipliers=multipliers,
+        unique=unique.astype(bool),
+        work=joined("work"),
+        happenings=tuple(e for e in events if e.time <= times[-1] or e.kind == "comes to rest"),
+        n_steps=sum(c.n_steps for c in courses),
+        n_evaluations=sum(c.n_evaluations for c in courses),
+        n_rejected=sum(c.n_rejected for c in courses),
+        n_regularised=sum(c.n_regularised for c in courses),
+        wall_time=wall,
+        place_gap=max(c.place_gap for c in courses),
+        motion_gap=max(c.motion_gap for c in courses),
+        last_step=last.last_step,
+        method=last.method,
+        tracks=Tracks(
+            with_tracks[0].keys,
+            np.concatenate([t.times for t in with_tracks]),
+            np.concatenate([t.bearings for t in with_tracks]),
+        )
+        if with_tracks
+        else last.tracks,
+        near=last.near,
+        contact=ContactRecord(
+            tuple(b.name for b in bounded.barriers),
+            tuple(d.name for d in bounded.drags),
+            states.astype(np.int8),
+            slips.astype(np.int8),
+            collisions,
+            len(phases),
+        ),
+    )
+
+
+def _rows(bounded: Bounded, phase: Phase) -> tuple[Floats, Floats, Floats, Floats]:
+    """(n_times, n_rows) multipliers and whether they are unique, (n_times, n_barriers) and (n_times, n_drags) states."""
+    course, mode = phase.course, phase.mode
+    n = len(course.times)
+    multipliers, unique = np.zeros((n, len(bounded.rows))), np.ones((n, len(bounded.rows)))
+    held = list(bounded.held_in(mode))
+    multipliers[:, held], unique[:, held] = course.multipliers, course.unique
+    states = np.zeros((n, len(bounded.barriers)))
+    states[:, list(mode.closed)] = 1.0
+    slips = np.full((n, len(bounded.drags)), float(ABSENT))
+    for k, (drag, state) in enumerate(zip(bounded.drags, mode.drags, strict=True)):
+        if state is not None:
+            slips[:, k] = state
+        if state:
+            load = _load(bounded, phase, drag, k, multipliers)
+            multipliers[:, drag.keeps] = -state * load
+            unique[:, drag.keeps] = unique[:, list(drag.loads)].min(axis=1, initial=1.0)
+    return multipliers, unique, states, slips
+
+
+def _load(bounded: Bounded, phase: Phase, drag: Drag, k: int, multipliers: Floats) -> Floats:
+    """(n_times,) size of the force of a friction that slides."""
+    state = phase.mode.drags[k]
+    assert state is not None
+    if drag.loads:
+        c = bounded.numbers.number(drag.rub.coefficient(state))
+        pressed = multipliers[:, list(drag.loads)]
+        return c * (drag.load_sign * pressed[:, 0] if drag.load_sign else np.linalg.norm(pressed, axis=1))
+    course, engine = phase.course, phase.engine
+    tape = bounded.written.limit_tapes(k)[1]
+    found = np.zeros(len(course.times))
+    out = np.zeros(engine.n_y)
+    for i, t in enumerate(course.times):
+        y = engine.state(course.poses[i, :-1], course.velocities[i, :-1])
+        stepping.visit(engine.layout, engine.room, engine.idle, -1.0, y, float(t), out, 1)
+        found[i] = engine.tape_value(tape, float(t))
+    return found

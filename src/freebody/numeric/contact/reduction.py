@@ -1,0 +1,185 @@
+"""A contact problem without its held rows, with unit diagonal.
+
+    a_B = A_BB l_B + A_BU l_U + b_B = 0     =>     l_B = p + Q l_U,  p = -A_BB^+ b_B,  Q = -A_BB^+ A_BU
+
+Redundant held rows are consistent, so the pseudo-inverse loses nothing; their forces are those of least norm. With
+D = diag(A)^(-1/2) the problem D A D, D b in l/D has a unit diagonal: units and masses of the rows are gone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.numeric.contact.problem import Array, ContactProblem, Rub
+
+RANK = 1e-12  # of a matrix with unit diagonal
+_CONSISTENT = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Friction:
+    """A rub in reduced rows: its load divided by the scale of its force.
+
+    `pressing`: (reduced row, weight) of every force in it; `normals`: the reduced rows that must be closed for a load,
+    if it is of normals alone; `groups`: of each magnitude |p + Q x| the p, (k,), and Q, (k, n_free).
+    """
+
+    row: int
+    rub: Rub
+    constant: float
+    pressing: tuple[tuple[int, float], ...]
+    normals: tuple[int, ...]
+    is_always_loaded: bool
+    groups: tuple[tuple[Array, Array], ...]
+
+    def load(self, x: list[float], vector: Array | None = None) -> float:
+        load = self.constant
+        for j, weight in self.pressing:
+            load += weight * x[j]
+        for p, Q in self.groups:
+            load += float(np.linalg.norm(p + Q @ (np.asarray(x) if vector is None else vector)))
+        return load
+
+
+@dataclass(frozen=True, slots=True)
+class Reduced:
+    """Unit-diagonal rows of normals, then rubs: A x + b. `size` is what the terms of b come to, by which it rounds."""
+
+    problem: ContactProblem
+    rows: NDArray[np.intp]
+    held: NDArray[np.intp]
+    scale: Array
+    A: Array
+    b: Array
+    size: Array
+    p: Array
+    Q: Array
+    frictions: tuple[Friction, ...]
+    is_regular: bool
+    is_consistent: bool
+    magnitude: Array = field(repr=False)
+
+    @property
+    def n_normals(self) -> int:
+        return len(self.problem.normals)
+
+    def forces(self, x: Array) -> Array:
+        """The multipliers of all rows of the problem."""
+        if not len(self.held):
+            full = np.empty(self.problem.n)
+            full[self.rows] = self.scale * x
+            return full
+        full = np.zeros(self.problem.n)
+        full[self.rows] = self.scale * x
+        full[self.held] = self.p + self.Q @ x
+        return full
+
+
+def reduced(problem: ContactProblem) -> Reduced:
+    """Eliminates held rows and scales. `is_consistent` is false if the held rows contradict each other."""
+    A, b = problem.A, problem.b
+    rows = np.array(problem.free_rows, dtype=np.intp)
+    held = np.array(problem.held_rows, dtype=np.intp)
+    diagonal = A.diagonal()
+    D = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
+    scale = D[rows]
+    coupling = A[np.ix_(rows, held)]
+    p, Q, is_consistent = _held_forces(A, b, D, rows, held)
+    free, right, size = A[np.ix_(rows, rows)], b[rows], np.abs(b[rows])
+    if len(held):
+        free, right, size = free + coupling @ Q, right + coupling @ p, size + np.abs(coupling) @ np.abs(p)
+    scaled = scale[:, None] * (0.5 * (free + free.T)) * scale
+    return Reduced(
+        problem=problem,
+        rows=rows,
+        held=held,
+        scale=scale,
+        A=scaled,
+        b=scale * right,
+        size=scale * size,
+        p=p,
+        Q=Q * scale,
+        frictions=_frictions(problem, D, held, p, Q * scale),
+        is_regular=_is_regular(scaled),
+        is_consistent=is_consistent,
+        magnitude=np.abs(scaled),
+    )
+
+
+def _held_forces(
+    A: Array, b: Array, D: Array, rows: NDArray[np.intp], held: NDArray[np.intp]
+) -> tuple[Array, Array, bool]:
+    """p and Q of l_B = p + Q l_U, and whether the held rows can all keep their accelerations."""
+    if not len(held):
+        return np.zeros(0), np.zeros((0, len(rows))), True
+    scale = D[held]
+    A_B = scale[:, None] * A[np.ix_(held, held)] * scale
+    right = -scale[:, None] * np.hstack([b[held, None], A[np.ix_(held, rows)]])
+    if _is_regular(A_B):
+        solved = np.linalg.solve(A_B, right)
+    else:
+        values, vectors = np.linalg.eigh(A_B)
+        kept = values > RANK * len(held) * max(1.0, float(values[-1]))
+        basis = vectors[:, kept]
+        solved = basis @ ((basis.T @ right) / values[kept, None])
+    left_over = np.abs(A_B @ solved[:, 0] - right[:, 0])
+    terms = np.abs(A_B) @ np.abs(solved[:, 0]) + np.abs(right[:, 0])
+    is_consistent = bool((left_over <= _CONSISTENT * max(float(terms.max()), 1e-300)).all())
+    solved = scale[:, None] * solved
+    return solved[:, 0], solved[:, 1:], is_consistent
+
+
+def _is_regular(A: Array) -> bool:
+    """Whether a scaled positive semidefinite matrix has pivots well above rounding."""
+    try:
+        return bool((np.linalg.cholesky(A).diagonal() > 1e-5).all())
+    except np.linalg.LinAlgError:
+        return False
+
+
+def _frictions(problem: ContactProblem, D: Array, held: NDArray[np.intp], p: Array, Q: Array) -> tuple[Friction, ...]:
+    """The rubs in reduced rows. The magnitudes of free rows are plain slopes as well."""
+    place = {row: k for k, row in enumerate(problem.free_rows)}
+    held_place = {int(row): k for k, row in enumerate(held)}
+    found: list[Friction] = []
+    for rub in problem.rubs:
+        s = float(D[rub.row])
+        normals = tuple(place[j] for j in rub.normals if j in place)
+        slope, constant = np.zeros(len(place)), rub.constant / s
+        for j in rub.normals:
+            if j in place:
+                slope[place[j]] += D[j] / s
+            else:
+                slope += Q[held_place[j]] / s
+                constant += float(p[held_place[j]]) / s
+        pressing = tuple((j, weight) for j, weight in enumerate(slope.tolist()) if weight)
+        is_always_loaded = rub.is_always_loaded or len(normals) < len(rub.normals)
+        groups: list[tuple[Array, Array]] = []
+        for group in rub.magnitudes:
+            start, slopes = np.zeros(len(group)), np.zeros((len(group), len(place)))
+            for i, row in enumerate(group):
+                if row in held_place:
+                    start[i], slopes[i] = p[held_place[row]] / s, Q[held_place[row]] / s
+                else:
+                    slopes[i, place[row]] = D[row] / s
+            groups.append((start, slopes))
+        found.append(Friction(place[rub.row], rub, constant, pressing, normals, is_always_loaded, tuple(groups)))
+    return tuple(found)
+
+
+def magnitude_slope(group: tuple[Array, Array], direction: Array) -> tuple[float, Array]:
+    """|v| is homogeneous, so with a unit vector g along v it equals g.v = g.p + (g.Q) x."""
+    p, Q = group
+    return float(direction @ p), direction @ Q
+
+
+def direction(group: tuple[Array, Array], x: Array) -> Array:
+    """The unit vector along a group's multipliers, zero where they vanish."""
+    p, Q = group
+    v = p + Q @ x
+    size = hypot(*v.tolist())
+    return v / size if size > 0.0 else np.zeros_like(v)

@@ -1,0 +1,336 @@
+"""Writing a `Layout`: what was entered in a `Packing`, as arrays.
+
+All rows are written once; which of them are held, and along which of them friction slides, makes a layout of its own
+(`Written.layout`). The layouts of a system share every array that does not depend on that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.units import LENGTH
+from freebody.model.elements import VALUE, Push, RateMeasure, Rub
+from freebody.numeric.engine.complement import held_entries, schur_complement
+from freebody.numeric.engine.layout import Floats, Layout, floats, ints, pointers
+from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
+from freebody.numeric.engine.ordering import elimination_order
+from freebody.numeric.engine.packing import MASSLESS, Composition, Packing, Where
+from freebody.numeric.engine.tapes import Tapes
+
+# what presses a sliding friction, and what is watched; see `dynamics`
+BY_LAW, BY_ONE, BY_SIZE = 0, 1, 2
+OF_VALUE, OF_RATE, OF_MULTIPLIER, OF_RESERVE = 0, 1, 2, 3
+
+
+@dataclass(frozen=True)
+class Guard:
+    """Something that a mode needs to be positive. of_value: sign (row - offset); of_rate: sign times the rate of a row;
+    of_multiplier: sign times that of a held row; of_reserve: what dry friction can carry beyond what it does."""
+
+    kind: int
+    row: int = -1  # row, or place among the rows that may be held
+    rub: int = -1
+    sign: float = 1.0
+    offset: float = 0.0
+
+
+class Written:
+    """The arrays of a system that do not depend on what is held."""
+
+    def __init__(self, packing: Packing) -> None:
+        self.packing = packing
+        self.n_bodies = packing.n_bodies
+        self._tapes = Tapes(packing.numbers.values)
+        self._write()
+
+    # -- everything but what is held ----------------------------------------------------------
+    def _write(self) -> None:
+        p, tapes = self.packing, self._tapes
+        order = sorted(range(len(p.pieces)), key=lambda k: p.pieces[k][0])
+        new_place = {old: new for new, old in enumerate(order)}
+        counts = [sum(1 for index, _ in p.pieces if index == i) for i in range(len(KINDS))]
+        kinds = np.concatenate(([0], np.cumsum(counts)))
+        starts = np.concatenate(([0], np.cumsum([3 * k.n_bodies * c for k, c in zip(KINDS, counts, strict=True)])))
+        n_entries = int(starts[-1])
+        measure_bodies = np.zeros((len(order), MAX_BODIES))
+        measure_numbers = np.zeros((len(order), MAX_NUMBERS))
+        for new, old in enumerate(order):
+            _index, (bodies, numbers) = p.pieces[old]
+            measure_bodies[new, : len(bodies)] = bodies
+            measure_numbers[new, : len(numbers)] = numbers
+
+        def slots_of_measure(old: int) -> list[tuple[int, int]]:
+            index, (bodies, _numbers) = p.pieces[old]
+            begin = int(starts[index]) + 3 * len(bodies) * (new_place[old] - int(kinds[index]))
+            return [(b, begin + 3 * j) for j, b in enumerate(bodies) if b != self.n_bodies]
+
+        rows = _Rows(n_entries)
+        for base in p.bases:
+            rows.add_base([(b, o, c) for k, c in base.terms for b, o in slots_of_measure(k)])
+        self._number: dict[Where, int] = {("base", k): k for k in range(len(p.bases))}
+        products: list[tuple[int, int, int]] = []
+        composed: list[tuple[int, int]] = []
+        rated: set[int] = set()
+        for k, other in enumerate(p.other):
+            if isinstance(other, Composition):
+                r = self._number["other", k] = len(rows.slots)
+                used = sorted(set(other.inputs.values()))
+                rated |= set(used)
+                tape = tapes.write(other.expr, {n: (row, 0.0) for n, row in other.inputs.items()})
+                rows.add_composed(len(composed), used)
+                composed.append((r, tape))
+        for k, other in enumerate(p.other):
+            if not isinstance(other, Composition):
+                r = self._number["other", k] = len(rows.slots)
+                terms = [(self._number[c], self._number[m]) for c, m in other.terms]
+                rated |= {x for pair in terms for x in pair}
+                rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
+                products += [(r, c, m) for c, m in terms]
+        rated |= {self._number[where] for where in p.watched}
+        pushes = self._pushes(rated)
+        self._held = [self._hold(k) for k in range(len(p.held))]
+        self._held_slots = [rows.slots[held["row"]] for held in self._held]
+        self._limits = [self._limit(slide.rub) for slide in p.rubs]
+        self._masses = self._masses_of()
+        self._unchanging = _unchanging(n_entries, kinds, starts, measure_numbers)
+        base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
+        self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
+        self._fixed: dict[str, Any] = {
+            **self._masses,
+            "constant_force": p.constant_force.ravel().copy(),
+            "kinds": ints(kinds),
+            "starts": ints(starts[:-1]),
+            "measure_bodies": ints(measure_bodies, 2),
+            "measure_numbers": floats(measure_numbers),
+            "term_ptr": pointers(base_terms),
+            "term_measure": ints([k for terms in base_terms for k, _c in terms]),
+            "term_coefficient": floats([c for terms in base_terms for _k, c in terms]),
+            "row_constant": floats([b.constant for b in p.bases] + [0.0] * (len(rows.slots) - len(p.bases))),
+            "slot_ptr": pointers(rows.slots),
+            "slots": ints([slot for slots in rows.slots for slot in slots], 2),
+            "mix": ints([m[:2] for m in rows.mix], 2),
+            "mix_coefficient": floats([m[2] for m in rows.mix]),
+            "cleared": ints(rows.cleared),
+            "rated": ints(sorted(r for r in rated if r < len(p.bases))),
+            "product": ints(products, 2, 3),
+            "product_mix": ints(rows.product_mix, 2, 3),
+            "composed": ints(composed, 2),
+            "composed_mix": ints(rows.composed_mix, 2, 4),
+            "tape_ptr": ints(tapes.ptr),
+            "tape": ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
+            "tape_number": floats(tapes.constants),
+            "push": ints([(push["row"], push["tape"], push["works"]) for push in pushes], 2, 3),
+            "push_law": floats(np.array([push["law"] for push in pushes]).reshape(-1, 3)),
+        }
+
+    def _masses_of(self) -> dict[str, Any]:
+        """Inverse masses, and what is lent to bodies that have none."""
+        numbers = self.packing.numbers
+        masses = np.zeros((self.n_bodies + 1, 3))
+        turns = np.zeros((self.n_bodies + 1, 3), dtype=bool)
+        for k, b in enumerate(numbers.system.moving):
+            masses[k, :2] = numbers.number(b.mass)
+            masses[k, 2] = numbers.number(b.inertia) if b.turns else 0.0
+            turns[k] = (True, True, b.turns)
+        mass = float(masses[:, 0].max(initial=0.0)) or 1.0
+        typical = np.array([mass, mass, mass * numbers.length**2])
+        lent = np.where(turns & (masses == 0.0), MASSLESS * typical, 0.0)
+        used = masses + lent
+        inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
+        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": ints([int(lent.any())])}
+
+    def _hold(self, k: int) -> dict[str, Any]:
+        """One row that may be held."""
+        p = self.packing
+        where, target, held, is_place = (getattr(p.held[k], n) for n in ("where", "target", "held", "is_place"))
+        other = p.other[where[1]] if where[0] == "other" else None
+        moves = isinstance(other, Composition) and "t" in free_symbols(other.expr)
+        return {
+            "row": self._number[where],
+            "tape": -1 if target is None else self._tapes.write(target, {}),
+            "is_place": is_place,
+            "works": target is not None or moves,
+            "scale": 1.0 / p.numbers.length if held.measure.dimension == LENGTH else 1.0,
+        }
+
+    def _pushes(self, rated: set[int]) -> list[dict[str, Any]]:
+        p = self.packing
+        written: list[dict[str, Any]] = []
+        for where, push, linear, works in p.pushed:
+            r = self._number[where]
+            tape = -1
+            if works or (linear is not None and linear[2] != 0.0):
+                rated.add(r)
+            if linear is None:
+                is_place = not isinstance(push.measure, RateMeasure)
+                origin = p.numbers.start_value(push.measure) if is_place else 0.0  # type: ignore[arg-type]
+                inputs = {VALUE.name: (r, -origin)}
+                tape = self._law(push.law, push, inputs, {"@rate": r}, rated)
+            written.append({"row": r, "tape": tape, "law": linear or (0.0, 0.0, 0.0), "works": works})
+        return written
+
+    def _law(
+        self,
+        law: Expr,
+        of: Push | Rub,
+        inputs: dict[str, tuple[int, float]],
+        rates: dict[str, int],
+        rated: set[int] | None = None,
+    ) -> int:
+        """The tape of a law in time and in the measures of a load or of dry friction."""
+        for name, other in of.measures:
+            row = self._number[self.packing.row(other)]
+            inputs[name], rates[f"rate({name})"] = (row, 0.0), row
+            if rated is not None:
+                rated.add(row)
+        return self._tapes.write(law, inputs, rates)
+
+    def _limit(self, rub: Rub) -> tuple[int, int]:
+        """The tapes of the limits, at rest and in motion, of dry friction that nothing presses; else -1."""
+        if rub.load:
+            return -1, -1
+        return self._law(rub.static, rub, {}, {}), self._law(rub.kinetic, rub, {}, {})
+
+    # -- what is held -------------------------------------------------------------------------
+    def layout(
+        self,
+        chosen: Sequence[int] | None = None,
+        sliding: Sequence[tuple[int, int]] = (),
+        guards: Sequence[Guard] = (),
+    ) -> tuple[Layout, list[int]]:
+        """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (rub,
+        direction), and the given guards; and the order of the held rows, places among the chosen ones."""
+        held = list(range(len(self._held))) if chosen is None else list(chosen)
+        sequence = elimination_order([frozenset(b for b, _o in self._held_slots[k]) for k in held])
+        sorted_held = [held[k] for k in sequence]
+        place = {k: n for n, k in enumerate(sorted_held)}
+        entries = [
+            held_entries(self._held_slots[k], self._unchanging, self._masses["inverse_mass"]) for k in sorted_held
+        ]
+        rows = [self._held[k] for k in sorted_held]
+        slides = [self._slide(rub, direction, place) for rub, direction in sliding]
+        watched = [self._guard(guard, place) for guard in guards]
+        layout = Layout(
+            **self._fixed,
+            held=ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in rows], 2, 4),
+            held_scale=floats([h["scale"] for h in rows]),
+            held_ptr=pointers(entries),
+            held_slots=ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
+            slide=ints([slide[0] for slide in slides], 2, 6),
+            slide_factor=floats(np.array([slide[1] for slide in slides]).reshape(-1, 2)),
+            guard=ints([guard[0] for guard in watched], 2, 5),
+            guard_factor=floats(np.array([guard[1] for guard in watched]).reshape(-1, 4)),
+            **schur_complement(entries, self._masses["inverse_mass"]),
+        )
+        return layout, sequence
+
+    def keep(self, rub: int, value: float) -> None:
+        """What a sticking friction keeps its measure at from now on, in all layouts."""
+        slide = self.packing.rubs[rub]
+        where = self.packing.held[slide.keeps].where
+        if where[0] == "base":
+            self._fixed["row_constant"][where[1]] = self.packing.bases[slide.where[1]].constant - value
+
+    def row_of_rub(self, rub: int) -> int:
+        """The row of the slip of dry friction."""
+        return self._number[self.packing.rubs[rub].where]
+
+    def row_of_held(self, k: int) -> int:
+        """The row that may be held at a place."""
+        return self._held[k]["row"]
+
+    def limit_tapes(self, rub: int) -> tuple[int, int]:
+        """The tapes of the limits, at rest and in motion, of dry friction that nothing presses."""
+        return self._limits[rub]
+
+    def _loads(self, rub: int, place: Mapping[int, int]) -> tuple[int, int, int]:
+        slide = self.packing.rubs[rub]
+        a, b = (*(place.get(k, -1) for k in slide.loads), -1, -1)[:2]
+        return (BY_LAW if not slide.loads else BY_SIZE if len(slide.loads) > 1 else BY_ONE), a, b
+
+    def _slide(self, rub: int, direction: int, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
+        slide = self.packing.rubs[rub]
+        kind, a, b = self._loads(rub, place)
+        c = 1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(direction))
+        return (self.row_of_rub(rub), kind, a, b, self._limits[rub][1], 1), (-direction * c, float(slide.sign))
+
+    def _guard(self, guard: Guard, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
+        if guard.kind == OF_MULTIPLIER:
+            return (guard.kind, place[guard.row], -1, -1, -1), (guard.sign, 0.0, 0.0, 0.0)
+        if guard.kind != OF_RESERVE:
+            return (guard.kind, guard.row, -1, -1, -1), (guard.sign, guard.offset, 0.0, 0.0)
+        slide = self.packing.rubs[guard.rub]
+        kind, a, b = self._loads(guard.rub, place)
+        # a positive multiplier resists a falling measure
+        down, up = (
+            1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(d, at_rest=True))
+            for d in (-1, 1)
+        )
+        return (guard.kind, place[slide.keeps], a, b, self._limits[guard.rub][0]), (
+            float(slide.sign),
+            down,
+            up,
+            float(kind),
+        )
+
+
+def _unchanging(n_entries: int, kinds: Any, starts: Any, numbers: Floats) -> dict[int, float]:
+    """Gradient entries of measures that are the same in every pose, with their values."""
+    gradient = np.zeros(n_entries)
+    fill(ints(kinds), ints(starts), numbers, gradient)
+    found: dict[int, float] = {}
+    for index, kind in enumerate(KINDS):
+        size = 3 * kind.n_bodies
+        for k in range(int(kinds[index]), int(kinds[index + 1])):
+            begin = int(starts[index]) + size * (k - int(kinds[index]))
+            found |= {begin + j: float(gradient[begin + j]) for j in kind.unchanging}
+    return found
+
+
+class _Rows:
+    """The slots of rows, and what must be added up to fill them."""
+
+    def __init__(self, n_entries: int) -> None:
+        self.n_entries = n_entries
+        self.slots: list[list[tuple[int, int]]] = []
+        self.cleared: list[int] = []
+        self.mix: list[tuple[int, int, float]] = []
+        self.product_mix: list[tuple[int, int, int]] = []
+        self.composed_mix: list[tuple[int, int, int, int]] = []
+
+    def _own(self, bodies: Iterable[int]) -> dict[int, int]:
+        """Entries of its own for a row, one for each body."""
+        own: dict[int, int] = {}
+        for body in bodies:
+            if body not in own:
+                own[body] = self.n_entries
+                self.cleared.append(self.n_entries)
+                self.n_entries += 3
+        self.slots.append(list(own.items()))
+        return own
+
+    def add_base(self, pieces: Sequence[tuple[int, int, float]]) -> None:
+        """A row of measures: (body, entries, coefficient). A single measure lends it its own entries."""
+        bodies = [b for b, _o, _c in pieces]
+        if len(set(bodies)) == len(bodies) and all(c == 1.0 for _b, _o, c in pieces):
+            self.slots.append([(b, o) for b, o, _c in pieces])
+            return
+        own = self._own(bodies)
+        self.mix += [(own[b], o, c) for b, o, c in pieces]
+
+    def add_product(self, terms: Sequence[tuple[int, int]]) -> None:
+        """A row of products: (product, measure row)."""
+        own = self._own(b for _p, m in terms for b, _o in self.slots[m])
+        self.product_mix += [(own[b], p, o) for p, m in terms for b, o in self.slots[m]]
+
+    def add_composed(self, k: int, used: Sequence[int]) -> None:
+        """A row that is an expression in the rows `used`."""
+        own = self._own(b for m in used for b, _o in self.slots[m])
+        for m in used:
+            pieces = [(own[b], k, o, m) for b, o in self.slots[m]]
+            self.composed_mix += pieces or [(0, k, -1, m)]

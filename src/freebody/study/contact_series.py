@@ -1,0 +1,70 @@
+"""Contact states and the used part of friction along a simulation, for its dataset."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.language.expression import free_symbols
+from freebody.model.elements import Rub
+from freebody.numeric.jets import Array
+
+if TYPE_CHECKING:
+    from freebody.study.simulate import Simulation
+
+OPEN, CLOSED, STICKING, FORWARD, BACKWARD = range(5)
+MEANINGS = "open closed sticking sliding_forward sliding_backward"
+
+
+def contact_series(result: Simulation, names: Mapping[str, str]) -> dict[str, Any]:
+    """`<bound>.state` of every bound, `<friction>.used_friction` of all dry friction. names: of reactions, by row."""
+    record, system = result.course.contact, result.system
+    assert record is not None
+    rubs = {rub.of: rub for rub in system.rubs if rub.of}
+    data: dict[str, Any] = {}
+    for k, name in enumerate(record.bounds):
+        state = record.states[:, k].astype(np.int8)
+        rub = rubs.get(name)
+        if rub is not None:
+            slip = record.slips[:, record.rubs.index(rub.name)]
+            rubbing = np.select([slip == 0, slip == 1, slip == -1], [STICKING, FORWARD, BACKWARD], CLOSED)
+            state = np.where(state > 0, rubbing, OPEN).astype(np.int8)
+        data[f"{_stem(names[name])}.state"] = (
+            "time",
+            state,
+            {"flag_values": list(range(5)), "flag_meanings": MEANINGS, "long_name": f"contact state of {name}"},
+        )
+    column = {row.name: k for k, row in enumerate(system.rows)}
+    for rub in system.rubs:
+        data[f"{_stem(names[rub.name])}.used_friction"] = (
+            "time",
+            used_friction(result, rub, column),
+            {"units": "1", "long_name": f"friction of {rub.name} by the largest that holds at rest"},
+        )
+    return data
+
+
+def _stem(name: str) -> str:
+    """`contact.normal_force` and `contact.friction_force` belong to `contact`."""
+    for ending in (".normal_force", ".tension", ".friction_force", ".friction_torque", ".stop_force", ".stop_torque"):
+        if name.endswith(ending):
+            return name.removesuffix(ending)
+    return name
+
+
+def used_friction(result: Simulation, rub: Rub, column: Mapping[str, int]) -> Array:
+    """(n_times,) |T| / (static coefficient times load); NaN where nothing presses, or the
+    limit is a law of time or of measures."""
+    multipliers, number = result.course.multipliers, result.simulator.numbers.number
+    force = multipliers[:, column[rub.row.name]]
+    if rub.load:
+        pressed = np.linalg.norm(multipliers[:, [column[name] for name in rub.load]], axis=1)
+    else:
+        pressed = np.ones(len(force))
+    if not rub.load and (rub.measures or "t" in free_symbols(rub.static)):
+        return np.full(len(force), np.nan)  # the limit changes along the motion
+    down, up = (number(rub.coefficient(direction, at_rest=True)) for direction in (-1, 1))
+    limit = np.where(force > 0.0, down, up) * pressed
+    return np.divide(np.abs(force), limit, out=np.full(len(force), np.nan), where=limit > 0.0)
