@@ -26,7 +26,7 @@ class Brake(Connection, kind="brake"):
     torque: Formula | dict[str, Any]
 
     example = """
-bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}, angular_velocity: 10 rad/s}}
+bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}
 connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: 0.1 N m}}}
 """
 
@@ -50,7 +50,7 @@ class DryFriction(Connection, kind="dry_friction"):
     force: Formula | dict[str, Any]
 
     example = """
-bodies: {block: {particle: {mass: 1 kg}, velocity: [1 m/s, 0]}}
+bodies: {block: {particle: {mass: 1 kg}}}
 measures: {x: x of block}
 connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {measure: x, force: 2 N}}}
 """

@@ -116,7 +116,6 @@ class Contact(Connection, kind="contact"):
     example = """
 ground: {lines: {floor: {along: right}}}
 bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
-loads: {weight: {gravity: 9.81 m/s^2}}
 connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
 """
 
@@ -129,6 +128,8 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         )
         outlines = self._outlines(names)
         joined = [(a, b) for a, b in itertools.combinations(outlines, 2) if _may_touch(names, a, b)]
+        if self.between is not None and len(outlines) == 2 and not joined:
+            names.problem("both are fixed and never move apart; one of them must be a moving body", None, "between")
         found: list[Pair] = []
         for a, b in joined:
             if a.body == b.body:

@@ -24,7 +24,7 @@ class Stop(Connection, kind="stop"):
     restitution: Formula = 0
 
     example = """
-bodies: {cart: {particle: {mass: 1 kg}, at: [1 m, 0], velocity: [-1 m/s, 0]}}
+bodies: {cart: {particle: {mass: 1 kg}, at: [0, 0]}}
 measures: {x: x of cart}
 connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x, min: 0, restitution: 0.5}}}
 """

@@ -74,7 +74,7 @@ class Reference:
         pose = self.geometry(q, np.zeros_like(q), 0.0).pose(body)
         return pose.x.value, pose.y.value, pose.angle.value
 
-    def assemble(self, extra: Sequence[tuple[Measure, float]] = (), guess: Array | None = None) -> Array:
+    def assemble(self, extra: Sequence[tuple[Measure | RateMeasure, float]] = (), guess: Array | None = None) -> Array:
         """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
         measures have the given values (which replace those of the model's start). What is left free moves as
         little as possible from zero, or from the `guess`. From here on measures of which only changes mean

@@ -40,7 +40,7 @@ def start_pose(body: RigidBody, number: Callable[[Expr], float]) -> tuple[float,
     return x - (c * px - s * py), y - (s * px + c * py), theta
 
 
-def assembled(reference: Reference, extra: Sequence[tuple[Measure, float]], guess: Array | None) -> Fit:
+def assembled(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]], guess: Array | None) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
@@ -80,7 +80,7 @@ def _starts(guess: Array, unit_moves: Array) -> Iterator[Array]:
         yield guess + min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance
 
 
-def _start_equations(reference: Reference, extra: Sequence[tuple[Measure, float]]) -> list[Equation]:
+def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]]) -> list[Equation]:
     equations: list[Equation] = []
     for name, expr in reference.system.start.items():
         measure = reference.system.measures[name]

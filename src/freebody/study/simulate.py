@@ -255,7 +255,8 @@ def simulate(
     order 8, an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control
     [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
     the whole if nothing is said. impact: the law of impact, "newton", "poisson"
-    or "keller". jams: where no contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred times as exact, tells from when on they part.
+    or "keller". jams: where no contact force is consistent (Painleve), go on with an impulse that ends the slip.
+    verify: a second run, a hundred times as exact, tells from when on they part.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.

@@ -17,7 +17,7 @@ from freebody.numeric.contact.problem import ContactProblem, Rub
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.engine import Engine, Rows, Watch, packed
 from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_VALUE, Guard
+from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, Guard
 from freebody.numeric.numbers import Numbers
 
 LENT = 1e-4  # part of the mass lent to massless bodies that they keep in contact problems
@@ -63,6 +63,16 @@ class ModeOf:
 
     closed: frozenset[int]
     drags: tuple[int | None, ...]
+    groups: tuple[tuple[int, ...], ...] = ()  # drags that stick along the same slip: one row holds all of a group
+
+    @property
+    def followers(self) -> frozenset[int]:
+        """Drags whose slip another one of their group holds."""
+        return frozenset(k for group in self.groups for k in group[1:])
+
+    def is_as(self, other: ModeOf) -> bool:
+        """The same states."""
+        return self.closed == other.closed and self.drags == other.drags
 
 
 @dataclass(frozen=True)
@@ -185,7 +195,8 @@ class Bounded:
         for k in mode.closed:
             places.add(self.barriers[k].place)
             places.update(self.barriers[k].grips)
-        places.update(d.keeps for d, state in zip(self.drags, mode.drags, strict=True) if state == 0)
+        followers = mode.followers
+        places.update(self.drags[k].keeps for k, state in enumerate(mode.drags) if state == 0 and k not in followers)
         return tuple(sorted(places))
 
     def engine(self, mode: ModeOf) -> tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]:
@@ -207,9 +218,13 @@ class Bounded:
                             guards.append(Guard(OF_VALUE, row, sign=sign, offset=limit))
                             about.append(("foot", k))
             for k, state in enumerate(mode.drags):
-                if state == 0:
-                    guards.append(Guard(OF_RESERVE, rub=k))
-                    about.append(("grip", k))
+                if state == 0 and k not in mode.followers:
+                    group = next((group for group in mode.groups if group[0] == k), (k,))
+                    guards.append(Guard(OF_RESERVE, rub=k, n_shares=len(group) - 1))
+                    guards += (Guard(OF_SHARE, rub=other) for other in group[1:])
+                    about += [("grip", other) for other in group]
+                elif state == 0:
+                    continue
                 elif state is not None:
                     guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state)))
                     about.append(("slip", k))
@@ -264,13 +279,28 @@ class Bounded:
         lent = layout.mass_gap > 0.0
         return np.where(lent, layout.inverse_mass / LENT, layout.inverse_mass)
 
+    def grouped(self, mode: ModeOf, now: Instant) -> ModeOf:
+        """The mode with drags that stick along the same slip grouped: two corners of a block on one line."""
+        groups: list[list[int]] = []
+        for k, state in enumerate(mode.drags):
+            if state != 0:
+                continue
+            row = now.gradients[self.drags[k].keeps]
+            for group in groups:
+                if np.abs(now.gradients[self.drags[group[0]].keeps] - row).max() <= 1e-11 * np.abs(row).max():
+                    group.append(k)
+                    break
+            else:
+                groups.append([k])
+        return replace(mode, groups=tuple(tuple(group) for group in groups if len(group) > 1))
+
     def is_valid(self, k: int) -> bool:
         """Whether a barrier exists at the instant that `free` looked at last: a foot is on its edge."""
         return within(self.barriers[k], self.free.room.rows)
 
     def problem(self, now: Instant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool) -> Problem:
-        """The contact problem of a set of barriers and of drags (with the sign of their slip rate): in accelerations, or
-        in rates."""
+        """The contact problem of a set of barriers and of drags (with the sign of their slip rate): in accelerations,
+        or in rates."""
         held = [*self.bilateral, *(grip for k in closed for grip in self.barriers[k].grips)]
         places = [*held, *(self.barriers[k].place for k in closed), *(self.drags[k].keeps for k in drags)]
         signs = np.ones(len(places))
@@ -281,10 +311,7 @@ class Bounded:
         J = now.gradients[places] * signs[:, None]
         weighted = J * self.inverse_mass
         A = weighted @ J.T
-        if of_rates:
-            b = signs * now.rates[places]
-        else:
-            b = weighted @ now.force + signs * now.biases[places]
+        b = signs * now.rates[places] if of_rates else weighted @ now.force + signs * now.biases[places]
         rubs = tuple(
             self._rub(k, sliding, at, len(held) + len(closed) + n, now.t)
             for n, (k, sliding) in enumerate(drags.items())

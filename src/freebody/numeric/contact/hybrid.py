@@ -6,15 +6,17 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import Bounded, ModeOf, within
+from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
 from freebody.numeric.contact.impacts import Law
 from freebody.numeric.contact.record import Phase, merged
 from freebody.numeric.contact.transition import After, Choice, Transition
 from freebody.numeric.contact.words import events_between
+from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Course, Happening, Status
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
@@ -79,10 +81,13 @@ class Hybrid:
                 what = "no mode lasts" if n_at_once > MOST_AT_ONCE else f"{len(self.events)} events"
                 message = f"{what} at t = {t:.9g} s; {ADVICE}"
                 break
+            now = self.bounded.instant(y, t, near)
+            mode = self.bounded.grouped(mode, now)
             engine, guards, about = self.bounded.engine(mode)
-            self._keep(mode, y, t, near)
+            self._keep(mode, now)
             engine.count_from(near)
             sizes = self._sizes(engine, guards, y, t)
+            is_soft = bool(mode.closed) and engine.room.info[dynamics.N_LEFT_OUT] > 0.0
             course = engine.run(
                 y,
                 until,
@@ -94,7 +99,8 @@ class Hybrid:
                 outputs=np.concatenate(([t], outputs[outputs > t])),
                 max_seconds=left,
                 progress=progress,
-                guarded=(sizes, lambda g, e=engine, a=about: self._is_valid(e, a[g])),
+                guarded=(sizes, partial(self._is_valid, engine, about)),
+                lasts=partial(self._lasts, mode) if is_soft else None,
             )
             self.phases.append(Phase(course, engine, mode))
             near = course.near
@@ -116,7 +122,13 @@ class Hybrid:
             t = course.t_end
             forbidden += self._excluded(what, k, mode, is_progress=is_progress)
             result = self.transition.after(
-                y, t, near, self._without(mode, what, k), (k,) if what == "gap" else (), forbidden
+                y,
+                t,
+                near,
+                self._without(mode, what, k),
+                touched=(k,) if what == "gap" else (),
+                stopped=(k,) if what == "slip" else (),
+                forbidden=forbidden,
             )
             self._note(mode, result, t)
         return self._course(status, message, time.perf_counter() - began)
@@ -135,18 +147,19 @@ class Hybrid:
     def _without(self, mode: ModeOf, what: str, k: int) -> ModeOf:
         return replace(mode, closed=mode.closed - {k}) if what == "foot" else mode
 
-    def _keep(self, mode: ModeOf, y: Floats, t: float, near: Floats) -> None:
+    def _keep(self, mode: ModeOf, now: Instant) -> None:
         """What sticks is kept where it is now."""
-        sticking = [k for k, state in enumerate(mode.drags) if state == 0]
-        fresh = not self.phases or any(self.phases[-1].mode.drags[k] != 0 for k in sticking)
-        if sticking and fresh:
-            now = self.bounded.instant(y, t, near)
-            for k in sticking:
-                if not self.phases or self.phases[-1].mode.drags[k] != 0:
-                    self.bounded.keep(k, now)
+        for k, state in enumerate(mode.drags):
+            if state == 0 and (not self.phases or self.phases[-1].mode.drags[k] != 0):
+                self.bounded.keep(k, now)
 
-    def _is_valid(self, engine: Engine, about: tuple[str, int]) -> bool:
-        what, k = about
+    def _lasts(self, mode: ModeOf, y: Floats, t: float, near: Floats) -> bool:
+        """Whether a mode whose forces are not unique can go on in a state: some distribution of them is admissible."""
+        found = self.transition.after(y, t, near, mode)
+        return not found.impacts and found.mode is not None and found.mode.is_as(mode)
+
+    def _is_valid(self, engine: Engine, about: list[tuple[str, int]], guard: int) -> bool:
+        what, k = about[guard]
         return what != "gap" or within(self.bounded.barriers[k], engine.room.rows)
 
     def _sizes(self, engine: Engine, guards: Any, y: Floats, t: float) -> Floats:
@@ -183,9 +196,9 @@ class Hybrid:
 
     def _contradiction(self, result: After, t: float) -> str:
         return (
-            f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither slide nor hold "
-            "(Painleve's paradox). A rigid model ends here. Go on with an impulse (jams: true), make the contact "
-            "compliant with a spring, or lower the friction"
+            f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither "
+            "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "
+            "the contact compliant with a spring, or lower the friction"
         )
 
     def _jam(self, mode: ModeOf, t: float) -> str:
@@ -193,7 +206,7 @@ class Hybrid:
         names = ", ".join(d.name for d, state in zip(self.bounded.drags, mode.drags, strict=True) if state)
         return (
             f"at t = {t:.9g} s the forces of {names} grow without bound: sliding friction jams there (Painleve). A "
-            "rigid model ends here. Go on with an impulse (jams: true), make the contact compliant with a spring, or "
+            "rigid model ends here. Go on with an impulse (option jams), make the contact compliant with a spring, or "
             "lower the friction"
         )
 

@@ -5,6 +5,9 @@ Poisson     compression, 0 <= P_c _|_ u_c >= 0 with Coulomb on u_c; then expansi
             0 <= x _|_ u+ >= 0 with Coulomb on u+: two problems of the same form.
 Keller      one contact, slip followed through the impact: see `keller.py`.
 
+Newton's law asks for u+ >= 0 where a touching contact parts while another collides. Such a mixture may gain energy
+without friction, and may have no solution if contacts outnumber freedoms. Poisson's law with one e has neither fault.
+
 Each problem is that of forces with velocities for accelerations. Friction has one coefficient, the kinetic one, because
 an impulse that sticks at the end may have slipped before. Loads of finite force (brakes) carry no impulse.
 Sources: Newton's law in this form: Moreau 1988; Poisson's: Glocker & Pfeiffer, Nonlinear Dynamics 7 (1995) 471-497.

@@ -237,10 +237,16 @@ def rub_states(friction: Friction, gaps: tuple[State, ...], rules: Rules) -> lis
 
 
 def n_modes(reduced: Reduced) -> int:
-    """An upper bound for the length of `all_modes`."""
-    count = 2**reduced.n_normals
+    """An upper bound for the length of `all_modes`: a rub of one normal has states only while that is closed."""
+    closed, count = [1] * reduced.n_normals, 1
     for friction in reduced.frictions:
-        count *= 1 if friction.rub.sliding else 3
+        n_states = 1 if friction.rub.sliding else 3
+        if len(friction.normals) == 1 and not friction.is_always_loaded:
+            closed[friction.normals[0]] *= n_states
+        else:
+            count *= n_states
+    for n_states in closed:
+        count *= 1 + n_states
     return count
 
 

@@ -94,7 +94,7 @@ def merged(
 
 
 def _rows(bounded: Bounded, phase: Phase) -> tuple[Floats, Floats, Floats, Floats]:
-    """(n_times, n_rows) multipliers and whether they are unique, (n_times, n_barriers) and (n_times, n_drags) states."""
+    """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states."""
     course, mode = phase.course, phase.mode
     n = len(course.times)
     multipliers, unique = np.zeros((n, len(bounded.rows))), np.ones((n, len(bounded.rows)))
@@ -106,11 +106,33 @@ def _rows(bounded: Bounded, phase: Phase) -> tuple[Floats, Floats, Floats, Float
     for k, (drag, state) in enumerate(zip(bounded.drags, mode.drags, strict=True)):
         if state is not None:
             slips[:, k] = state
+        if k in mode.followers:
+            continue
         if state:
             load = _load(bounded, phase, drag, k, multipliers)
             multipliers[:, drag.keeps] = -state * load
             unique[:, drag.keeps] = unique[:, list(drag.loads)].min(axis=1, initial=1.0)
+    for group in mode.groups:
+        _share(bounded, group, multipliers, unique)
     return multipliers, unique, states, slips
+
+
+def _share(bounded: Bounded, group: tuple[int, ...], multipliers: Floats, unique: Floats) -> None:
+    """Friction along one slip is not unique: each place carries in proportion to what it can."""
+    total = multipliers[:, bounded.drags[group[0]].keeps].copy()
+    limits = np.zeros((len(total), len(group)))
+    for n, k in enumerate(group):
+        drag = bounded.drags[k]
+        pressed = np.linalg.norm(multipliers[:, list(drag.loads)], axis=1) if drag.loads else np.ones(len(total))
+        up, down = (
+            bounded.numbers.number(drag.rub.coefficient(d, at_rest=True)) if drag.loads else 1.0 for d in (1, -1)
+        )
+        limits[:, n] = np.where(total > 0.0, down, up) * pressed
+    size = limits.sum(axis=1)
+    for n, k in enumerate(group):
+        part = np.divide(limits[:, n], size, out=np.full(len(total), 1.0 / len(group)), where=size > 0.0)
+        multipliers[:, bounded.drags[k].keeps] = part * total
+        unique[:, bounded.drags[k].keeps] = 0.0
 
 
 def _load(bounded: Bounded, phase: Phase, drag: Drag, k: int, multipliers: Floats) -> Floats:

@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.model.elements import Bound
+from freebody.model.elements import Bound, RateMeasure
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
 
 PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 N_ROUNDS = 12
 
-Extra = list[tuple[Measure, float]]
+Extra = list[tuple[Measure | RateMeasure, float]]
 
 
 def assembled_touching(reference: Reference) -> Array:
-    """The pose at the start (q); what is to touch does. Raises CannotAnswer naming what is inside what, and how deep."""
+    """The pose at the start (q); what is to touch does. Raises CannotAnswer naming what is inside what, how deep."""
     bounds = reference.system.bounds
     closing = {b.family for b in bounds if b.starts_closed and b.family}
     if not closing:
@@ -29,21 +31,33 @@ def assembled_touching(reference: Reference) -> Array:
         _refuse_penetration(reference, q, bounds)
         return q
     closed: dict[str, Bound] = {}
-    flat = set[str]()
+    turning = _turning(reference, bounds, closing)
+    q = reference.assemble()
     for _ in range(N_ROUNDS):
-        q = reference.assemble(_extra(reference, closed))
-        added = _next(reference, q, bounds, closing, closed, flat)
+        added = _next(reference, q, bounds, closing, closed, turning)
         if added is None:
             break
         closed[added.name] = added
+        q = _placed(reference, closed, turning)
     _refuse_penetration(reference, q, bounds)
     return q
 
 
+def _placed(reference: Reference, closed: Mapping[str, Bound], turning: dict[str, str]) -> Array:
+    """The pose with the closed bounds; bodies without an angle, of which one corner touches, do not turn yet."""
+    upright: Extra = []
+    for family, body in turning.items():
+        if sum(b.family == family for b in closed.values()) < 2:
+            upright.append((Angle(body), 0.0))
+    extra = _extra(reference, closed)
+    if upright:
+        with suppress(CannotAnswer):
+            return reference.assemble(extra + upright)
+    return reference.assemble(extra)
+
+
 def _extra(reference: Reference, closed: Mapping[str, Bound]) -> Extra:
-    return [
-        (b.row.measure, 0.0 if b.row.target is None else reference.number(b.row.target)) for b in closed.values()
-    ]
+    return [(b.row.measure, 0.0 if b.row.target is None else reference.number(b.row.target)) for b in closed.values()]
 
 
 def _next(
@@ -52,7 +66,7 @@ def _next(
     bounds: tuple[Bound, ...],
     closing: set[str],
     closed: dict[str, Bound],
-    flat: set[str],
+    turning: dict[str, str],
 ) -> Bound | None:
     """What must be closed next: the nearest place of a family that does not touch yet, the deepest one that would be
     inside, and a second corner of a body whose angle nobody gave, which then lies flat."""
@@ -60,18 +74,37 @@ def _next(
     gaps = {b.name: gap_of(reference, g, b) for b in bounds if b.family in closing and b.name not in closed}
     for family in sorted(closing):
         own = [b for b in bounds if b.family == family and b.name in gaps and _exists(reference, g, b)]
+        if family in turning:
+            foot = _foot(reference, g, [b for b in bounds if b.family == family], turning[family])
+            if not any(b.family == family for b in closed.values()):
+                return min(foot, key=lambda b: gaps[b.name])
+            rest = [b for b in foot if b.name not in closed]
+            if rest and any(b.name in closed for b in foot):
+                return rest[0]
+            continue
         if not any(b.family == family for b in closed.values()) and own:
             return min(own, key=lambda b: _reach(reference, g, b, gaps[b.name]))
         deep = [b for b in own if not b.obstacle and gaps[b.name] < -PENETRATION * reference.sizes.length]
         if deep:
             return min(deep, key=lambda b: gaps[b.name])
-        if family in flat or not _may_turn(reference, own):
-            continue
-        flat.add(family)
-        lines = [b for b in own if not b.obstacle]
-        if lines:
-            return min(lines, key=lambda b: gaps[b.name])
     return None
+
+
+def _foot(reference: Reference, g: JetGeometry, own: list[Bound], name: str) -> list[Bound]:
+    """The two corners of the side on which a polygon will lie: of the lower sides the one that is turned least."""
+    body = reference.system.bodies[name]
+    by_corner = {b.row.ends[0].partition(".")[2]: b for b in own}
+    heights = {corner: gap_of(reference, g, b) for corner, b in by_corner.items()}
+    middle = sum(heights.values()) / len(heights)
+    corners = list(body.corners)
+    best: tuple[float, list[Bound]] | None = None
+    for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
+        length = math.dist(*((reference.number(x), reference.number(y)) for x, y in (body.points[a], body.points[b])))
+        slope = abs(heights[a] - heights[b]) / length
+        if heights[a] + heights[b] < 2 * middle and (best is None or slope < best[0]):
+            best = slope, [by_corner[a], by_corner[b]]
+    assert best is not None
+    return best[1]
 
 
 def _reach(reference: Reference, g: JetGeometry, bound: Bound, gap: float) -> float:
@@ -79,26 +112,28 @@ def _reach(reference: Reference, g: JetGeometry, bound: Bound, gap: float) -> fl
     return gap if not bound.obstacle or gap >= 0.0 else math.inf
 
 
-def _may_turn(reference: Reference, own: list[Bound]) -> bool:
-    """Whether a polygon on a line has no angle of its own."""
-    if not own:
-        return False
-    bodies = {b.row.ends[0].partition(".")[0] for b in own}
+def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str]) -> dict[str, str]:
+    """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body."""
     system = reference.system
-    return all(
-        name in system.bodies
-        and len(system.bodies[name].corners) > 2
-        and system.bodies[name].start.angle is None
-        and not any(name in row.measure.bodies() for row in system.held)
-        for name in bodies
-    )
+    found: dict[str, str] = {}
+    for family in closing:
+        own = [b for b in bounds if b.family == family]
+        names = {b.row.ends[0].partition(".")[0] for b in own}
+        if len(names) != 1 or any(b.obstacle for b in own):
+            continue
+        body = system.bodies.get(next(iter(names)))
+        if body is None or len(body.corners) < 3 or body.start.angle is not None:
+            continue
+        if not any(body.name in row.measure.bodies() for row in system.held):
+            found[family] = body.name
+    return found
 
 
 def gap_of(reference: Reference, g: JetGeometry, bound: Bound) -> float:
     """The gap of a bound [m or rad]."""
     value = reference.jet(g, bound.row.measure, bound.name).value
     target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
-    if bound.row.target is None:
+    if bound.row.target is None and not isinstance(bound.row.measure, RateMeasure):
         target = reference.start_value(bound.row.measure)
     return bound.row.sign * (value - target)
 
@@ -115,8 +150,8 @@ def _exists(reference: Reference, g: JetGeometry, bound: Bound) -> bool:
 
 
 def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...]) -> None:
-    """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then the
-    least deep of them counts."""
+    """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then
+    the least deep of them counts."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     faced: dict[str, list[tuple[float, Bound]]] = {}
     found: list[str] = []
@@ -132,7 +167,8 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...
             found.append(_said(bound, -gap))
     if found:
         raise CannotAnswer(
-            f"at the start {'; '.join(found)}. Move them apart, or let the assembly do it: touching: true in the contact"
+            f"at the start {'; '.join(found)}. Move them apart, or let the assembly do it: touching: true in the "
+            "contact"
         )
 
 

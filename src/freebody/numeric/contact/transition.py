@@ -2,8 +2,8 @@
 
 1. Barriers at gap zero that approach collide: the impulses of all touching ones are found at once.
 2. A rebound that would not come higher than `REST` of the system's size ends the sequence of rebounds: the contact
-   stays, and its time is the limit of the geometric series, t + 2 u / (a (1 - e)), with u the speed of the rebound and a
-   the acceleration with which it is pressed back.
+   stays, and its time is the limit of the geometric series, t + 2 u / (a (1 - e)), with u the speed of the rebound and
+   a the acceleration with which it is pressed back.
 3. Of the barriers at gap zero and rate zero, and of friction at rest, the contact problem in accelerations says what
    stays closed and what sticks.
 """
@@ -32,7 +32,7 @@ Choice = tuple[str, int, int | None]  # ("closed", barrier, None), ("open", barr
 
 @dataclass(frozen=True)
 class Impact:
-    """Collisions at one instant: impulses [N s] and rates before and after by barrier, and the energy that they take."""
+    """Collisions at one instant: impulses [N s], rates before and after by barrier, and the energy that they take."""
 
     time: float
     impulses: dict[int, float]
@@ -63,6 +63,7 @@ class Transition:
         """jams: where no force is consistent, a contact may take an impulse without a collision."""
         self.bounded, self.law, self.jams = bounded, law, jams
         self.length = bounded.numbers.length
+        self.fastest = 0.0  # met so far: by it rates count as none
 
     def after(
         self,
@@ -71,15 +72,17 @@ class Transition:
         near: Floats,
         mode: ModeOf | None,
         touched: Iterable[int] = (),
+        stopped: Iterable[int] = (),
         forbidden: Iterable[Choice] = (),
     ) -> After:
-        """What follows on a state. mode: the one before. touched: barriers whose gap has just closed. forbidden: states
-        that the motion has shown to be impossible."""
+        """What follows on a state. mode: the one before. touched: barriers whose gap has just closed; stopped: drags
+        whose slip has just ended. forbidden: states that the motion has shown to be impossible."""
+        self.stopped = set(stopped)
         b = self.bounded
         y = y.copy()
         forbidden = tuple(forbidden)
         result = After(y, None)
-        before = frozenset() if mode is None else mode.closed
+        before = frozenset[int]() if mode is None else mode.closed
         now = b.instant(y, t, near)
         touching = self._touching(now, before, touched)
         for _ in range(N_IMPACTS):
@@ -115,9 +118,7 @@ class Transition:
         sliding = next((s for k, s in drags.items() if b.drags[k].of == touching[0]), 0)
         problem = b.problem(now, touching, dict.fromkeys(drags, 0), of_rates=True)
         try:
-            outcome = impact_without_collision(
-                problem.matrices, b.barriers[touching[0]].restitution, slip=sliding
-            )
+            outcome = impact_without_collision(problem.matrices, b.barriers[touching[0]].restitution, slip=sliding)
         except ValueError:
             return False
         if not outcome.is_found or not np.abs(outcome.impulses).max() > 0.0:
@@ -138,7 +139,7 @@ class Transition:
                 continue
             gap = barrier.sign * float(now.values[barrier.place])
             size = 1.0 if b.is_angle(barrier.bound.row) else self.length
-            if k in touched or abs(gap) <= TOUCHING * size or (k in before and abs(gap) <= 1e-7 * size):
+            if k in touched or k in before or abs(gap) <= TOUCHING * size:
                 found.append(k)
         return found
 
@@ -147,7 +148,8 @@ class Transition:
         unit = self.bounded.free.unit
         fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * self.length
         hardest = float((np.abs(now.force * self.bounded.inverse_mass) / unit).max(initial=0.0)) * self.length
-        return max(fastest, 1e-3 * float(np.sqrt(hardest * self.length)), 1e-12)
+        self.fastest = max(self.fastest, fastest)
+        return max(self.fastest, 1e-3 * float(np.sqrt(hardest * self.length)), 1e-12)
 
     # -- impacts ------------------------------------------------------------------------------
     def _collide(
@@ -260,7 +262,8 @@ class Transition:
             if drag.of in closed or drag.of < 0:
                 rate = float(now.rates[drag.keeps])
                 size = speed if not b.is_angle(drag.rub.row) else speed / self.length
-                found[k] = 0 if abs(rate) <= STILL * size else (1 if rate > 0.0 else -1)
+                is_still = abs(rate) <= STILL * size or (k in self.stopped and abs(rate) <= 1e-6 * size)
+                found[k] = 0 if is_still else (1 if rate > 0.0 else -1)
         return found
 
     def _decide(

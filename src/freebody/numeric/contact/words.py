@@ -21,7 +21,9 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
     for k, barrier in enumerate(bounded.barriers):
         is_now = k in mode.closed
         if before is None and k not in hit:
-            continue  # how it begins is no event
+            if barrier.is_ideal and not is_now:
+                yield Happening(t, *_opens(barrier))
+            continue  # how it begins is no event, but for what is taken to be closed
         if is_now and k not in was:
             if k in after.resting and k in hit and barrier.restitution > 0.0:
                 yield Happening(max(t, after.resting[k]), *_rest(barrier))

@@ -74,7 +74,7 @@ class Tracks:
 
 @dataclass(frozen=True)
 class Collision:
-    """Impacts at one instant: impulses [N s] and rates of gaps [m/s] by name, and the kinetic energy that they take [J].
+    """Impacts at one instant: impulses [N s] and rates of gaps [m/s] by name, and the kinetic energy they take [J].
     energy_grew: the law of impact made energy, as Newton's may with friction."""
 
     time: float

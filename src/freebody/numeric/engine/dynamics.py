@@ -34,8 +34,9 @@ VALUE, RATE, BIAS, DRIFT, WEIGHT = range(5)
 GOAL, GOAL_RATE, GOAL_BIAS, PLACE, MOTION, RIGHT = range(6)
 # what presses a sliding friction (`Layout.slide`): a law, a held row, the resultant of two
 PRESSED_BY_LAW, PRESSED_BY_ONE, PRESSED_BY_SIZE = range(3)
-# what is guarded (`Layout.guard`): a value, a rate, a multiplier, what friction can carry beyond what it does
-GUARD_VALUE, GUARD_RATE, GUARD_MULTIPLIER, GUARD_RESERVE = range(4)
+# what is guarded (`Layout.guard`): a value, a rate, a multiplier, what friction can carry beyond what it does; a share
+# adds what it can carry to the reserve before it
+GUARD_VALUE, GUARD_RATE, GUARD_MULTIPLIER, GUARD_RESERVE, GUARD_SHARE = range(5)
 N_SLIDE = 30  # steps of Newton's method for the friction; one is enough where a single row presses
 # what `Room.info` holds
 SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT = range(5)
@@ -426,11 +427,14 @@ def guarded(L, S, t, values, rates, sizes):
             values[g] = sign * S.rows[r, RATE]
         elif kind == GUARD_MULTIPLIER:
             values[g] = sign * S.multiplier[r]
+        elif kind == GUARD_SHARE:
+            values[g] = 1.0
         else:
-            carried = S.multiplier[r]
-            kind_of_load = int(L.guard_factor[g, 3])
-            size = load_of(L, S, kind_of_load, L.guard[g, 2], L.guard[g, 3], L.guard[g, 4], sign, t)
-            limit = (L.guard_factor[g, 1] if carried > 0.0 else L.guard_factor[g, 2]) * size
+            carried, limit = S.multiplier[r], 0.0
+            for k in range(g, g + 1 + L.guard[g, 5]):
+                kind_of_load, up = int(L.guard_factor[k, 3]), L.guard_factor[k, 0]
+                size = load_of(L, S, kind_of_load, L.guard[k, 2], L.guard[k, 3], L.guard[k, 4], up, t)
+                limit += (L.guard_factor[k, 1] if carried > 0.0 else L.guard_factor[k, 2]) * size
             values[g], sizes[g] = limit - abs(carried), max(limit, abs(carried))
 
 

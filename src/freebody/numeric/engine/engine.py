@@ -289,14 +289,16 @@ class Engine(Packed):
         max_steps: int = 10_000_000,
         progress: Progress | None = None,
         guarded: tuple[Floats, Callable[[int], bool]] | None = None,
+        lasts: Callable[[Floats, float, Floats], bool] | None = None,
     ) -> Course:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. tolerance: the error
         allowed in a step, relative to the size of the system (`stepping`). step: the first step, or the only one of a
-        method without error control. outputs: times at which the motion is wanted, besides its events and its end. guarded:
-        sizes of the guards of the mode, and whether a violation means something; the first one ends the motion."""
+        method without error control. outputs: times at which the motion is wanted, besides its events and its end.
+        guarded: sizes of the guards of the mode, and whether a violation means something: the first one is the end.
+        lasts: whether a mode with forces that are not unique can go on in a state."""
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
         motion = Motion(self, y, start, until, tolerance, method, step, longest, wanted)
         if guarded is not None:
-            motion.guard(*guarded)
+            motion.guard(*guarded, lasts)
         return motion.course(began, max_seconds, max_steps, progress)

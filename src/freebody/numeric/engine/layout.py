@@ -71,7 +71,7 @@ class Layout(NamedTuple):
     slide: Ints2  # (n, 6): row of the slip, what presses (`dynamics.PRESSED_*`), held a, held b, tape, works
     slide_factor: Floats2  # (n, 2): force = [0] * load; sign of the load of one held row
 
-    guard: Ints2  # (n, 5): kind (`dynamics.GUARD_*`), row or held, held a, held b, tape
+    guard: Ints2  # (n, 6): kind (`dynamics.GUARD_*`), row or held, held a, held b, tape, shares that follow
     guard_factor: Floats2  # (n, 4): see `dynamics.guarded`
 
     push: Ints2  # (n, 3): row, tape of its law (-1: a linear one), its work is integrated: it has no potential

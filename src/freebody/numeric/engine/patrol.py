@@ -28,6 +28,9 @@ N_MENDED = 3
 NEAR_ZERO = 0.3  # a dip that does not come below this part of the largest value is not looked into
 
 
+Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the bearings from which turns are counted
+
+
 @dataclass(frozen=True)
 class Violation:
     """The first guard that fell below zero, when, and the state there."""
@@ -41,10 +44,12 @@ class Violation:
 class Patrol:
     """The guards of one motion."""
 
-    def __init__(self, motion: Motion, sizes: Floats, is_valid: Callable[[int], bool]) -> None:
+    def __init__(
+        self, motion: Motion, sizes: Floats, is_valid: Callable[[int], bool], lasts: Lasts | None = None
+    ) -> None:
         """sizes: what counts as large of each guard. is_valid: whether a violation means something at the instant that
-        the engine looked at last."""
-        self.motion, self.sizes, self.is_valid = motion, sizes, is_valid
+        the engine looked at last. lasts: whether the mode can go on in a state, where forces are not unique."""
+        self.motion, self.sizes, self.is_valid, self.lasts = motion, sizes, is_valid, lasts
         n = len(motion.engine.layout.guard)
         self._values, self._rates, self._own = (np.zeros((len(PARTS), n)) for _ in range(3))
         self._one = tuple(np.zeros((1, n)) for _ in range(3))
@@ -56,7 +61,11 @@ class Patrol:
         stepping.patrol(m.engine.layout, m.engine.room, run, PARTS, 0.0, self._y, self._values, self._rates, self._own)
         zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
         values = self._values
-        suspects = np.flatnonzero((values[0] >= -zero) & (values.min(axis=0) < NEAR_ZERO * values.max(axis=0)))
+        kinds = m.engine.layout.guard[:, 0]
+        of_force = (kinds == dynamics.GUARD_MULTIPLIER) | (kinds == dynamics.GUARD_RESERVE)
+        hard = np.ones(len(kinds), dtype=bool) if self.lasts is None else ~of_force
+        begins = (values[0] >= -zero) | (kinds != dynamics.GUARD_VALUE)
+        suspects = np.flatnonzero(hard & begins & (values.min(axis=0) < NEAR_ZERO * values.max(axis=0)))
         found = [(s, g) for g in suspects if (s := self._first(int(g), float(zero[g]))) is not None]
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
         for s, g in sorted(found):
@@ -65,8 +74,43 @@ class Patrol:
                 continue
             if s == 0.0:
                 return Violation(int(g), t0, run.states[stepping.OLD].copy(), at_start=True)
+            if self.lasts is not None and (soft := self._end_of_forces(of_force, zero, s)) is not None:
+                return soft
             t, state = self._mended(int(g), t0, s, h)
             return Violation(int(g), t, state)
+        return None if self.lasts is None else self._end_of_forces(of_force, zero, 1.0)
+
+    def _end_of_forces(self, of_force: Any, zero: Floats, until: float) -> Violation | None:
+        """Where in the last step the forces of the mode cease to be admissible, though they are not unique: one of them
+        is below zero as it is computed, and no other distribution is found either. Found by bisection."""
+        run = self.motion.run
+        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+
+        def holds(s: float) -> bool:
+            values = self._at(s)
+            if not (of_force & (values < -zero)).any():
+                return True
+            assert self.lasts is not None
+            return self.lasts(self._y.copy(), t0 + s * h, self.motion.engine.near())
+
+        good = 0.0
+        for s in PARTS[1:]:
+            part = min(float(s), until)
+            if not holds(part):
+                bad = part
+                while bad - good > 1e-13 * max(1.0, good) and bad - good > 2e-16:
+                    middle = 0.5 * (good + bad)
+                    if not good < middle < bad:
+                        break
+                    good, bad = (middle, bad) if holds(middle) else (good, middle)
+                values = self._at(bad)
+                worst = int(np.where(of_force, values, np.inf).argmin())
+                step = self.motion.step_of(bad * h)
+                state = self._y.copy() if step is None else step[0]
+                return Violation(worst, t0 + bad * h, state, at_start=good == 0.0 and bad < 1e-12)
+            good = part
+            if part >= until:
+                break
         return None
 
     def _at(self, s: float) -> Floats:

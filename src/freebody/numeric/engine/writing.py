@@ -24,19 +24,21 @@ from freebody.numeric.engine.tapes import Tapes
 
 # what presses a sliding friction, and what is watched; see `dynamics`
 BY_LAW, BY_ONE, BY_SIZE = 0, 1, 2
-OF_VALUE, OF_RATE, OF_MULTIPLIER, OF_RESERVE = 0, 1, 2, 3
+OF_VALUE, OF_RATE, OF_MULTIPLIER, OF_RESERVE, OF_SHARE = range(5)
 
 
 @dataclass(frozen=True)
 class Guard:
     """Something that a mode needs to be positive. of_value: sign (row - offset); of_rate: sign times the rate of a row;
-    of_multiplier: sign times that of a held row; of_reserve: what dry friction can carry beyond what it does."""
+    of_multiplier: sign times that of a held row; of_reserve: what dry friction can carry beyond what it does, with the
+    shares that follow: friction along the same slip, held by one row."""
 
     kind: int
     row: int = -1  # row, or place among the rows that may be held
     rub: int = -1
     sign: float = 1.0
     offset: float = 0.0
+    n_shares: int = 0
 
 
 class Written:
@@ -94,7 +96,7 @@ class Written:
         rated |= {self._number[where] for where in p.watched}
         pushes = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
-        self._held_slots = [rows.slots[held["row"]] for held in self._held]
+        self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
         self._limits = [self._limit(slide.rub) for slide in p.rubs]
         self._masses = self._masses_of()
         self._unchanging = _unchanging(n_entries, kinds, starts, measure_numbers)
@@ -147,15 +149,16 @@ class Written:
     def _hold(self, k: int) -> dict[str, Any]:
         """One row that may be held."""
         p = self.packing
-        where, target, held, is_place = (getattr(p.held[k], n) for n in ("where", "target", "held", "is_place"))
-        other = p.other[where[1]] if where[0] == "other" else None
+        entry = p.held[k]
+        target = entry.target
+        other = p.other[entry.where[1]] if entry.where[0] == "other" else None
         moves = isinstance(other, Composition) and "t" in free_symbols(other.expr)
         return {
-            "row": self._number[where],
+            "row": self._number[entry.where],
             "tape": -1 if target is None else self._tapes.write(target, {}),
-            "is_place": is_place,
+            "is_place": entry.is_place,
             "works": target is not None or moves,
-            "scale": 1.0 / p.numbers.length if held.measure.dimension == LENGTH else 1.0,
+            "scale": 1.0 / p.numbers.length if entry.held.measure.dimension == LENGTH else 1.0,
         }
 
     def _pushes(self, rated: set[int]) -> list[dict[str, Any]]:
@@ -223,7 +226,7 @@ class Written:
             held_slots=ints([(c, o) for slots in entries for c, o, _fixed in slots], 2),
             slide=ints([slide[0] for slide in slides], 2, 6),
             slide_factor=floats(np.array([slide[1] for slide in slides]).reshape(-1, 2)),
-            guard=ints([guard[0] for guard in watched], 2, 5),
+            guard=ints([guard[0] for guard in watched], 2, 6),
             guard_factor=floats(np.array([guard[1] for guard in watched]).reshape(-1, 4)),
             **schur_complement(entries, self._masses["inverse_mass"]),
         )
@@ -261,9 +264,9 @@ class Written:
 
     def _guard(self, guard: Guard, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
         if guard.kind == OF_MULTIPLIER:
-            return (guard.kind, place[guard.row], -1, -1, -1), (guard.sign, 0.0, 0.0, 0.0)
-        if guard.kind != OF_RESERVE:
-            return (guard.kind, guard.row, -1, -1, -1), (guard.sign, guard.offset, 0.0, 0.0)
+            return (guard.kind, place[guard.row], -1, -1, -1, 0), (guard.sign, 0.0, 0.0, 0.0)
+        if guard.kind in (OF_VALUE, OF_RATE):
+            return (guard.kind, guard.row, -1, -1, -1, 0), (guard.sign, guard.offset, 0.0, 0.0)
         slide = self.packing.rubs[guard.rub]
         kind, a, b = self._loads(guard.rub, place)
         # a positive multiplier resists a falling measure
@@ -271,7 +274,8 @@ class Written:
             1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(d, at_rest=True))
             for d in (-1, 1)
         )
-        return (guard.kind, place[slide.keeps], a, b, self._limits[guard.rub][0]), (
+        at = -1 if guard.kind == OF_SHARE else place[slide.keeps]
+        return (guard.kind, at, a, b, self._limits[guard.rub][0], guard.n_shares), (
             float(slide.sign),
             down,
             up,

@@ -1,0 +1,143 @@
+"""Dry friction of a string or band that slides round a drum (capstan, belt friction, band brake).
+
+An element of the string on the arc d(phi) is pressed on the drum by T d(phi), so at the verge of sliding dT = mu T d(phi)
+and over the angle of wrap beta
+
+    T_pulling = T_pulled e^(mu beta).        (Euler and Eytelwein)
+
+The string keeps its length: one row, whose multiplier is the tension T after the drum. The slip s, the length before the
+drum and what the drum turns, has a multiplier tau of its own, so that the tension before the drum is T - tau:
+
+    s grows   (the string is drawn to the side before)    T - tau = T e^(mu beta)       tau = -(e^(mu beta) - 1) T
+    s falls   (to the side after)                          T - tau = T e^(-mu beta)      tau = (1 - e^(-mu beta)) T
+
+Source: Beer & Johnston, Vector Mechanics for Engineers: Statics, sec. 8.10.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
+from freebody.model.elements import Held, Rub
+from freebody.model.friction import Friction, read_friction
+from freebody.model.phrases import direction_angle
+
+if TYPE_CHECKING:
+    from freebody.connections.string import Node
+    from freebody.model.names import Names
+
+_NO_WRAP = 1e-9
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A string that runs round a drum: the leads before it since the last grip, as terms of a length, and the arm at
+    which it pulls."""
+
+    node: Node
+    before: tuple[tuple[Expr, Measure], ...]
+    arm: Expr
+    turn: int  # +1 counter-clockwise
+    leads: tuple[Direction | None, Direction | None]
+    row: str = ""  # of the length, without the connection
+    is_only: bool = True  # no other drum with friction between the same grips
+
+
+def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction]:
+    """The friction of every drum it is given for; one coefficient is that of all that the string slides over."""
+    if given in (0, None):
+        return {}
+    if isinstance(given, dict) and not set(cast("dict[str, Any]", given)) <= {"static", "kinetic"}:
+        found: dict[str, Friction] = {}
+        for name, value in cast("dict[str, Any]", given).items():
+            if name not in passed:
+                from freebody.model.names import did_you_mean
+
+                names.problem(f"the string does not slide over {name}.{did_you_mean(name, passed)}", None, "friction", name)
+                continue
+            with names.at("friction"):
+                found[name] = read_friction(names, value, DIMENSIONLESS, name)
+        return found
+    one = read_friction(names, given, DIMENSIONLESS)
+    return dict.fromkeys(passed, one)
+
+
+def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connection: str) -> Rub | None:
+    """The dry friction of one passage; None with a problem noted where it cannot be told."""
+    label = drum_name(passage.node)
+    if not passage.is_only:
+        names.problem(
+            "there are two drums with friction between the same grips; let the string grip a light pulley between them",
+            None,
+            "friction",
+        )
+        return None
+    beta = _wrap(names, passage, wrap, label)
+    if beta is None:
+        return None
+    terms = passage.before
+    body = names.known(passage.node.body)
+    if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
+        terms = (*terms, (passage.arm, Angle(body.name)))
+    row = Held(
+        f"slip on {label}", "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
+    )
+
+    def forward(mu: Expr) -> Expr:
+        return Call("exp", multiply(mu, beta)) - ONE
+
+    def backward(mu: Expr) -> Expr:
+        return ONE - Call("exp", negate(multiply(mu, beta)))
+
+    return Rub(
+        row,
+        forward(friction.static),
+        forward(friction.kinetic),
+        (f"{connection}.{passage.row}",),
+        static_back=backward(friction.static),
+        kinetic_back=backward(friction.kinetic),
+    )
+
+
+def drum_name(node: Node) -> str:
+    """What a drum is called in a file: the body, or the point that the string runs over."""
+    return node.body if node.radius != ZERO else str(node.point)
+
+
+def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None:
+    """The angle of wrap, given or between the directions of the leads."""
+    if isinstance(given, dict) and label in given:
+        beta = names.formula(cast("dict[str, Any]", given)[label], DIMENSIONLESS, "wrap", label)
+    elif given is not None and not isinstance(given, dict):
+        beta = names.formula(given, DIMENSIONLESS, "wrap")
+    else:
+        into, out = passage.leads
+        if into is None or out is None or {into.body, out.body} != {GROUND}:
+            names.problem(
+                f"the angle of wrap on {label} changes as the string moves, or is not known: give wrap: {{{label}: pi}}, "
+                "or leads with the directions of all leads",
+                None,
+                "friction",
+            )
+            return None
+        beta = multiply(number(passage.turn), direction_angle(out) - direction_angle(into))
+        value = _number(names, beta)
+        beta = beta + number(-2 * math.floor(value / (2 * math.pi) + _NO_WRAP)) * Symbol("pi")
+    value = names.numeric(beta)
+    if value is not None and value < _NO_WRAP:
+        names.problem(f"the string does not touch {label}: its angle of wrap is {value:.3g}", None, "friction")
+        return None
+    return beta
+
+
+def _number(names: Names, expr: Expr) -> float:
+    values = {p.name: 0.3 if p.value is None else p.value for p in names.parameters.values()}
+    return float(evaluate(expr, values))
