@@ -124,7 +124,7 @@ def test_momentum_balances_on_every_body_to_round_off(name: str) -> None:
     for b, body in enumerate(system.moving):
         inertia = [reference.number(body.mass)] * 2 + [reference.number(body.inertia) if body.turns else 0.0]
         force, size = np.zeros(3), 1e-2
-        for row, x in zip(system.held, result.course.multipliers[k], strict=True):
+        for row, x in zip(system.rows, result.course.multipliers[k], strict=True):
             part = x * np.array(snapshot.gradient(row.measure, body.name))
             force, size = force + part, max(size, float(np.abs(part).max()))
         for push in system.pushes:

@@ -63,6 +63,10 @@ def conserved(system: System, question: str | None = None) -> Conservation:
     """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
 
     Raises ModelError if the system cannot be assembled or the question cannot be read."""
+    if system.bounds or system.rubs:
+        from freebody.study.settled import settled
+
+        return conserved(settled(system), question)
     if question is None:
         asked = tuple(q for q in system.questions if isinstance(q.quantity, Conserved))
     else:

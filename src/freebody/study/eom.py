@@ -67,7 +67,12 @@ class Equations:
 
 
 def equations_of_motion(system: System) -> Equations:
-    """Derives the equations. Raises ModelError if the system cannot be assembled."""
+    """Derives the equations; of a system with contacts those that hold at the start. Raises ModelError if the system
+    cannot be assembled, CannotAnswer if friction slides at the start."""
+    if system.bounds or system.rubs:
+        from freebody.study.settled import settled
+
+        return equations_of_motion(settled(system))
     if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
         # nothing counts from the start; without loops no numbers are needed either
         model = SymbolicModel(system, [])

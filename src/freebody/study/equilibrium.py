@@ -29,6 +29,7 @@ from freebody.numeric.small_motion import SmallMotion
 from freebody.numeric.snapshot import UNIQUE
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
+from freebody.study.settled import without_friction
 from freebody.system.system import System
 
 Guess = Mapping[str, str | float]
@@ -131,13 +132,13 @@ def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
     Without guesses the search starts from the model's start and from tours along its free coordinates: with one degree
     of freedom that is the whole branch, with more it is a sample. Parameters need values. Drivers are held at t = 0.
     Raises CannotAnswer where there is none, naming what keeps accelerating."""
-    search = _Search(system)
+    search = _Search(without_friction(system))
     return search.found(search.from_guesses(guesses) if guesses else search.statics.rests(), bool(guesses))
 
 
 def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibria:
     """The equilibrium nearest to the start, or the one to which a guess leads, alone. Raises as `equilibria`."""
-    search = _Search(system)
+    search = _Search(without_friction(system))
     if guess is not None:
         return search.found(search.from_guesses([guess]), True)
     statics = search.statics

@@ -33,6 +33,7 @@ from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.study.equilibrium import moved_most, unit_of
 from freebody.study.given import formula, named_measure
+from freebody.study.settled import settled
 from freebody.system.system import System
 
 # text in `t` and the parameters; a number; a function of t giving (value, rate, acceleration); three arrays of these
@@ -108,7 +109,7 @@ def inverse_dynamics(system: System, motion: Mapping[str, Course] | None, times:
     at = np.asarray(list(times), dtype=np.float64)
     if not len(at) or not np.isfinite(at).all() or (np.diff(at) <= 0.0).any():
         raise InputError("times must be finite numbers [s], each later than the one before; at least one")
-    return _Follower(system, motion or {}, at).result()
+    return _Follower(settled(system), motion or {}, at).result()
 
 
 class _Prescribed:

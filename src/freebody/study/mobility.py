@@ -151,7 +151,13 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
     """Examines a system. `along`: a driver, or a named measure, along which its motion is followed whatever its size;
     `modes`: look for the assembly modes of a large mechanism, too.
 
+    What touches at the start is held in touch, and what sticks where it is.
+
     Raises InputError for an unknown name, CannotAnswer if the motion cannot be followed along it."""
+    if system.bounds or system.rubs:
+        from freebody.study.settled import settled
+
+        system = settled(system, forces=False)
     count = gruebler(system)
     if system.unspecified:
         if along is not None:

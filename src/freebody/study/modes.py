@@ -29,6 +29,7 @@ from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.study.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.given import named_measure
+from freebody.study.settled import without_friction
 from freebody.system.system import System
 
 At = Literal["equilibrium", "start"]
@@ -183,6 +184,7 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
 
     Parameters need values. Raises CannotAnswer where there is no equilibrium, where loads are not smooth, or where a
     body moves without inertia."""
+    system = without_friction(system)
     if at == "start":
         if guess:
             raise InputError("a guess leads to an equilibrium; about the start there is nothing to guess")

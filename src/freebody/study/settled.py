@@ -1,0 +1,59 @@
+"""Studies of one law of motion, for systems whose motion may change it: the contact states of the start are kept."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.transition import Transition
+from freebody.study.draws import SEED, draw_parameters
+from freebody.study.simulate import Simulator
+from freebody.system.modes import Mode, in_mode
+from freebody.system.system import System
+
+
+def settled(system: System, *, forces: bool = True) -> System:
+    """The system with what touches at the start held in touch and what sticks held where it is; any other system
+    as it is.
+
+    forces: the study is about forces too. Then friction that slides at the start is refused: its force changes with the
+    phases of the motion. Raises CannotAnswer, also where nothing consistent follows on the start."""
+    if not system.bounds and not system.rubs:
+        return system
+    mode = start_mode(system)
+    sliding = [name for name, state in mode.rubs if state != 0]
+    if sliding and forces:
+        raise CannotAnswer(
+            f"{', '.join(sliding)} slides at the start, and its force changes with the phases of the motion: "
+            "freebody solve derives them one by one, with the equations of each; freebody simulate follows them"
+        )
+    kept = Mode.of(mode.closed, {name: state for name, state in mode.rubs if state == 0})
+    return in_mode(system, kept)[0]
+
+
+def without_friction(system: System) -> System:
+    """The same for studies of equilibria. Raises CannotAnswer for dry friction: with it a system rests in whole ranges
+    of poses and forces."""
+    if system.rubs:
+        raise CannotAnswer(
+            f"with dry friction ({', '.join(dict.fromkeys(rub.row.connection for rub in system.rubs))}) there is no "
+            "single equilibrium: a system rests in whole ranges of poses and forces. freebody statics tells whether it "
+            "holds, and what fails first"
+        )
+    return settled(system)
+
+
+def start_mode(system: System) -> Mode:
+    """The contact states at the start, at the values of the model, or at drawn ones where it gives none."""
+    import random
+
+    given = None if system.has_values else draw_parameters(system, random.Random(SEED), 1.0)
+    simulator = Simulator(system, given)
+    bounded = simulator.bounded
+    assert bounded is not None
+    found = Transition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
+    if found.mode is None:
+        raise CannotAnswer(f"no force is consistent with {found.why} at the start (Painleve's paradox)")
+    ideal = {b.name for b in bounded.barriers if b.is_ideal}
+    closed = {bounded.barriers[k].name for k in found.mode.closed} | ideal
+    states = {d.name: s for d, s in zip(bounded.drags, found.mode.drags, strict=True) if s is not None}
+    return Mode.of(closed, states)
