@@ -487,6 +487,68 @@ start: {x: 0, y: 0, theta: 0, rate(x): v, rate(theta): w}
             "constraint force of it at start": "m*(v*w - m*a**2*v*w/(J + m*a**2))",
         },
     ),
+    # a disk thrown along a rough floor: m x' = m v0 - mu m g t, I w = mu m g R t until x' = R w
+    "contact of a disk that slides, then rolls": (
+        "contact",
+        """
+parameters: {m: 2 kg, R: 0.2 m, v0: 3 m/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {disk: {disk: {mass: m, radius: R}}}
+connections: {it: {contact: {between: [disk, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of disk}
+start: {x: 0, rate(x): v0}
+""",
+        {
+            "acceleration of x at start": "-mu*g",
+            "time when rolling begins": "v0/(3*mu*g)",
+            "velocity of x when rolling begins": "2*v0/3",
+            "normal force of it at start": "m*g",
+        },
+    ),
+    # I w = T t
+    "brake of a drum": (
+        "brake",
+        """
+parameters: {m: 2 kg, R: 0.2 m, w: 30 rad/s, T: 0.5 N m}
+bodies: {drum: {disk: {mass: m, radius: R}, angular_velocity: w}}
+connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: T}}}
+measures: {theta: angle of drum}
+start: {theta: 0}
+""",
+        {
+            "angular acceleration of drum at start": "-2*T/(m*R**2)",
+            "time when slipping ends": "m*R**2*w/(2*T)",
+            "theta when slipping ends": "m*R**2*w**2/(4*T)",
+        },
+    ),
+    "dry friction of a block": (
+        "dry_friction",
+        """
+parameters: {m: 2 kg, F: 3 N, v0: 2 m/s}
+bodies: {b: {particle: {mass: m}}}
+measures: {x: x of b}
+connections: {rail: {slider: {body: b, along: right}}, it: {dry_friction: {measure: x, force: F}}}
+start: {x: 0, rate(x): v0}
+""",
+        {
+            "acceleration of x at start": "-F/m",
+            "time when slipping ends": "m*v0/F",
+            "x when slipping ends": "m*v0**2/(2*F)",
+        },
+    ),
+    "stop under a weight": (
+        "stop",
+        """
+parameters: {m: 2 kg, g: 9.81 m/s^2}
+bodies: {b: {particle: {mass: m}}}
+measures: {y: y of b}
+connections: {rail: {slider: {body: b, along: up}}, it: {stop: {measure: y, min: 0}}}
+loads: {weight: {gravity: g}}
+start: {y: 0}
+""",
+        {"stop force of it at start": "m*g", "acceleration of y at start": "0"},
+    ),
 }
 
 

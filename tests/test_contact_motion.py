@@ -639,3 +639,47 @@ connections: {{c: {{contact: {{between: [b, floor], friction: 0.3, restitution: 
     assert (np.diff(result.energy.work) < 1e-12).all()
     assert result.course.poses[-1, 0, 1] == pytest.approx(0.1, abs=1e-9)
     assert all(c.energy_change <= 1e-15 for c in result.course.contact.collisions)
+
+
+def test_reactions_that_are_not_unique_have_a_range() -> None:
+    legs = model(
+        FLOOR
+        + WEIGHT
+        + """
+bodies:
+  table:
+    body: {mass: 3 kg, inertia: 1 kg m^2}
+    points: {A: [-1 m, -1 m], B: [0, -1 m], C: [1 m, -1 m]}
+    at: [0, 1 m]
+connections:
+  a: {contact: {between: [table.A, floor]}}
+  b: {contact: {between: [table.B, floor]}}
+  c: {contact: {between: [table.C, floor]}}
+"""
+    ).simulate(1.0)
+    ranges = legs.reaction_ranges()
+    assert ranges["a.contact"] == pytest.approx((0.0, 1.5 * G), abs=1e-9)
+    assert ranges["b.contact"] == pytest.approx((0.0, 3 * G), abs=1e-9)
+    wedged = model(
+        WEIGHT
+        + """
+ground: {lines: {left: {through: [0, 0], along: down}, right: {through: [0.4 m, 0], along: up}}}
+bodies: {b: {rectangle: {mass: 2 kg, width: 0.4 m, height: 0.4 m}, at: [0.2 m, 0], angle: 0}}
+connections:
+  l: {contact: {between: [b, left], friction: 0.5}}
+  r: {contact: {between: [b, right], friction: 0.5}}
+"""
+    ).simulate(1.0)
+    high = [high for name, (_low, high) in wedged.reaction_ranges().items() if "slip" not in name]
+    assert high == [math.inf] * 4
+    assert "b.contact between" in repr(legs)
+
+
+def test_the_dataset_has_contact_states_and_the_used_part_of_friction() -> None:
+    data = model(LAUNCHED).simulate(0.6, every=0.1).dataset
+    states = data["contact.state"]
+    meanings = states.attrs["flag_meanings"].split()
+    assert [meanings[k] for k in states.values[[0, -1]]] == ["sliding_forward", "sticking"]
+    needed = (2 / 7) * math.tan(math.radians(20)) / 0.3
+    assert data["contact.used_friction"].values[[0, -1]] == pytest.approx([1.0, needed], rel=1e-9)
+    assert data["contact.friction_force"].values[0] == pytest.approx(-0.3 * G * math.cos(math.radians(20)), rel=1e-12)

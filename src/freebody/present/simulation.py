@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from freebody.study.simulate import Progress, Simulation
 
+N_LISTED = 8  # contacts; more are counted
 PATIENCE = 0.5  # seconds before a bar appears
 
 
@@ -32,6 +33,8 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
     non_unique = [r.name for k, r in enumerate(result.system.rows) if not course.unique[:, k].all()]
     if non_unique:
         yield f"  not unique    {', '.join(non_unique)}: connections hold the same thing more than once"
+    if course.contact is not None:
+        yield from _contact_lines(result, summary, non_unique)
     if result.trusted_until is not None:
         is_all = result.trusted_until >= result.t_end
         yield (
@@ -50,6 +53,26 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
         yield f"  at {result.t_end:.6g} s"
         for name, value in final.items():
             yield f"    {name:<12} = {value:.9g} {unit_of(result.system.measures[name].dimension)}"
+
+
+def _contact_lines(result: Simulation, summary: dict[str, Any], non_unique: list[str]) -> Iterator[str]:
+    """States at the end, and between which bounds reactions lie that are not unique there."""
+    states: dict[str, str] = {name: state for name, state in summary["contacts"].items() if state != "open"}
+    n_open = len(summary["contacts"]) - len(states)
+    listed = [f"{name} {state}" for name, state in list(states.items())[:N_LISTED]]
+    if len(states) > N_LISTED:
+        listed.append(f"{len(states) - N_LISTED} more")
+    if n_open:
+        listed.append(f"{n_open} open")
+    if listed:
+        n = summary["phases"]
+        yield f"  contact       {n} phase{'' if n == 1 else 's'}; at the end {', '.join(listed)}"
+    if non_unique and result.status.is_complete and len(non_unique) <= N_LISTED:
+        ranges = result.reaction_ranges()
+        for name in non_unique:
+            if name in ranges:
+                low, high = ranges[name]
+                yield f"                {name} between {low:.6g} and {high:.6g} N"
 
 
 @contextmanager

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from freebody.study.simulate import Simulation
 
 OPEN, CLOSED, STICKING, FORWARD, BACKWARD = range(5)
+_WORDS = {0: "sticking", 1: "sliding forward", -1: "sliding backward"}
 MEANINGS = "open closed sticking sliding_forward sliding_backward"
 
 
@@ -44,6 +45,20 @@ def contact_series(result: Simulation, names: Mapping[str, str]) -> dict[str, An
             {"units": "1", "long_name": f"friction of {rub.name} by the largest that holds at rest"},
         )
     return data
+
+
+def final_states(result: Simulation) -> dict[str, str]:
+    """The state of every bound, and of dry friction in joints, at the end, by name."""
+    record, system = result.course.contact, result.system
+    assert record is not None
+    rubs = {rub.of: rub.name for rub in system.rubs if rub.of}
+    slips = dict(zip(record.rubs, record.slips[-1], strict=True))
+    states: dict[str, str] = {}
+    for name, is_closed in zip(record.bounds, record.states[-1], strict=True):
+        slip = slips.get(rubs.get(name, ""))
+        states[name] = "open" if not is_closed else _WORDS.get(int(slip), "closed") if slip is not None else "closed"
+    states |= {rub.name: _WORDS.get(int(slips[rub.name]), "no force") for rub in system.rubs if not rub.of}
+    return states
 
 
 def _stem(name: str) -> str:

@@ -15,6 +15,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
+from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid, Options
 from freebody.numeric.contact.impacts import Law
@@ -172,6 +173,15 @@ class Simulation:
 
         return observed(self, dict(self.system.measures))
 
+    def reaction_ranges(self, time: float | None = None) -> dict[str, tuple[float, float]]:
+        """Of a system with contacts or dry friction: the least and the largest value [N or N m] that every reaction may
+        have at the output time nearest to the given one [s] (the end if nothing is said), by the name of its row. Both
+        are the same where it is unique; infinite where nothing bounds it. Raises InputError for other systems."""
+        if self.simulator.bounded is None:
+            raise InputError("there are no contacts or dry friction; reactions that are not unique are unbounded")
+        k = -1 if time is None else int(np.abs(self.course.times - time).argmin())
+        return admissible_reactions(self.simulator.bounded, self.course, k % len(self.course.times))
+
     @cached_property
     def dataset(self) -> xarray.Dataset:
         """Everything along the motion, with units and long names; see `study.dataset`."""
@@ -210,6 +220,22 @@ class Simulation:
             "trusted_until": self.trusted_until,
             "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in self.events],
             "final": final,
+            **self._contact_summary(),
+        }
+
+    def _contact_summary(self) -> dict[str, Any]:
+        """Contact states at the end, and all collisions."""
+        record = self.course.contact
+        if record is None:
+            return {}
+        from dataclasses import asdict
+
+        from freebody.study.contact_series import final_states
+
+        return {
+            "phases": record.n_phases,
+            "contacts": final_states(self),
+            "collisions": [asdict(collision) for collision in record.collisions],
         }
 
     def plot(self, *names: str, path: str | Path | None = None, dark: bool = False) -> Any:

@@ -1,0 +1,49 @@
+"""Reactions that have no unique value: between which bounds each may lie at an instant of a motion."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.problem import State
+from freebody.numeric.contact.ranges import Feasible, force_ranges
+from freebody.numeric.contact.record import ABSENT
+from freebody.numeric.engine.course import Course
+
+ROUND_OFF = 1e-12
+_STATE_OF_SLIP = {0: State.STICKING, 1: State.FORWARD, -1: State.BACKWARD}
+
+
+def admissible_reactions(bounded: Bounded, course: Course, k: int) -> dict[str, tuple[float, float]]:
+    """By the name of its row the least and the largest reaction at output k, positive as it is named, of every row that
+    is held or rubs there: infinite where nothing bounds it, the same twice where it is unique. {} if none exist."""
+    assert course.contact is not None
+    engine = bounded.free
+    y = engine.state(course.poses[k, :-1], course.velocities[k, :-1])
+    now = bounded.instant(y, float(course.times[k]), course.near)
+    closed = [int(i) for i in np.flatnonzero(course.contact.states[k])]
+    slips = {int(i): int(s) for i, s in enumerate(course.contact.slips[k]) if s != ABSENT}
+    problem = bounded.problem(now, closed, slips, of_rates=False)
+    matrices = problem.matrices
+    mode = [State.HELD] * matrices.n
+    for i in closed:
+        mode[problem.row_of_barrier(i)] = State.CLOSED
+    for i, slip in slips.items():
+        mode[problem.row_of_drag(i)] = _STATE_OF_SLIP[slip]
+    held = [*bounded.bilateral, *(grip for i in closed for grip in bounded.barriers[i].grips)]
+    places = [*held, *(bounded.barriers[i].place for i in closed), *(bounded.drags[i].keeps for i in slips)]
+    signs = np.ones(len(places))
+    signs[len(held) : len(held) + len(closed)] = [bounded.barriers[i].sign for i in closed]
+    gradients = now.gradients[places]
+    accelerations = signs * (gradients @ course.accelerations[k].ravel() + now.biases[places])
+    found = force_ranges(matrices, accelerations, tuple(mode))
+    if found.feasible is not Feasible.YES:
+        return {}
+    both = np.append(found.low, found.high)
+    size = float(np.abs(both[np.isfinite(both)]).max(initial=0.0))
+    named: dict[str, tuple[float, float]] = {}
+    for row, place in enumerate(places):
+        sign = bounded.rows[place].sign * signs[row]
+        ends = sorted(0.0 if abs(x) < ROUND_OFF * size else float(sign * x) for x in (found.low[row], found.high[row]))
+        named[bounded.rows[place].name] = ends[0], ends[1]
+    return named
