@@ -16,6 +16,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
 from freebody.study.conserved import Conservation, Verdicts, conserved
+from freebody.study.settled import start_mode
 
 Within = Callable[[float, Callable[[], object]], None]
 FOLDER = Path(__file__).parents[1] / "examples"
@@ -369,10 +370,18 @@ def test_the_command_prints_the_documented_json() -> None:
     assert math.isfinite(entry["counter_motion"]["after"])
 
 
+def slides(system: fb.System) -> bool:
+    return bool(system.rubs) and any(state for _name, state in start_mode(system).rubs)
+
+
 @pytest.mark.parametrize("name", sorted(path.stem for path in FOLDER.glob("*.yaml")))
 def test_every_example_is_searched_within_seconds(name: str, within: Within) -> None:
     """Two seconds are meant, and measured in BENCHMARKS.md; here twice that, for machines with other work."""
     system = fb.System.load(FOLDER / f"{name}.yaml")
+    if slides(system):
+        with pytest.raises(fb.CannotAnswer, match="slides at the start"):
+            conserved(system)
+        return
     within(4.0, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
     if name != "body_on_driven_roller":
         within(4.0, lambda: conserved(system))

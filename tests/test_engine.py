@@ -26,7 +26,7 @@ from freebody.numeric.engine.engine import Engine, Observer
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.tapes import Tapes
 from freebody.numeric.reference import Reference
-from freebody.system.modes import Mode, in_mode
+from freebody.study.settled import settled, start_mode
 from freebody.system.reader import register_kinds
 from mechanisms import chain, ladder, tree
 
@@ -248,9 +248,8 @@ def test_kernels_are_kept_under_the_digest_of_their_sources() -> None:
 
 # -- motions ----------------------------------------------------------------------------------
 def stuck(system: fb.System) -> fb.System:
-    """The system with all contacts closed and all friction sticking, as its smallest models are."""
-    mode = Mode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.rubs})
-    return in_mode(system, mode)[0] if system.bounds or system.rubs else system
+    """The system in the contact states of its start, with friction that sticks."""
+    return settled(system) if system.has_values else system
 
 
 def assert_same_motion(system: fb.System) -> None:
@@ -267,7 +266,10 @@ def assert_same_motion(system: fb.System) -> None:
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_both_routes_follow_the_same_motion_of_an_example(name: str) -> None:
-    assert_same_motion(fb.System.load(ROOT / "examples" / f"{name}.yaml"))
+    """Examples whose friction slides are followed phase by phase in test_phases_simulation."""
+    system = fb.System.load(ROOT / "examples" / f"{name}.yaml")
+    if not (system.rubs and any(state for _name, state in start_mode(system).rubs)):
+        assert_same_motion(system)
 
 
 @pytest.mark.parametrize("kind", sorted(KINDS))

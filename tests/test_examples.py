@@ -111,8 +111,10 @@ _HOIST = "(-R*(2*T + m*R*g)/(4*I + m*R**2))"
 _BELT = "(I1*r2**2 + I2*r1**2)"
 _FALL = "(3*g*cos(theta)/(2*L))"
 _DISK = "(m*g*R*sin(alpha)/(I + m*R**2))"
+_SPHERE = "(7*mu*cos(theta) - 2*sin(theta))"
 _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
+_LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     # BJ sec. 16.1 (pulleys with mass): (m1 + m2 + I/R^2) a = (m1 - m2) g, I = M R^2/2; T1 = m1 (g - a)
     "atwood_machine": {
@@ -125,6 +127,37 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "equation": "-5*g*sin(phi)/(7*(R - r))",
         "normal": "m*g*cos(phi) + m*(R - r)*rate(phi)**2",
         "period": "2*pi*sqrt(7*(R - r)/(5*g))",
+    },
+    # 7/10 m v^2 = m g (R + r) (cos(phi0) - cos(phi)), and m g cos(phi) = m v^2/(R + r) where it leaves
+    "ball_leaving_cylinder": {
+        "angle": "acos(10*cos(phi0)/17)",
+        "speed": "sqrt(10*g*(R + r)*cos(phi0)/17)",
+        "friction": "2*m*g*sin(phi)/7",
+    },
+    # impulse and angular impulse at the start; about the point on the cloth the angular momentum stays:
+    # m r v0 + 2/5 m r^2 w0 = 7/5 m r v, v0 = J/m, w0 = J h/(2/5 m r^2)
+    "ball_with_back_spin": {
+        "speed": "(5*v0 - 2*r*omega0)/7",
+        "time": "2*(v0 + r*omega0)/(7*mu*g)",
+        "place": "v0*(2*(v0 + r*omega0)/(7*mu*g)) - mu*g/2*(2*(v0 + r*omega0)/(7*mu*g))**2",
+        "farthest": "v0**2/(2*mu*g)",
+        "return": "2*v0/(mu*g)",
+    },
+    "billiard_ball": {
+        "speed": "5*J*(r + h)/(7*m*r)",
+        "time": "J*(5*h - 2*r)/(7*m*r*mu*g)",
+        "friction": "mu*m*g",
+        "lost": "J**2*(5*h - 2*r)**2/(28*m*r**2)",
+    },
+    # y = h - g t^2/2
+    "bouncing_ball": {"time": "sqrt(2*h/g)", "speed": "-sqrt(2*g*h)"},
+    # MK art. 3/4: -m g (sin + mu cos) on the way up, energy m v^2/2 = m g h + lost
+    "block_on_rough_incline": {
+        "time": "v0/(g*(sin(theta) + mu*cos(theta)))",
+        "height": "v0**2/(2*g*(sin(theta) + mu*cos(theta)))",
+        "lost": "mu*m*g*cos(theta)*v0**2/(2*g*(sin(theta) + mu*cos(theta)))",
+        "friction": "-mu*m*g*cos(theta)",
+        "back": "-v0*sqrt((sin(theta) - mu*cos(theta))/(sin(theta) + mu*cos(theta)))",
     },
     # I1 a1 = T1 - F r1, I2 a2 = F r2 - T2, a1 r1 = a2 r2
     "belt_drive": {
@@ -227,6 +260,14 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # Gruebler and Kutzbach: 3*5 - 4*2 - 2*2 - 2
     "multi_bar_platform": {"q1": "1"},
+    # m v0^2/2 + m g R (1 - cos(phi)) = m v^2/2, and m g cos(phi) = m v^2/R where it leaves
+    "particle_leaving_dome": {
+        "angle": "acos(2/3 + v0**2/(3*g*R))",
+        "speed": "sqrt((2*g*R + v0**2)/3)",
+        "height": "R*(2/3 + v0**2/(3*g*R))",
+        "normal": "m*g*cos(phi) - m*R*rate(phi)**2",
+        "at_top": "m*g - m*v0**2/R",
+    },
     # planet centre: F_sun + F_ring = m_P r_S alpha/2; planet spin: F_sun - F_ring = I_P r_S alpha/(2 r_P^2)
     "planetary_gear": {
         "acceleration": _SUN,
@@ -257,8 +298,61 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "piston": "-r*rate(theta)*(sin(theta) + cos(theta)*sin(phi)/cos(phi))",
         "rod": "-r*cos(theta)/(l*cos(phi))",
     },
+    # (1/2)(m L^2/3) phi'^2 = m g L/2 (cos phi0 - cos phi); N = m x'' = 0 at cos phi = 2/3 cos phi0
+    "sliding_ladder": {
+        "height": "2*L*cos(phi0)/3",
+        "acceleration": "3*g*sin(phi0)/(2*L)",
+        "wall": "3*m*g*sin(phi0)*cos(phi0)/4",
+    },
+    # the belt runs faster than the block: friction pulls it along
+    "stick_slip_oscillator": {"acceleration": "mu_k*g", "friction": "mu_k*m*g"},
+    # v = v0 + g (sin - mu cos) t, r w = 5/2 mu g cos t; they meet at T = 2 v0/(g (7 mu cos - 2 sin))
+    "sphere_launched_down_incline": {
+        "speed": f"5*mu*cos(theta)*v0/{_SPHERE}",
+        "time": f"2*v0/(g*{_SPHERE})",
+        "distance": f"2*v0**2*(6*mu*cos(theta) - sin(theta))/(g*{_SPHERE}**2)",
+        "lost": f"mu*m*g*cos(theta)*v0/2*2*v0/(g*{_SPHERE})",  # the friction force times the way that slipped, v0 T/2
+        "turns": f"5*mu*g*cos(theta)/(4*r)*(2*v0/(g*{_SPHERE}))**2/(2*pi)",
+        "acceleration": "g*(sin(theta) - mu*cos(theta))",
+        "friction": "-mu*m*g*cos(theta)",
+    },
     # Rao, Mechanical Vibrations, sec. 5.3
     "two_masses_three_springs": {"frequencies": ["sqrt(k/m)", "sqrt(3*k/m)"], "a1": "(k*(x2 - x1) - k*x1)/m"},
+    # BJ Statics, sec. 8.10: moments about the hinge, the band pulls with F L/a; round the drum it is e^(mu pi) less, or more
+    "band_brake": {
+        "torque": ["-R*F*L/a*(exp(mu*pi) - 1)", "R*F*L/a*(1 - exp(-mu*pi))"],
+        "force": "T*a/(R*L*(1 - exp(-mu*pi)))",
+    },
+    # BJ Statics, sec. 8.2: W tan(theta -+ phi); friction only carries what the push leaves
+    "block_pushed_on_incline": {
+        "range": ["m*g*tan(theta - atan(mu))", "m*g*tan(theta + atan(mu))"],
+        "friction": "tan(theta - atan(F/(m*g)))",
+        "angle": ["atan(F/(m*g)) - atan(mu)", "atan(F/(m*g)) + atan(mu)"],
+    },
+    # moments about the right corner: F d = m g b/2; along the floor F = mu m g
+    "block_tips_or_slides": {
+        "first": "mu*m*g",
+        "range": ["-mu*m*g", "mu*m*g"],
+        "height": "m*g*b/(2*F)",
+    },
+    # Euler and Eytelwein over half a turn
+    "capstan": {"range": ["M*g*exp(-mu*pi)", "M*g*exp(mu*pi)"], "load": "F*exp(mu*pi)/g"},
+    # moments about the foot, N_floor = (m + M) g, N_wall = mu N_floor
+    "ladder_against_wall": {
+        "friction": "(m*L/2 + M*d)/((m + M)*L*tan(alpha))",
+        "height": "L*(mu*(m + M)*tan(alpha) - m/2)/M",
+        "angle": "atan((m*L/2 + M*d)/(mu*(m + M)*L))",
+    },
+    # both contacts at their limits: alpha = 90 deg - 2 phi; the wall's at its own: N (sin -+ mu cos) = m g cos/2
+    "ladder_rough_wall": {
+        "friction": "tan(pi/4 - alpha/2)",
+        "holds": "mu**2*cos(alpha) + 2*mu*sin(alpha) - cos(alpha)",
+        "wall": ["m*g/(2*(tan(alpha) + mu))", "m*g/(2*(tan(alpha) - mu))"],
+    },
+    # load: N2 (sin + mu cos) = N_wall, N2 (cos - mu sin) = W + mu N_wall; the floor carries M g and N2's part
+    "wedge_under_load": {
+        "lift": f"mu*(M*g + {_LIFTED}*(cos(alpha) - mu*sin(alpha))) + {_LIFTED}*(sin(alpha) + mu*cos(alpha))",
+    },
     # MK art. 6/5: m a = m g - S, m R^2/2 a/R = S R
     "yo_yo": {
         "acceleration": "2*g/3",

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from freebody.study.conserved import conserved
     from freebody.study.eom import Equations, equations_of_motion
     from freebody.study.equilibrium import equilibria
+    from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility import Mobility, mobility
     from freebody.study.modes import modes
@@ -39,6 +40,8 @@ _HOMES = {
     "Mobility": "freebody.study.mobility",
     "mobility": "freebody.study.mobility",
     "equilibria": "freebody.study.equilibrium",
+    "Statics": "freebody.study.friction.report",
+    "statics": "freebody.study.friction.report",
     "inverse_dynamics": "freebody.study.inverse_dynamics",
     "modes": "freebody.study.modes",
     "simulate": "freebody.study.simulate",
@@ -66,6 +69,7 @@ __all__ = [
     "Simulation",
     "Simulator",
     "Solution",
+    "Statics",
     "System",
     "conserved",
     "equations_of_motion",
@@ -75,6 +79,7 @@ __all__ = [
     "modes",
     "simulate",
     "solve",
+    "statics",
 ]
 
 

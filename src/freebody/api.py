@@ -10,9 +10,11 @@ from freebody.system.system import System as Description
 if TYPE_CHECKING:
     from freebody.study.eom import Equations
     from freebody.study.equilibrium import Equilibria
+    from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
     from freebody.study.mobility import Mobility
     from freebody.study.modes import At, Modes
+    from freebody.study.phases.result import Phases
     from freebody.study.simulate import Simulation
     from freebody.study.solve import Solution
     from freebody.study.verdicts import Conservation
@@ -67,6 +69,18 @@ class System(Description):
         from freebody.study.equilibrium import equilibria
 
         return equilibria(self, guesses)
+
+    def phases(self) -> Phases:
+        """The phases of its motion in closed form, as a case distinction over the parameters."""
+        from freebody.study.phases.result import phases
+
+        return phases(self)
+
+    def statics(self) -> Statics:
+        """Whether it stays at rest with its contacts and dry friction, its reactions, and what fails first."""
+        from freebody.study.friction.report import statics
+
+        return statics(self)
 
     def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> Modes:
         """Natural frequencies, damping and mode shapes about the nearest equilibrium, or "start"."""

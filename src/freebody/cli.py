@@ -104,6 +104,10 @@ def simulate(
     every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
     max_seconds: Annotated[float, typer.Option("--max-seconds", help="Stop after so long by the clock.")] = 3600.0,
     verify: Annotated[bool, typer.Option("--verify", help="Run again, more exactly, and compare.")] = False,
+    impact: Annotated[str, typer.Option("--impact", help="Law of impact: newton, poisson or keller.")] = "newton",
+    jams: Annotated[
+        bool, typer.Option("--jams", help="Where no contact force is consistent, go on with an impulse.")
+    ] = False,
     as_json: Json = False,
 ) -> None:
     """Simulate the motion of a model."""
@@ -131,6 +135,8 @@ def simulate(
             max_seconds=max_seconds,
             progress=progress,
             verify=verify,
+            impact=impact,
+            jams=jams,
         )
     if as_json:
         _print_json(result.summary())
@@ -260,6 +266,21 @@ def modes(
         from freebody.present.statics import mode_lines
 
         print("\n".join(mode_lines(found)))
+
+
+@app.command()
+def statics(file: ModelFile, as_json: Json = False) -> None:
+    """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
+    from freebody.study.friction.report import statics as study
+    from freebody.system.system import System
+
+    found = study(System.load(file))
+    if as_json:
+        _print_json(found.to_plain())
+    else:
+        from freebody.present.friction_statics import statics_lines
+
+        print("\n".join(statics_lines(found)))
 
 
 @app.command()

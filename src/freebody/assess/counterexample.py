@@ -26,7 +26,7 @@ def counterexample(pair: Pair) -> str:
     for attempt in range(N_TRIES):
         point, words = _small_point(pair, free, attempt)
         mine, its = pair.numbers(point)
-        admissible = all(point.number(c) > 0 for c in pair.option.conditions)
+        admissible = all(point.number(c) > 0 for c in (*pair.option.conditions, *pair.setting.region))
         if not its.is_finite() or not admissible or digits(mine) == digits(its):
             continue
         told = f"for {', '.join(words)}: {_told_at(pair, point)}"

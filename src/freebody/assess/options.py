@@ -14,7 +14,7 @@ The reasons are tried in this order, and the first that applies is given:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from freebody.assess.comparing import PROVED, Pair, how_equal
 from freebody.assess.points import working_precision
@@ -25,6 +25,7 @@ from freebody.assess.verdict import Judgement, Settled, Verdict
 from freebody.assess.words import listed, places
 from freebody.language.units import Dimension
 from freebody.model.question import Question
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System
 
@@ -39,14 +40,16 @@ def judge(
     system: System,
     *,
     up_to_constant: bool = False,
+    region: Sequence[Ratio] = (),
 ) -> Judgement:
     """Judges every option of a question against its answer.
 
     `answer` is an element of the model's field in SI units, a pair (x, y) of them, or a count; without one
     (None) only options that no answer can equal are judged, the others are left out and noted. With
-    `up_to_constant` an option may differ from the answer by what does not change in the motion (energies).
+    `up_to_constant` an option may differ from the answer by what does not change in the motion (energies). Where the
+    answer is one only while some elements are positive (`region`), no reason is looked for elsewhere.
     """
-    setting = Setting(answer, dimension, model, system, up_to_constant)
+    setting = Setting(answer, dimension, model, system, up_to_constant, region)
     with working_precision():
         found = {letter: _verdict(setting, text) for letter, text in question.options.items()}
     verdicts = {letter: v for letter, v in found.items() if v is not None}

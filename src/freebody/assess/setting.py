@@ -22,8 +22,15 @@ class Setting:
     """One question's answer in its model."""
 
     def __init__(
-        self, answer: Answer, dimension: Dimension, model: SymbolicModel, system: System, up_to_constant: bool
+        self,
+        answer: Answer,
+        dimension: Dimension,
+        model: SymbolicModel,
+        system: System,
+        up_to_constant: bool,
+        region: Sequence[Ratio] = (),
     ) -> None:
+        self.region = tuple(region)  # positive wherever the answer is one
         self.field = model.field
         self.model = model
         self.dimension = dimension
@@ -54,7 +61,7 @@ class Setting:
             point = Point(self.field, drawn(self.field, seed, self.own_numbers if seed % 2 else {}))
             if fixed is not None:
                 fixed(point)
-            if all(point.number(c) > 0 for c in conditions):
+            if all(point.number(c) > 0 for c in (*conditions, *self.region)):
                 yield point
 
     def poses(self) -> list[Point]:

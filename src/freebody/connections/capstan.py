@@ -1,12 +1,12 @@
 """Dry friction of a string or band that slides round a drum (capstan, belt friction, band brake).
 
-An element of the string on the arc d(phi) is pressed on the drum by T d(phi), so at the verge of sliding dT = mu T d(phi)
-and over the angle of wrap beta
+An element of the string on the arc d(phi) is pressed on the drum by T d(phi), so that at the verge of sliding
+dT = mu T d(phi), and over the angle of wrap beta
 
     T_pulling = T_pulled e^(mu beta).        (Euler and Eytelwein)
 
-The string keeps its length: one row, whose multiplier is the tension T after the drum. The slip s, the length before the
-drum and what the drum turns, has a multiplier tau of its own, so that the tension before the drum is T - tau:
+The string keeps its length: one row, whose multiplier is the tension T after the drum. The slip s, the length before
+the drum and what the drum turns, has a multiplier tau of its own, so that the tension before the drum is T - tau:
 
     s grows   (the string is drawn to the side before)    T - tau = T e^(mu beta)       tau = -(e^(mu beta) - 1) T
     s falls   (to the side after)                          T - tau = T e^(-mu beta)      tau = (1 - e^(-mu beta)) T
@@ -61,7 +61,9 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
             if name not in passed:
                 from freebody.model.names import did_you_mean
 
-                names.problem(f"the string does not slide over {name}.{did_you_mean(name, passed)}", None, "friction", name)
+                names.problem(
+                    f"the string does not slide over {name}.{did_you_mean(name, passed)}", None, "friction", name
+                )
                 continue
             with names.at("friction"):
                 found[name] = read_friction(names, value, DIMENSIONLESS, name)
@@ -122,8 +124,8 @@ def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None
         into, out = passage.leads
         if into is None or out is None or {into.body, out.body} != {GROUND}:
             names.problem(
-                f"the angle of wrap on {label} changes as the string moves, or is not known: give wrap: {{{label}: pi}}, "
-                "or leads with the directions of all leads",
+                f"the angle of wrap on {label} changes as the string moves, or is not known: give wrap: {{{label}: pi}}"
+                ", or leads with the directions of all leads",
                 None,
                 "friction",
             )

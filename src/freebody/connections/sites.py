@@ -6,7 +6,7 @@
 
 At gap 0 the rate of the slip measure is the relative velocity of the two material points that touch; where the
 contact is open it means nothing. Corners against corners are left out: a corner that passes the end of an edge is
-taken over by the edge of its own body.
+taken over by the edge of its own body. Two points are left out as well: they meet head on or not at all.
 Source: Glocker, Set-Valued Force Laws, 2001, ch. 4 (contact kinematics).
 """
 
@@ -60,7 +60,8 @@ def _between(first: Outline, second: Outline) -> Iterator[Site]:
             yield _inside(a, ring)
         if not first.is_polygon:
             for b in second.rounds:
-                yield _on_circle(a, b)
+                if a.radius != ZERO or b.radius != ZERO:
+                    yield _on_circle(a, b)
 
 
 def _label(a: Round, other: str) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
+from freebody.connections.capstan import Passage, drum_name, frictions, rub
 from freebody.connections.pin import Pin
 from freebody.connections.slider import Slider
 from freebody.language.expression import Expr, add, multiply, negate, number
@@ -20,8 +21,8 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.lead import Lead
-from freebody.model.elements import Held
-from freebody.model.spec import Heading
+from freebody.model.elements import Bound, Held, Rub
+from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -52,6 +53,37 @@ class Node:
         return self.point.body
 
 
+@dataclass(frozen=True)
+class Section:
+    """The string between two marks: its length, the bodies along it, and what it slides over."""
+
+    terms: tuple[tuple[Expr, Measure], ...]
+    ends: tuple[str, ...]
+    passages: tuple[Passage, ...]
+
+    def component(self, n_sections: int) -> str:
+        return "length" if n_sections == 1 else f"{self.ends[0]} to {self.ends[-1]}"
+
+    def row(self, n_sections: int) -> Held:
+        """The row that keeps its length; the multiplier is its tension."""
+        measure = Combination(self.terms, LENGTH)
+        return Held(self.component(n_sections), "tension", measure, sign=-1, ends=self.ends, unilateral=True)
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A string on its way: what it grips, and its sections."""
+
+    way: list[Node]
+    grips: set[str]
+    sections: list[Section]
+
+    @property
+    def slid_over(self) -> list[Node]:
+        """The drums and points on which it moves."""
+        return [p.node for section in self.sections for p in section.passages]
+
+
 class String(Connection, kind="string"):
     """`string: {from: left, over: [pulley], to: right}`; longer ways as a list, with hubs and drums:
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
@@ -61,7 +93,10 @@ class String(Connection, kind="string"):
     pulls. A body that nothing else holds and that has no position hangs on the string and moves up and down; a
     lead to a body on a straight guide without a position runs along the guide; `leads` states the directions
     instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies)."""
+    also for hanging bodies).
+    `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
+    sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
+    `wrap: {drum: 3*pi}`; the tension asked for is then that after the drum."""
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None
@@ -71,6 +106,8 @@ class String(Connection, kind="string"):
     grips: list[str] | None = None
     leads: list[Heading] | None = None
     swings: bool = False
+    friction: Formula | dict[str, Any] = 0
+    wrap: Formula | dict[str, Formula] | None = None
 
     model_config = ConfigDict(populate_by_name=True)
 
@@ -87,21 +124,52 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return [*ends[:1], *middle, *ends[1:]]
 
     def rows(self, names: Names) -> list[Held]:
+        laid = self._laid(names)
+        if laid is None:
+            return []
+        sections = laid.sections
+        return [
+            *(section.row(len(sections)) for section in sections),
+            *self._hanging(laid.way),
+            *self._idle(names, laid.way, laid.grips),
+        ]
+
+    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+        if self.friction in (0, None):
+            return [], []
+        n_before = len(names.problems)
+        laid = self._laid(names)
+        if laid is None or len(names.problems) > n_before:
+            del names.problems[n_before:]  # told with the rows
+            return [], []
+        given = frictions(names, self.friction, [drum_name(node) for node in laid.slid_over])
+        found: list[Rub] = []
+        for section in laid.sections:
+            rough = [p for p in section.passages if drum_name(p.node) in given]
+            for passage in rough:
+                alone = replace(passage, row=section.component(len(laid.sections)), is_only=len(rough) == 1)
+                friction = rub(names, alone, given[drum_name(passage.node)], self.wrap, connection)
+                if friction is not None:
+                    found.append(friction)
+        return [], found
+
+    def _laid(self, names: Names) -> Laid | None:
+        """How the string lies; None with problems noted."""
         if self.path and (self.start or self.to or self.over or self.under):
             names.problem("give the way either as path, or as from, over, under, to")
-            return []
+            return None
         texts = self._texts()
         if len(texts) < 2 or not (self.path or (self.start and self.to)):
             names.problem("a string needs two ends: from and to")
-            return []
+            return None
         nodes = [self._node(names, text, k, len(texts)) for k, text in enumerate(texts)]
         if any(node is None for node in nodes):
-            return []
+            return None
         way = [node for node in nodes if node is not None]
         grips = self._grips(names, way)
         leads = self._directions(names, way)
         turns = self._turns(names, way, leads)
-        return self._sections(way, leads, turns, grips) + self._hanging(way) + self._idle(names, way, grips)
+        return Laid(way, grips, _sections(way, leads, turns, grips))
 
     # -- reading the way ----------------------------------------------------------------------
     def _node(self, names: Names, text: str, k: int, n: int) -> Node | None:
@@ -154,7 +222,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         pulleys = {node.body for node in way[1:-1] if node.radius != ZERO}
         pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
         if self.grips is None:
-            return pulleys
+            return pulleys - set(self.friction if isinstance(self.friction, dict) else ())
         for k, name in enumerate(self.grips):
             if name not in pulleys:
                 body = names.body(name, "grips", k)
@@ -230,45 +298,6 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return turns
 
     # -- rows ---------------------------------------------------------------------------------
-    def _sections(
-        self, way: list[Node], leads: list[Direction | None], turns: list[int], grips: set[str]
-    ) -> list[Held]:
-        """Section between material marks: sum of l - rho a over its leads, plus s R theta at the mark where it
-        ends and minus the same where it begins (see `measures.lead`)."""
-        arms = [multiply(number(s), node.radius) if s else ZERO for s, node in zip(turns, way, strict=True)]
-        rows: list[Held] = []
-        terms: list[tuple[Expr, Measure]] = []
-        begin = 0
-        if way[0].way == "drum":
-            terms.append((negate(arms[0]), Angle(way[0].body)))
-        for k, direction in enumerate(leads):
-            a, b = way[k], way[k + 1]
-            if direction is not None:
-                terms.append((ONE, Displacement(b.point, a.point, direction)))
-            else:
-                terms.append((ONE, Lead(a.point, b.point, add(arms[k + 1], negate(arms[k])))))
-            last = k + 1 == len(way) - 1
-            marked = (not last and b.body in grips and b.radius != ZERO) or (last and b.way == "drum")
-            if marked:
-                terms.append((arms[k + 1], Angle(b.body)))
-            if marked or last:
-                ends = tuple(dict.fromkeys(node.body for node in way[begin : k + 2]))
-                rows.append(
-                    Held(
-                        "",
-                        "tension",
-                        Combination(tuple(terms), LENGTH),
-                        sign=-1,
-                        ends=ends,
-                        unilateral=True,
-                    )
-                )
-                terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
-                begin = k + 1
-        if len(rows) == 1:
-            return [_named(rows[0], "length")]
-        return [_named(row, f"{row.ends[0]} to {row.ends[-1]}") for row in rows]
-
     def _hanging(self, way: list[Node]) -> list[Held]:
         rows: dict[str, Held] = {}
         for node in way:
@@ -297,10 +326,34 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return {match["what"].partition(".")[0] for match in found if match}
 
 
-def _named(row: Held, component: str) -> Held:
-    from dataclasses import replace
-
-    return replace(row, component=component)
+def _sections(way: list[Node], leads: list[Direction | None], turns: list[int], grips: set[str]) -> list[Section]:
+    """Section between material marks: sum of l - rho a over its leads, plus s R theta at the mark where it
+    ends and minus the same where it begins (see `measures.lead`)."""
+    arms = [multiply(number(s), node.radius) if s else ZERO for s, node in zip(turns, way, strict=True)]
+    sections: list[Section] = []
+    terms: list[tuple[Expr, Measure]] = []
+    passages: list[Passage] = []
+    begin = 0
+    if way[0].way == "drum":
+        terms.append((negate(arms[0]), Angle(way[0].body)))
+    for k, direction in enumerate(leads):
+        a, b = way[k], way[k + 1]
+        if direction is not None:
+            terms.append((ONE, Displacement(b.point, a.point, direction)))
+        else:
+            terms.append((ONE, Lead(a.point, b.point, add(arms[k + 1], negate(arms[k])))))
+        last = k + 1 == len(way) - 1
+        marked = (not last and b.body in grips and b.radius != ZERO) or (last and b.way == "drum")
+        if marked:
+            terms.append((arms[k + 1], Angle(b.body)))
+        if marked or last:
+            ends = tuple(dict.fromkeys(node.body for node in way[begin : k + 2]))
+            sections.append(Section(tuple(terms), ends, tuple(passages)))
+            terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
+            begin, passages = k + 1, []
+        else:
+            passages.append(Passage(b, tuple(terms), arms[k + 1], turns[k + 1], (direction, leads[k + 1])))
+    return sections
 
 
 def _guide_of(names: Names, body: str) -> Direction | None:

@@ -30,7 +30,17 @@ from freebody.language.units import (
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.model.contact_questions import (
+    CONTACT_FORMS,
+    Change,
+    EnergyLost,
+    Transition,
+    Turns,
+    as_condition,
+    read_transition,
+)
 from freebody.model.elements import Held
+from freebody.model.friction_questions import FRICTION_FORMS, RestQuantity
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
 
@@ -255,6 +265,10 @@ Quantity = (
     | GeneralizedMomentum
     | JacobiIntegral
     | Conserved
+    | EnergyLost
+    | Turns
+    | Change
+    | RestQuantity
 )
 
 
@@ -279,6 +293,7 @@ class Question:
     at_start: bool = False
     options: Mapping[str, str] = field(default_factory=dict[str, str])
     key: str | None = None
+    transition: Transition | None = None  # instead of an event: a contact changes its state
 
 
 # -- the grammar ------------------------------------------------------------------------------
@@ -330,6 +345,14 @@ def _form(form: str, pattern: str) -> Callable[[Reader], Reader]:
         return read
 
     return register
+
+
+for _text, _pattern, _read in CONTACT_FORMS:
+    _form(_text, _pattern)(_read)
+
+
+for _text, _pattern, _read in FRICTION_FORMS:
+    _form(_text, _pattern)(_read)
 
 
 @_form("degrees of freedom", r"(?:number of )?degrees of freedom|mobility")
@@ -682,7 +705,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         if key not in known:
             names.problem(f"a question has no {key}.{did_you_mean(key, known)}", None, key)
     text = " ".join(str(entry["find"]).split())
-    phrase, at_start, event = text, False, None
+    phrase, at_start, event, transition = as_condition(names, text), False, None, None
     if phrase.endswith((" at start", " at the start")):
         phrase, at_start = re.sub(r" at (the )?start$", "", phrase), True
     condition = entry.get("when")
@@ -694,12 +717,14 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     elif str(condition) in ("start", "at start"):
         at_start, condition = True, None
     if condition is not None:
-        event = _event(names, str(condition), ("find",) if "when" not in entry else ("when",))
-        if event is None:
+        where: Path = ("find",) if "when" not in entry else ("when",)
+        transition = read_transition(names, str(condition), where)
+        event = None if transition is not None else _event(names, str(condition), where)
+        if event is None and transition is None:
             return None
     quantity: Quantity | None
     if phrase in ("time", "the time"):
-        if event is None:
+        if event is None and transition is None:
             names.problem("say of what: time when x = h", None, "find")
             return None
         quantity = When()
@@ -707,11 +732,13 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         quantity = read_quantity(names, phrase, ("find",))
     if quantity is None:
         return None
-    if isinstance(quantity, Conserved) and (event is not None or at_start):
+    if isinstance(quantity, Conserved) and (condition is not None or at_start):
         names.problem("what is conserved is so at every instant; leave out 'at start' and 'when'", None, "find")
         return None
-    if isinstance(quantity, Work) and event is None:
+    if isinstance(quantity, Work) and condition is None:
         names.problem(f"say until when: work of {quantity.of} until x = h", None, "find")
+    if isinstance(quantity, (EnergyLost, Turns, Change)) and condition is None:
+        names.problem(f"say until when: {phrase} until rolling begins", None, "find")
     options: Any = entry.get("options") or {}
     if isinstance(options, list):
         letters = "abcdefghijklmnopqrstuvwxyz"
@@ -731,6 +758,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
         at_start,
         shown,
         None if key is None else str(key),
+        transition,
     )
 
 

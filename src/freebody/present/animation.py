@@ -6,6 +6,7 @@ import importlib
 import math
 import shutil
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,8 @@ from freebody.errors import InputError
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import written
-from freebody.present.page import moved_note, page
+from freebody.present.marks import ContactTrack
+from freebody.present.page import note_on, page
 from freebody.present.scene import Scene
 from freebody.present.stills import frame_axes, paint
 from freebody.present.theme import THEMES
@@ -28,22 +30,30 @@ _PIXELS, _DPI = 640, 100
 
 
 def write_animation(
-    scene: Scene, times: Array, poses: Array, path: str | Path, *, title: str, speed: float = 1.0
+    scene: Scene,
+    times: Array,
+    poses: Array,
+    path: str | Path,
+    *,
+    title: str,
+    speed: float = 1.0,
+    contacts: ContactTrack | None = None,
 ) -> Path:
     """Writes a motion as `.html` (one page with controls, no network), `.gif` or `.mp4`, by the suffix of the path.
 
     times: (n_times,) [s], ascending, a repeated time counts once (its last pose). poses: (n_times, n_moving_bodies,
     3), x and y of the mass centre [m] and the angle [rad], continuous, in the order of `scene.names`. speed: seconds
-    of motion in a second of showing. Returns the path. Raises InputError if these do not fit together, the suffix is
-    another one, the file cannot be written, or there is no ffmpeg for an MP4."""
+    of motion in a second of showing. contacts: where bodies touch at the given times, to be marked. Returns the path.
+    Raises InputError if these do not fit together, the suffix is another one, the file cannot be written, or there is
+    no ffmpeg for an MP4."""
     path = Path(path)
-    times, poses = _checked(scene, times, poses)
+    motion = _checked(scene, times, poses, contacts)
     if not (math.isfinite(speed) and speed > 0):
         raise InputError(f"the speed of an animation is a positive number, not {speed}")
     writers: dict[str, Callable[[], None]] = {
-        ".html": lambda: _write_page(scene, times, poses, path, title, speed),
-        ".gif": lambda: _write_gif(scene, times, poses, path, title, speed),
-        ".mp4": lambda: _write_mp4(scene, times, poses, path, title, speed),
+        ".html": lambda: _write_page(scene, motion, path, title, speed),
+        ".gif": lambda: _write_gif(scene, motion, path, title, speed),
+        ".mp4": lambda: _write_mp4(scene, motion, path, title, speed),
     }
     suffix = path.suffix.lower()
     if suffix not in writers:
@@ -65,7 +75,22 @@ def resampled(times: Array, poses: Array, n_frames: int) -> tuple[Array, Array]:
     return shown, np.asarray(cubic(shown), dtype=np.float64)
 
 
-def _checked(scene: Scene, times: Array, poses: Array) -> tuple[Array, Array]:
+@dataclass(frozen=True)
+class _Motion:
+    """Poses and contacts at times that ascend."""
+
+    times: Array
+    poses: Array
+    contacts: ContactTrack | None
+
+    def drawn(self, scene: Scene, n_frames: int) -> tuple[Drawing, Array]:
+        """The drawing of frames at equally spaced times, and these times."""
+        shown, frames = resampled(self.times, self.poses, n_frames)
+        track = None if self.contacts is None else self.contacts.at(self.times, shown)
+        return Drawing.of(scene, frames, track), shown
+
+
+def _checked(scene: Scene, times: Array, poses: Array, contacts: ContactTrack | None) -> _Motion:
     times, poses = np.asarray(times, dtype=np.float64), np.asarray(poses, dtype=np.float64)
     shape = (len(times), len(scene.names), 3) if times.ndim == 1 else None
     if shape is None or not len(times) or poses.shape != shape:
@@ -77,36 +102,39 @@ def _checked(scene: Scene, times: Array, poses: Array) -> tuple[Array, Array]:
         raise InputError("the times and poses of an animation must be finite numbers")
     if (np.diff(times) < 0).any():
         raise InputError("the times of an animation must ascend")
+    if contacts is not None and len(contacts.states) != len(times):
+        raise InputError(f"an animation needs contacts for its {len(times)} times, not for {len(contacts.states)}")
     last = np.append(np.diff(times) > 0, True)
-    return times[last], poses[last]
+    kept = None if contacts is None else ContactTrack(contacts.meetings, contacts.states[last])
+    return _Motion(times[last], poses[last], kept)
 
 
 def _n_frames(times: Array, speed: float, rate: int) -> int:
     return min(_N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
 
 
-def _write_page(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
-    shown, frames = resampled(times, poses, max(_FEWEST + 1, _n_frames(times, speed, _RATE)))
-    path.write_text(page(Drawing.of(scene, frames), shown, title, speed), encoding="utf-8")
+def _write_page(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
+    drawing, shown = motion.drawn(scene, max(_FEWEST + 1, _n_frames(motion.times, speed, _RATE)))
+    path.write_text(page(drawing, shown, title, speed), encoding="utf-8")
 
 
-def _write_gif(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
+def _write_gif(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
     from PIL import Image
 
-    shown, frames = resampled(times, poses, _n_frames(times, speed, _GIF_RATE))
-    pictures = [Image.fromarray(rgb) for rgb in _pictures(Drawing.of(scene, frames), shown, title)]
+    drawing, shown = motion.drawn(scene, _n_frames(motion.times, speed, _GIF_RATE))
+    pictures = [Image.fromarray(rgb) for rgb in _pictures(drawing, shown, title)]
     # one palette for all, so that colours do not flicker
     palette = pictures[len(pictures) // 2].quantize(64, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
     small = [p.quantize(palette=palette, dither=Image.Dither.NONE) for p in pictures]
     small[0].save(path, save_all=True, append_images=small[1:], duration=1000 // _GIF_RATE, loop=0, optimize=False)
 
 
-def _write_mp4(scene: Scene, times: Array, poses: Array, path: Path, title: str, speed: float) -> None:
+def _write_mp4(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
     program = _ffmpeg()
     matplotlib: Any = importlib.import_module("matplotlib")
     animation: Any = importlib.import_module("matplotlib.animation")
-    shown, frames = resampled(times, poses, _n_frames(times, speed, _RATE))
-    figure, stages = _stages(Drawing.of(scene, frames), shown, title)
+    drawing, shown = motion.drawn(scene, _n_frames(motion.times, speed, _RATE))
+    figure, stages = _stages(drawing, shown, title)
     with matplotlib.rc_context({"animation.ffmpeg_path": program}):
         writer = animation.FFMpegWriter(fps=_RATE, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
         with writer.saving(figure, str(path), _DPI):
@@ -143,7 +171,7 @@ def _stages(drawing: Drawing, times: Array, title: str) -> tuple[Any, Iterator[N
     axes = figure.add_subplot()
     frame_axes(drawing, axes, theme)
     figure.suptitle(title, fontsize=11, color=theme.ink, parse_math=False, wrap=True)
-    note = moved_note(drawing)
+    note = note_on(drawing)
     if note:
         figure.supxlabel(note, fontsize=7, color=theme.muted, parse_math=False, wrap=True)
     clock = axes.set_title("", fontsize=9, color=theme.muted, loc="left")

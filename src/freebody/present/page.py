@@ -6,6 +6,7 @@ import html
 import json
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import asdict
 from importlib.resources import files
 from typing import Any
@@ -14,6 +15,7 @@ import numpy as np
 
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Place
+from freebody.present.marks import MEANING
 from freebody.present.strokes import Path, Strand, Stretch, Stroke
 from freebody.present.theme import STYLES, THEMES
 
@@ -27,7 +29,7 @@ def page(drawing: Drawing, times: Array, title: str, speed: float) -> str:
     digits = 5 - math.floor(math.log10(size)) - 1  # five significant digits of the picture's size
     duration = f"{times[-1] - times[0]:.4g} s"
     description = f"Animation of {title} over {duration}; bodies: {', '.join(drawing.scene.names)}"
-    note = moved_note(drawing)
+    note = note_on(drawing)
     parts = {
         "title": html.escape(title),
         "description": html.escape(description),
@@ -38,11 +40,13 @@ def page(drawing: Drawing, times: Array, title: str, speed: float) -> str:
     return _PART.sub(lambda found: parts[found[1]], text)
 
 
-def moved_note(drawing: Drawing) -> str:
-    """Which bodies are not drawn where their poses are; empty if all are."""
-    if not drawing.moved:
-        return ""
-    return f"Drawn aside by a constant amount, because the model does not say where: {', '.join(drawing.moved)}."
+def note_on(drawing: Drawing) -> str:
+    """What the marks mean, and which bodies are not drawn where their poses are; empty if there is nothing to say."""
+    notes = [MEANING] if drawing.marks else []
+    if drawing.moved:
+        moved = ", ".join(drawing.moved)
+        notes.append(f"Drawn aside by a constant amount, because the model does not say where: {moved}.")
+    return " ".join(notes)
 
 
 def _embedded(data: dict[str, Any]) -> str:
@@ -69,6 +73,7 @@ def _data(drawing: Drawing, times: Array, speed: float, digits: int) -> dict[str
         "themes": {name: asdict(theme) for name, theme in THEMES.items()},
         "styles": {name: asdict(style) for name, style in STYLES.items()},
         "strokes": [_stroke(stroke, digits + 1) for stroke in drawing.strokes],
+        "marks": [{**_stroke(stroke, digits + 1), "frames": spans} for stroke, spans in _marks(drawing)],
         "labels": [{**asdict(label), "place": _place(label.place, digits + 1)} for label in drawing.labels],
         "points": _points(drawing, digits + 1),
         "columns": columns,
@@ -92,11 +97,19 @@ def _stroke(stroke: Stroke, digits: int) -> dict[str, Any]:
     if isinstance(stroke, Stretch):
         ends = {"first": _place(stroke.first, digits), "second": _place(stroke.second, digits)}
         points = [[round(float(s), 4), round(float(n), digits)] for s, n in stroke.points]
-        return {**plain, **ends, "shape": "stretch", "points": points}
+        return {**plain, **ends, "shape": "stretch", "points": points, "closed": stroke.is_closed}
     assert isinstance(stroke, Path)
     points = [[round(float(x), digits), round(float(y), digits)] for x, y in stroke.points]
     where = {"place": _place(stroke.place, digits), "turn": stroke.turn}
     return {**plain, **where, "shape": "path", "points": points, "closed": stroke.is_closed, "color": stroke.color}
+
+
+def _marks(drawing: Drawing) -> Iterator[tuple[Stroke, list[int]]]:
+    """Each mark with the frames at which it appears and disappears, in turn."""
+    for k, state, stroke in drawing.marks:
+        assert drawing.contacts is not None
+        is_on = np.concatenate(([False], drawing.contacts.states[:, k] == state, [False]))
+        yield stroke, np.flatnonzero(np.diff(is_on)).tolist()
 
 
 def _points(drawing: Drawing, digits: int) -> list[dict[str, Any]]:

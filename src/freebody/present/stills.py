@@ -9,7 +9,7 @@ import numpy as np
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, positions
 from freebody.present.scene import Scene
-from freebody.present.strokes import Path, Stroke
+from freebody.present.strokes import Path, Strand, Stroke
 from freebody.present.theme import THEMES, Theme, style_of
 
 
@@ -39,9 +39,10 @@ def paint(drawing: Drawing, frame: int, axes: Any, theme: Theme) -> list[Any]:
     from matplotlib.patheffects import withStroke
 
     artists: list[Any] = []
-    for k, stroke in enumerate(drawing.strokes):
+    strokes = drawing.shown(frame)
+    for k, stroke in enumerate(strokes):
         artist = _line(stroke, drawing.points(stroke, frame), axes, theme)
-        artist.set_zorder(2 + k / len(drawing.strokes))
+        artist.set_zorder(2 + k / len(strokes))
         artists.append(artist)
     halo = [withStroke(linewidth=2.5, foreground=theme.paper)]
     for label in drawing.labels:
@@ -60,8 +61,8 @@ def _line(stroke: Stroke, points: Array, axes: Any, theme: Theme) -> Any:
     style = style_of(stroke.style)
     edge = theme.color(style.stroke, stroke.color if isinstance(stroke, Path) else -1)
     dashes = (0, style.dashes) if style.dashes else "-"
-    if isinstance(stroke, Path) and stroke.is_closed:
-        fill = theme.color(style.fill, stroke.color)
+    if not isinstance(stroke, Strand) and stroke.is_closed:
+        fill = theme.color(style.fill, stroke.color if isinstance(stroke, Path) else -1)
         # an area and its edge are two colours with an alpha of their own
         face = (*_rgb(fill), style.alpha) if fill else "none"
         patch = Polygon(points, closed=True, facecolor=face, edgecolor=edge or "none", linewidth=style.width)

@@ -35,6 +35,7 @@ class Stretch:
     second: Place
     points: Array  # (n, 2)
     style: str
+    is_closed: bool = False
 
 
 @dataclass(frozen=True)

@@ -67,6 +67,11 @@ def solution_lines(solution: Solution) -> Iterator[str]:
         yield f"assumed: {text}"
     if solution.redundant:
         yield f"redundant constraints: {', '.join(solution.redundant)}"
+    if solution.phases is not None:
+        from freebody.present.phases import phase_lines
+
+        yield ""
+        yield from phase_lines(solution.phases)
     for answer in solution.answers:
         yield ""
         yield from answer_lines(answer)
@@ -93,6 +98,10 @@ def answer_lines(answer: Answer) -> Iterator[str]:
     if answer.value is not None:
         yield f"    value       {_value_text(answer)}"
     yield from _listed("holds", answer.conditions)
+    if answer.cases:
+        from freebody.present.phases import case_lines
+
+        yield from case_lines(answer)
     yield from _listed("note", answer.notes)
     if answer.options:
         yield from option_lines(answer.choice, answer.options)
@@ -100,7 +109,7 @@ def answer_lines(answer: Answer) -> Iterator[str]:
         yield from _listed("to author", answer.author_notes)
     if answer.evidence is not None:
         e = answer.evidence
-        yield f"    evidence    {e.draws} random draws: {e.route};"
+        yield from wrapped("evidence", f"{e.draws} random draws: {e.route};")
         yield f"                largest relative difference {e.worst_relative_difference:.1g}"
 
 

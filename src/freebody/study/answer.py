@@ -20,6 +20,20 @@ class Evidence:
 
 
 @dataclass(frozen=True)
+class AnswerCase:
+    """One case of an answer that depends on where the parameters are."""
+
+    expression: Expr | tuple[Expr, ...]
+    conditions: tuple[str, ...]
+    what: str = ""  # what the system does then
+
+    def to_plain(self) -> dict[str, Any]:
+        parts = self.expression if isinstance(self.expression, tuple) else None
+        shown: Any = [to_python(e) for e in parts] if parts is not None else to_python(self.expression)  # type: ignore[arg-type]
+        return {"expression": shown, "conditions": list(self.conditions), "what": self.what}
+
+
+@dataclass(frozen=True)
 class Answer:
     """An answer in closed form, or the reason why there is none.
 
@@ -40,6 +54,7 @@ class Answer:
     author_notes: tuple[str, ...] = ()
     evidence: Evidence | None = None
     symbol: str = ""
+    cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
 
     @property
     def is_answered(self) -> bool:
@@ -69,6 +84,7 @@ class Answer:
             "unit": self.unit,
             "value": list(self.value) if isinstance(self.value, tuple) else self.value,
             "conditions": list(self.conditions),
+            "cases": [c.to_plain() for c in self.cases],
             "notes": list(self.notes),
             "reason": self.reason or None,
             "choice": self.choice,

@@ -73,7 +73,7 @@ def multiplier_row(quantity: Multiplier, system: System) -> Held:
     """The held row whose multiplier is asked for."""
     return next(
         row
-        for row in system.held
+        for row in system.rows
         if row.connection == quantity.connection
         and row.reaction == quantity.reaction
         and set(quantity.at) <= set(row.ends or row.measure.bodies())

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from freebody.assess.options import judge
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer, ModelError, Problem, RoutesDisagree
 from freebody.language.expression import Expr, number
 from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.model.contact_questions import Change, EnergyLost, Turns
+from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import (
     Conserved,
     Energy,
@@ -40,8 +43,12 @@ from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
+if TYPE_CHECKING:
+    from freebody.study.phases.result import Phases
+
 Elements = Ratio | tuple[Ratio, ...]
 _ROUND_OFF = 1e-12  # of an assembled pose, in SI
+MOST_PLACES = 12  # at which bodies can touch, for formulas
 FOR_ALL = "for all positive parameters"
 
 
@@ -55,6 +62,7 @@ class Solution:
     dependent: tuple[str, ...]
     redundant: tuple[str, ...]
     answers: tuple[Answer, ...]
+    phases: Phases | None = None  # of a system with contacts or dry friction
 
     def __getitem__(self, id: str) -> Answer:
         """The answer with an id."""
@@ -77,6 +85,7 @@ class Solution:
             "redundant": list(self.redundant),
             "assumptions": list(self.system.assumptions),
             "answers": [a.to_plain() for a in self.answers],
+            **({} if self.phases is None else {"phases": self.phases.to_plain()}),
         }
 
 
@@ -86,6 +95,10 @@ def solve(system: System, question: str | None = None) -> Solution:
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
     questions = system.questions if question is None else (system.question(question),)
+    if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
+        return _at_rest(system, questions)
+    if system.bounds or system.rubs or any(q.transition is not None for q in questions):
+        return _in_phases(system, questions)
     setup = Setup(system)
     answers = tuple(_Solver(setup, q).answer() for q in questions)
     model = setup.model
@@ -97,6 +110,59 @@ def solve(system: System, question: str | None = None) -> Solution:
         tuple(model.redundant),
         answers,
     )
+
+
+def _at_rest(system: System, questions: Sequence[Question]) -> Solution:
+    """The start pose, with all that touches held there."""
+    from freebody.study.friction.answers import answer, prepared
+
+    model = prepared(system)[1].model
+    return Solution(
+        system,
+        model.degrees_of_freedom,
+        tuple(c.name for c in model.coordinates),
+        tuple(c.name for c in model.dependent),
+        tuple(model.redundant),
+        tuple(answer(system, q) for q in questions),
+    )
+
+
+def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
+    """The motion changes its law on the way: one phase after the other."""
+    from freebody.study.friction.answers import answer as at_rest
+    from freebody.study.phases.ask import answer
+    from freebody.study.phases.result import phases_of
+    from freebody.study.phases.tree import Tree
+
+    if len(system.bounds) > MOST_PLACES:
+        return _too_many_places(system, questions)
+    try:
+        tree = Tree(system)
+    except CannotAnswer as error:
+        raise ModelError([Problem((), str(error))], system.file) from error
+    phases = phases_of(tree)
+    model = phases.first_model
+    return Solution(
+        system,
+        model.degrees_of_freedom,
+        tuple(c.name for c in model.coordinates),
+        tuple(c.name for c in model.dependent),
+        tuple(model.redundant),
+        tuple(at_rest(system, q) if isinstance(q.quantity, RestQuantity) else answer(tree, q) for q in questions),
+        phases,
+    )
+
+
+def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
+    """No formulas for a crowd: the questions are answered with the reason."""
+    reason = (
+        f"{len(system.bounds)} places can touch, and the formulas would be a case distinction over all of them that "
+        "nobody could read; freebody simulate follows the motion"
+    )
+    model = Setup(system, 2).model
+    answers = tuple(Answer(q.id, q.text, None, unit_text(q.quantity), None, reason=reason) for q in questions)
+    coordinates = tuple(c.name for c in model.coordinates)
+    return Solution(system, model.degrees_of_freedom, coordinates, (), tuple(model.redundant), answers)
 
 
 @dataclass
@@ -124,6 +190,10 @@ class _Solver:
         q = self.question
         if isinstance(q.quantity, Conserved):
             return self._conserved()
+        if isinstance(q.quantity, RestQuantity):
+            from freebody.study.friction.answers import answer
+
+            return answer(self.system, q)
         try:
             found = self._find()
         except (CannotAnswer, ZeroDivisionError) as error:
@@ -362,11 +432,7 @@ class _Solver:
             conditions += self.setup.holding(self.setup.start_instant if at_start else self.setup.state)
         found.notes += self._violated(conditions)
         texts = merged(conditions)
-        acute = [p.name for p in self.system.parameters.values() if p.acute]
-        scope = FOR_ALL
-        if acute:
-            scope += ", " + ", ".join(f"0 < {to_text(_symbol(a))} < 90°" for a in acute)
-        return texts if texts else [scope]
+        return texts if texts else [for_all(self.system)]
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
@@ -411,6 +477,12 @@ class _Solver:
         return unit_text(self.question.quantity)
 
 
+def for_all(system: System) -> str:
+    """The scope of an answer without conditions."""
+    acute = [p.name for p in system.parameters.values() if p.acute]
+    return ", ".join([FOR_ALL, *(f"0 < {to_text(_symbol(a))} < 90°" for a in acute)])
+
+
 def _symbol(name: str) -> Expr:
     from freebody.language.expression import Symbol
 
@@ -426,15 +498,15 @@ def unit_text(q: Quantity) -> str:
     dimension: Dimension = q.dimension
     measure: Measure | None = getattr(q, "measure", None)
     is_angular = (measure is not None and measure.dimension == DIMENSIONLESS) or isinstance(q, Small)
-    if isinstance(q, (OfMeasure, Equilibrium, Small)) and is_angular:
+    if isinstance(q, (OfMeasure, Equilibrium, Small, Change)) and is_angular:
         table = {
             DIMENSIONLESS: "rad",
             DIMENSIONLESS / TIME: "rad/s",
             DIMENSIONLESS / TIME**2: "rad/s^2",
         }
         return table.get(dimension, str(dimension))
-    if isinstance(q, (Energy, Work)):
+    if isinstance(q, (Energy, Work, EnergyLost)):
         return "J"
-    if isinstance(q, (RatioOf, Freedom)) and dimension == DIMENSIONLESS:
+    if isinstance(q, (RatioOf, Freedom, Turns)) and dimension == DIMENSIONLESS:
         return "1"
     return str(dimension)

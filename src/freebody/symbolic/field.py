@@ -629,6 +629,32 @@ class Field:
         found += [(Ratio(self, f.project_to_context(self._context), None), int(e)) for f, e in factors]
         return content * int(unit), found
 
+    def factor_by_degree(self, poly: Poly) -> tuple[int, list[tuple[Ratio, int]]] | None:
+        """Factors of a polynomial made homogeneous in the cosine and sine of its one angle, 1 = c^2 + s^2: so
+        4 c^2 - 4 + ... is a square where it is one. None where this finds no more than `factor`."""
+        pairs = self.pairs(self.used(poly))
+        if len(pairs) != 1:
+            return None
+        (c, s), terms = pairs[0], self.terms(poly)
+        degrees = {m: dict(m).get(c, 0) + dict(m).get(s, 0) for m in terms}
+        highest = max(degrees.values(), default=0)
+        if any((highest - d) % 2 for d in degrees.values()) or len(set(degrees.values())) < 2:
+            return None
+        gc, gs = self._variables[c], self._variables[s]
+        free = self.current(poly) - self.current(poly)
+        for m, coefficient in terms.items():
+            term = self._context.constant(coefficient) * (gc**2 + gs**2) ** ((highest - degrees[m]) // 2)
+            for index, exponent in m:
+                term = term * self._variables[index] ** exponent
+            free = free + term
+        small = free.context().drop_gens(free.unused_gens())
+        unit, factors = free.project_to_context(small).factor()
+        found = [(Ratio(self, self.reduce(f.project_to_context(self._context)), None), int(e)) for f, e in factors]
+        found = [(f, e) for f, e in found if f != 1]
+        if sum(e for _f, e in found) <= sum(e for _f, e in self.factor(poly)[1]):
+            return None
+        return int(unit), found
+
     # -- numbers and pictures -----------------------------------------------------------------
     def complete(self, values: Mapping[int, Any], functions: Any = math) -> dict[int, Any]:
         """Adds the values of all computed generators whose ingredients are known."""

@@ -18,6 +18,7 @@ from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
 IsNegative = Callable[[Ratio], bool]
+_MOST_OF_A_CONSTANT = 12  # larger multiples of an angle that does not move are not expanded
 
 
 def _times(a: Complex, b: Complex) -> Complex:
@@ -39,6 +40,8 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
         if base.generators() == frozenset({field.index(field.pi)}):
             # a part of a turn: one atom, since multiples expand to long sums that cancel badly in numbers
             base, multiple = base * multiple, 1
+        elif abs(multiple) > _MOST_OF_A_CONSTANT and base.is_constant():
+            base, multiple = base * multiple, 1  # a start angle with long numbers in it is one angle
         pair = _atom(field, base)
         if multiple < 0:
             pair = pair[0], -pair[1]

@@ -17,10 +17,12 @@ from dataclasses import dataclass, field
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import to_text
+from freebody.measures.geometry import Pose
 from freebody.model.elements import RateMeasure
 from freebody.model.question import Event
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.functions import functions
+from freebody.symbolic.functions import cos_sin, functions
+from freebody.symbolic.geometry import FieldGeometry, straight_tangent
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
@@ -69,6 +71,45 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
         if given is not None:
             values[c.index] = given
     values[f.index(f.time)] = f.zero
+    return StartState(values)
+
+
+def start_from_bodies(model: SymbolicModel) -> StartState:
+    """Start values where the model gives a full pose and motion of every body: of the measure that a coordinate is, and
+    of its gradient times the velocities. Raises CannotAnswer for a coordinate that is no measure."""
+    f, scalar = model.field, model.geometry.scalar
+    poses: dict[str, Pose[Ratio]] = {}
+    velocities: dict[tuple[str, str], Ratio] = {}
+    for body in model.system.moving:
+        start = body.start
+        assert start.at is not None
+        assert start.velocity is not None
+        point, (ax, ay) = start.at
+        angle = f.zero if start.angle is None else scalar(start.angle)
+        c, s = cos_sin(f, angle)
+        rx, ry = (scalar(e) for e in body.points[point])
+        poses[body.name] = Pose(scalar(ax) - (c * rx - s * ry), scalar(ay) - (s * rx + c * ry), angle, c, s)
+        velocities[body.name, "x"], velocities[body.name, "y"] = (scalar(e) for e in start.velocity)
+        velocities[body.name, "angle"] = f.zero if start.angular_velocity is None else scalar(start.angular_velocity)
+    for name, pose in model.poses.items():
+        poses.setdefault(name, pose)
+    there = FieldGeometry(f, model.parameters, poses, straight_tangent(f, model.is_negative))
+    values: dict[int, Ratio] = {f.index(f.time): f.zero}
+    everything = (*model.coordinates, *model.dependent)
+    measures = {c.index: model.measure_of(c) for c in everything}
+    for c in everything:
+        measure = measures[c.index]
+        if measure is None:
+            raise CannotAnswer(f"{c.name} is no measure of the model, so its value at the start is not known")
+        values[c.index] = f.lowest_terms(measure.value(there))
+    for c in everything:
+        measure = measures[c.index]
+        assert measure is not None
+        speed = f.zero
+        for slot, slope in model.gradient(measure).items():
+            if slot in velocities:
+                speed = speed + f.follow(slope, values) * velocities[slot]
+        values[c.speed] = f.lowest_terms(speed)
     return StartState(values)
 
 
@@ -291,7 +332,7 @@ class Motion:
     # -- first integral -----------------------------------------------------------------------
     def _speed_from_energy(self, c: Coordinate, at: Ratio) -> Ratio:
         """u at q = at from M u^2/2 + V = const, with the sign of the way there."""
-        return self._with_sign(self._speed_squared(c, at), c, at)
+        return self._with_sign(self.speed_squared(c, at), c, at)
 
     def _with_sign(self, square: Ratio, c: Coordinate, at: Ratio) -> Ratio:
         root = self._sqrt(square)
@@ -300,7 +341,8 @@ class Motion:
             raise CannotAnswer(f"whether {c.name} grows or shrinks on the way depends on the parameter values")
         return root if not ways or ways.pop() else -root
 
-    def _speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
+    def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
+        """u^2 at q = at."""
         if self.model.degrees_of_freedom != 1:
             raise CannotAnswer(
                 f"there are {self.model.degrees_of_freedom} degrees of freedom; energy alone gives the speed of one"
@@ -475,7 +517,7 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
         if F.is_zero() or not candidates:
             continue
         for c in candidates:
-            for value in _zeros_of(model, F, c):
+            for value in zeros_of(model, F, c):
                 rest = [model.field.follow(G, {c.index: value}) for G in forces]
                 for more in _zeros(model, rest, [k for k in left if k is not c]):
                     value_now = model.field.follow(value, more)
@@ -487,7 +529,7 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
     return found
 
 
-def _zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate) -> list[Ratio]:
+def zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate) -> list[Ratio]:
     """Zeros of F in one coordinate: linear factors, and a cos + b sin + r = 0."""
     f = model.field
     found: list[Ratio] = []
@@ -534,4 +576,8 @@ def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> li
     if a.is_zero():
         angle = fn["asin"](-r / b)
         return [angle, pi - angle]
-    return []
+    # (r - a) T^2 + 2 b T + r + a = 0 with T = tan(q/2)
+    if (r - a).is_zero():
+        return [2 * fn["atan"](-a / b), pi]
+    root = fn["sqrt"](a * a + b * b - r * r)
+    return [2 * fn["atan"]((-b - root) / (r - a)), 2 * fn["atan"]((-b + root) / (r - a))]

@@ -68,7 +68,7 @@ def _product(field: Field, poly: object) -> Sign:
     whole = _sum(field, field.terms(poly))
     if whole is not Sign.UNKNOWN:
         return whole
-    unit, factors = field.factor(poly)
+    unit, factors = field.factor_by_degree(poly) or field.factor(poly)
     result = Sign.POSITIVE if unit > 0 else Sign.NEGATIVE
     for base, exponent in factors:
         own = _sum(field, field.terms(base.num))

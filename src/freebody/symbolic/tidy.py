@@ -110,9 +110,20 @@ def _fraction(top: Expr, bottom: Expr) -> Expr:
     ratio = n_top / n_bottom
     if ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
         ratio, rest_bottom = -ratio, _positive_first([negate(t) for t in rest_bottom.terms])
+    elif ratio < 0 and isinstance(rest_bottom, Product):
+        ratio, rest_bottom = _sign_of_a_factor(ratio, rest_bottom)
     up = multiply(number(ratio.numerator), *_factors(rest_top))
     down = multiply(number(ratio.denominator), *_factors(rest_bottom))
     return divide(up, down)
+
+
+def _sign_of_a_factor(ratio: Fraction, product: Product) -> tuple[Fraction, Expr]:
+    """-1/(a (b - c)) = 1/(a (c - b))"""
+    for k, factor in enumerate(product.factors):
+        if isinstance(factor, Sum) and any(map(_is_negative, factor.terms)):
+            turned = _positive_first([negate(t) for t in factor.terms])
+            return -ratio, multiply(*product.factors[:k], turned, *product.factors[k + 1 :])
+    return ratio, product
 
 
 def _number_part(e: Expr) -> tuple[Fraction, Expr]:
@@ -176,7 +187,8 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
     if len(terms) <= _FACTOR_TERMS:
         # long sums over several angles hardly ever factor
         several = len(field.pairs(field.used(poly))) > 1
-        unit, factors = field.factor(poly, is_quick=several)
+        by_degree = None if several else field.factor_by_degree(poly)
+        unit, factors = by_degree or field.factor(poly, is_quick=several)
         if len(factors) > 1 or (factors and factors[0][1] > 1):
             parts: list[tuple[tuple[int, int], Expr]] = []
             for base, exponent in factors:
@@ -184,7 +196,7 @@ def _candidates(field: Field, poly: Poly) -> list[Expr]:
                 parts.append((_place(field, base), shown if exponent == 1 else power(shown, number(exponent))))
             parts.sort(key=lambda item: item[0])
             found.append(_signed_product(unit, [e for _p, e in parts]))
-            if sum(len(field.terms(base.num)) > 1 for base, _e in factors) <= 1:
+            if by_degree is not None or sum(len(field.terms(base.num)) > 1 for base, _e in factors) <= 1:
                 return found  # only symbols came out in front: no other form is shorter
     found.append(_sum(field, poly))
     return found

@@ -1,0 +1,160 @@
+"""Questions about motion in phases: events of contacts and dry friction, and what is counted up to them.
+
+... when rolling begins | slipping ends | slipping begins | NAME slips | NAME leaves the surface | rope goes slack
+energy lost until ...        turns of BODY until ...        change of MEASURE until ...
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from freebody.language.units import DIMENSIONLESS, ENERGY, Dimension
+from freebody.measures.base import Measure
+from freebody.model.names import Names, did_you_mean
+from freebody.model.phrases import read_measure
+
+if TYPE_CHECKING:
+    from freebody.model.question import Quantity
+
+Path = tuple[str | int, ...]
+TransitionKind = Literal["rolls", "slip ends", "slips", "opens"]
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens. `of`
+    are the connections that are meant; none means any."""
+
+    kind: TransitionKind
+    of: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True)
+class EnergyLost:
+    """What dry friction has turned into heat since the start."""
+
+    dimension: Dimension = ENERGY
+
+
+@dataclass(frozen=True)
+class Turns:
+    """How often a body has turned since the start, counted without sign."""
+
+    body: str
+    dimension: Dimension = DIMENSIONLESS
+
+
+@dataclass(frozen=True)
+class Change:
+    """How much a measure has changed since the start."""
+
+    measure: Measure
+    name: str
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension
+
+
+# -- events -----------------------------------------------------------------------------------
+_NAME = r"(?P<of>[A-Za-z_]\w*)"
+_SUBJECT = rf"(?:it|the motion|(?:the )?{_NAME})"
+_BEGINS = r"(?:begins?|starts?|sets? in|is established)"
+_ENDS = r"(?:ends?|stops?|ceases?)"
+_SLIDING = r"(?:slip|slipping|sliding|to slip|to slide)"
+_WORDS: tuple[tuple[str, TransitionKind], ...] = (
+    (rf"(?:pure )?rolling(?: without (?:slip|slipping|sliding))? (?:of {_NAME} )?{_BEGINS}", "rolls"),
+    (
+        rf"{_SUBJECT} (?:rolls|(?:begins|starts) (?:to roll|rolling))(?: without (?:slip|slipping|sliding))?",
+        "rolls",
+    ),
+    (rf"(?:slip|slipping|sliding)(?: of {_NAME})? {_ENDS}", "slip ends"),
+    (rf"slip of {_NAME} ?= ?0", "slip ends"),
+    (rf"{_SUBJECT} (?:stops|comes to rest|stops (?:slipping|sliding))", "slip ends"),
+    (rf"(?:slip|slipping|sliding)(?: of {_NAME})? (?:begins|starts)", "slips"),
+    (rf"{_SUBJECT} (?:slips?|slides?|(?:begins?|starts?) {_SLIDING})", "slips"),
+    (rf"{_SUBJECT} (?:opens?|parts?|lifts? off|takes? off|loses? contact)", "opens"),
+    (rf"{_SUBJECT} leaves?(?: (?:the )?[A-Za-z_]\w*)?", "opens"),
+    (rf"{_SUBJECT} (?:goes?|becomes?|is) slack", "opens"),
+    (rf"contact(?: of {_NAME})? is lost", "opens"),
+)
+_TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
+    (re.compile(rf"^{pattern}$"), kind) for pattern, kind in _WORDS
+]
+
+
+def read_transition(names: Names, text: str, path: Path) -> Transition | None:
+    """The change of a contact's state that a text states; None if it is none of these."""
+    for pattern, kind in _TRANSITIONS:
+        found = pattern.match(text.strip())
+        if found is None:
+            continue
+        name = found.groupdict().get("of")
+        if name is None:
+            return Transition(kind, (), text)
+        if name in names.measures:
+            return None
+        return Transition(kind, _connections(names, name, path), text)
+    return None
+
+
+def _connections(names: Names, name: str, path: Path) -> tuple[str, ...]:
+    """The connection of a name, or those that touch the body of that name."""
+    if name in names.connections:
+        return (name,)
+    if name in names.bodies:
+        return tuple(dict.fromkeys(row.connection for row in names.held if name in (*row.ends, *row.measure.bodies())))
+    known = [*names.connections, *names.bodies]
+    names.problem(f"there is no connection or body {name}.{did_you_mean(name, known)}", None, *path)
+    return ()
+
+
+def as_condition(names: Names, text: str) -> str:
+    """'when does the block slip' and 'where does it leave the surface' in the words of the grammar."""
+    found = re.match(r"^(?:[Ww]hen|at what time) (?:does|do|will) (?P<event>.+?)\??$", text)
+    if found is not None:
+        return f"time when {found['event']}"
+    found = re.match(r"^[Ww]here (?:does|do|will) (?P<event>.+?)\??$", text)
+    if found is not None and names.measures:
+        return f"{next(iter(names.measures))} when {found['event']}"
+    return text
+
+
+# -- quantities -------------------------------------------------------------------------------
+Reader = Callable[[Names, dict[str, Any], Path], "Quantity | None"]
+
+
+def _lost(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+    return EnergyLost()
+
+
+def _turns(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+    body = names.body(str(found["of"]), *path)
+    if not body.turns:
+        names.problem(f"{body.name} is a particle and does not turn", None, *path)
+    return Turns(body.name)
+
+
+def _change(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+    text = str(found["of"])
+    measure = read_measure(names, text, *path)
+    return None if measure is None else Change(measure, text)
+
+
+CONTACT_FORMS: tuple[tuple[str, str, Reader], ...] = (
+    (
+        "energy lost until EVENT",
+        r"(?:energy (?:lost|dissipated)|loss of (?:kinetic |mechanical )?energy|heat)(?: by friction)?",
+        _lost,
+    ),
+    (
+        "turns of BODY until EVENT",
+        rf"(?:number of )?(?:turns|revolutions|rotations) of (?:the )?{_NAME}",
+        _turns,
+    ),
+    ("change of MEASURE until EVENT", r"(?:change of|distance travelled along) (?P<of>.+)", _change),
+)

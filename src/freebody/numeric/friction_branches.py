@@ -1,0 +1,129 @@
+"""Limits of rest where friction depends on the size of a force whose direction is open: pins, two-sided guides.
+
+|T| <= c |r| with r = (lambda_i, lambda_j) is no convex condition. Cut into sectors of directions it is, up to what a
+sector leaves open: with e the middle of a sector of half width d,
+
+    e . r <= |r| <= e . r / cos d.
+
+The right side is a bound, from which the best sector is cut further until both agree (branch and bound). A force along
+one line has two sectors of width zero, and nothing is left open.
+Source: Land & Doig, Econometrica 28, 1960, 497-520.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from freebody.numeric import friction_limits as limits
+from freebody.numeric.friction_limits import Cone, Optimum, Ray, RestProblem
+
+N_SECTORS = 8
+_NARROW = 2e-7  # half a sector's width at which its bound is the value
+MOST = 4000
+
+Solve = Callable[[RestProblem], Optimum | None]
+
+
+@dataclass(frozen=True)
+class Sector:
+    """Directions of the force that loads a cone, about the middle angle."""
+
+    middle: float
+    half: float
+
+    def halves(self) -> tuple[Sector, Sector]:
+        h = self.half / 2
+        return Sector(self.middle - h, h), Sector(self.middle + h, h)
+
+
+def margin(problem: RestProblem) -> Optimum | None:
+    """`friction_limits.margin` for all loads of friction."""
+    return _best(problem, limits.margin)
+
+
+def extreme(ray: Ray, sign: int, *, unit: float = 1.0) -> Optimum | None:
+    """`friction_limits.extreme` for all loads of friction."""
+
+    def solve(problem: RestProblem) -> Optimum | None:
+        return limits.extreme(replace(ray, problem=problem), sign, unit=unit)
+
+    return _best(ray.problem, solve, sign)
+
+
+def spread(problem: RestProblem, row: int) -> tuple[Optimum, Optimum] | None:
+    """`friction_limits.spread` for all loads of friction."""
+    ends: list[Optimum] = []
+    for k, sign in enumerate((-1, 1)):
+
+        def solve(p: RestProblem, k: int = k) -> Optimum | None:
+            found = limits.spread(p, row)
+            return None if found is None else found[k]
+
+        best = _best(problem, solve, sign)
+        if best is None:
+            return None
+        ends.append(best)
+    return ends[0], ends[1]
+
+
+def _best(problem: RestProblem, solve: Solve, sign: int = 1) -> Optimum | None:
+    """The optimum over all sectors of all loads of open direction."""
+    sized = [k for k, cone in enumerate(problem.cones) if cone.size]
+    if not sized:
+        return solve(problem)
+    count = itertools.count()
+    heap: list[tuple[float, int, tuple[Sector, ...], Optimum]] = []
+
+    def offer(sectors: tuple[Sector, ...]) -> None:
+        found = solve(_in_sectors(problem, dict(zip(sized, sectors, strict=True))))
+        if found is not None:
+            heapq.heappush(heap, (-sign * found.value, next(count), sectors, found))
+
+    for sectors in itertools.product(*(_all_sectors(problem.cones[k]) for k in sized)):
+        offer(sectors)
+    for _ in range(MOST):
+        if not heap:
+            return None
+        _key, _n, sectors, found = heapq.heappop(heap)
+        widest = max(range(len(sectors)), key=lambda k: sectors[k].half)
+        if sectors[widest].half <= _NARROW or math.isinf(found.value):
+            return found
+        for part in sectors[widest].halves():
+            offer((*sectors[:widest], part, *sectors[widest + 1 :]))
+    return heap[0][3] if heap else None
+
+
+def _all_sectors(cone: Cone) -> list[Sector]:
+    if len(cone.size) == 1:
+        return [Sector(0.0, 0.0), Sector(math.pi, 0.0)]
+    half = math.pi / N_SECTORS
+    return [Sector((2 * k + 1) * half, half) for k in range(N_SECTORS)]
+
+
+def _in_sectors(problem: RestProblem, sectors: dict[int, Sector]) -> RestProblem:
+    """The problem with linear loads: each at its upper bound in a sector, the force kept inside it."""
+    cones: list[Cone] = []
+    walls: list[tuple[tuple[int, float], ...]] = []
+    for k, cone in enumerate(problem.cones):
+        sector = sectors.get(k)
+        if sector is None:
+            cones.append(cone)
+            continue
+        if len(cone.size) == 1:
+            sign = math.copysign(1.0, math.cos(sector.middle))
+            cones.append(replace(cone, load=((cone.size[0], sign),), size=()))
+            walls.append(((cone.size[0], sign),))
+            continue
+        i, j = cone.size
+        c, s = math.cos(sector.middle), math.sin(sector.middle)
+        wide = 1.0 / math.cos(sector.half)
+        cones.append(replace(cone, load=((i, c * wide), (j, s * wide)), size=()))
+        for side in (-1.0, 1.0):
+            # n . r >= 0 with n turned a quarter towards the middle from the edge of the sector
+            edge = sector.middle + side * sector.half
+            walls.append(((i, side * math.sin(edge)), (j, -side * math.cos(edge))))
+    return replace(problem, cones=tuple(cones), walls=(*problem.walls, *walls))

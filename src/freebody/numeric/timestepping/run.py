@@ -1,0 +1,334 @@
+"""One motion by time stepping, from Python: steps in chunks, candidates, outputs, and what is said of the result."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.errors import InputError
+from freebody.measures.base import Measure
+from freebody.numeric.engine.course import Course, Status, Tracks
+from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.measures_planar import NEAR
+from freebody.numeric.numbers import Numbers
+from freebody.numeric.timestepping import marching
+from freebody.numeric.timestepping.marching import March
+from freebody.numeric.timestepping.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
+from freebody.numeric.timestepping.scene import Scene
+
+Progress = Callable[[float, int], None]
+TOLERANCE = 1e-12
+MOST_SWEEPS = 200
+STEPS_AT_ONCE = 2_000
+
+
+@dataclass(frozen=True)
+class ContactForces:
+    """Mean forces of closed contacts over the step that ends at an output time."""
+
+    ptr: NDArray[np.intp]  # (n_times + 1,): those of time k are ptr[k]:ptr[k + 1]
+    origin: NDArray[np.intp]  # 0: a pair of outlines, 1: another bound
+    pair: NDArray[np.intp]  # of `System.contacts`, or the bound
+    place: NDArray[np.intp]  # among the sites of the pair
+    normal: Floats  # [N]
+    friction: Floats  # [N], positive where it pushes the slip measure on
+
+
+@dataclass(frozen=True)
+class Stepped:
+    """A motion by time stepping: a `Course`, and what the contacts did. `course.work` includes `losses`."""
+
+    course: Course
+    scene: Scene = field(repr=False)
+    step: float  # [s]
+    contacts: ContactForces
+    losses: Floats  # (n_times,): work of contacts and friction since the start, negative [J]
+    penetration: float  # the deepest, after each step [m]
+    residual: float  # the largest change of a velocity in the last sweep of a step [m/s or rad/s]
+    residual_share: float  # the same by the speeds of its step
+    n_capped: int  # steps whose iteration ended at the cap
+    n_softened: int  # steps in which restitution would have added energy
+    n_sweeps: int
+    n_rebuilt: int
+
+    def names(self) -> list[str]:
+        """The name of every entry of `contacts`."""
+        c, known = self.contacts, dict[tuple[int, int, int], str]()
+        found: list[str] = []
+        for row in np.column_stack([c.origin, c.pair, c.place]):
+            key = int(row[0]), int(row[1]), int(row[2])
+            if key not in known:
+                bound = self.scene.parts.bounds[key[1]] if key[0] else None
+                known[key] = self.scene.site_name(key[1], key[2]) if bound is None else bound.name
+            found.append(known[key])
+        return found
+
+
+def run_moreau(
+    numbers: Numbers,
+    poses: Floats,
+    velocities: Floats,
+    until: float,
+    step: float,
+    *,
+    start: float = 0.0,
+    outputs: Floats | None = None,
+    tolerance: float = TOLERANCE,
+    max_sweeps: int = MOST_SWEEPS,
+    max_seconds: float = math.inf,
+    progress: Progress | None = None,
+    value: Callable[[Measure], float] | None = None,
+    scene: Scene | None = None,
+) -> Stepped:
+    """The motion from `start` to `until` [s] in steps of at most `step` [s], all of one length.
+
+    poses, velocities: (n_bodies, 3) at the start, in the order of `System.moving` [m, rad; m/s, rad/s]. outputs: times
+    at which the motion is wanted, each moved to the end of the step in which it lies. tolerance: what a sweep over the
+    contacts may still change, by the speeds. value: of measures at the start, from which turns are counted. scene: of
+    an earlier run of the same system.
+
+    Raises InputError for a step without sense; what goes wrong later is a status of the course.
+    """
+    if not (step > 0.0 and math.isfinite(step) and until > start):
+        raise InputError(f"time stepping needs a step between 0 and {until - start:g} s, not {step:g} s")
+    scene = Scene(numbers) if scene is None else scene
+    return _Run(scene, poses, velocities, start, until, step, tolerance, max_sweeps, value).result(
+        outputs, max_seconds, progress
+    )
+
+
+class _Run:
+    def __init__(
+        self,
+        scene: Scene,
+        poses: Floats,
+        velocities: Floats,
+        start: float,
+        until: float,
+        step: float,
+        tolerance: float,
+        max_sweeps: int,
+        value: Callable[[Measure], float] | None,
+    ) -> None:
+        self.scene, self.start = scene, start
+        self.n_steps = max(1, math.ceil((until - start) / step * (1.0 - 1e-12)))
+        self.step = (until - start) / self.n_steps
+        packed, n = scene.packed, scene.n_bodies + 1
+        self.march = March(
+            clock=np.zeros(marching.N_CLOCK),
+            count=np.zeros(marching.N_COUNT, np.int32),
+            **{name: np.zeros((n, 3)) for name in ("q", "v", "middle", "free", "bare", "new")},
+            held_impulse=np.zeros(len(packed.layout.held)),
+            is_jointed=scene.is_jointed,
+            is_whole=np.zeros(n, np.int32),
+            circle_body=scene.circle_body,
+            circle=scene.circle,
+            circle_built=np.zeros_like(scene.circle),
+        )
+        m = self.march
+        m.q[:-1], m.v[:-1] = poses, velocities
+        m.clock[marching.NOW], m.clock[marching.STEP] = start, self.step
+        m.clock[marching.TOLERANCE], m.clock[marching.SLOP] = tolerance, scene.slop
+        m.count[marching.MOST_SWEEPS] = max_sweeps
+        if value is not None:
+            packed.align(packed.state(poses, velocities), start, value)
+        scene.fixtures.bound_memory[:] = 0.0
+        scene.fixtures.rub_memory[:] = 0.0
+        scene.built.arrays.memory[:] = 0.0
+        scene.built.arrays.pair[:, 1] = -1
+        self._look()
+        self._states: list[tuple[float, Floats, Floats, Floats, Floats, float, float]] = []
+        self._contacts: list[tuple[NDArray[np.intp], Floats]] = []
+        self._deepest = 0.0
+
+    def result(self, outputs: Floats | None, max_seconds: float, progress: Progress | None) -> Stepped:
+        began = time.perf_counter()
+        wanted = np.zeros(0) if outputs is None else np.asarray(outputs, np.float64)
+        ends = np.ceil((wanted - self.start) / self.step - 1e-9).astype(np.int64)
+        marks = np.unique(np.clip(np.append(ends, self.n_steps), 0, self.n_steps))
+        status, message = Status.FINISHED, ""
+        if len(marks) and marks[0] == 0:
+            self._store()
+            marks = marks[1:]
+        try:
+            for mark in marks:
+                while self.n_done < mark:
+                    if time.perf_counter() - began > max_seconds:
+                        status, message = Status.TOO_LONG, f"stopped at t = {self.now:.6g} s after {self.n_done} steps"
+                        break
+                    trouble = self._advance(min(int(mark), self.n_done + STEPS_AT_ONCE))
+                    if trouble is not None:
+                        status, message = trouble
+                        break
+                    if progress is not None:
+                        progress(self.now, self.n_done)
+                if status is not Status.FINISHED:
+                    break
+                self._store()
+        except KeyboardInterrupt:
+            status, message = Status.INTERRUPTED, f"interrupted at t = {self.now:.6g} s"
+        if status is not Status.FINISHED and (not self._states or self._states[-1][0] < self.now):
+            self._store()
+        return self._collected(status, "; ".join([*([message] if message else []), *self._notes()]), began)
+
+    @property
+    def now(self) -> float:
+        return self.start + self.n_done * self.step
+
+    @property
+    def n_done(self) -> int:
+        return int(self.march.count[marching.STEPS])
+
+    # -- steps --------------------------------------------------------------------------------
+    def _look(self) -> None:
+        """New candidates."""
+        m = self.march
+        fastest = float(np.abs(m.v[:, :2]).sum(axis=1).max(initial=0.0) + self.step * m.clock[marching.ACCELERATION])
+        skin = self.scene.skin(fastest, self.step)
+        built, where = self.scene.look(m.q, skin)
+        self.candidates = built.arrays
+        m.circle_built[:] = where
+        m.clock[marching.SKIN] = skin
+        m.count[marching.REBUILDS] += 1
+
+    def _advance(self, until_step: int) -> tuple[Status, str] | None:
+        """Steps until their number is reached; else what is in the way."""
+        s, m = self.scene, self.march
+        L, S = s.packed.layout, s.packed.room
+        while True:
+            result = marching.advance(L, S, self.candidates, s.fixtures, s.rows, m, until_step)
+            if result == marching.DONE:
+                return None
+            if result == marching.REBUILD:
+                self._look()
+            elif result == marching.FULL:
+                s.grow()
+            elif result == marching.NOT_FINITE:
+                return Status.NOT_FINITE, f"after t = {self.now:.6g} s speeds are not finite; take a shorter step"
+            else:
+                return Status.UNREACHABLE, f"after t = {self.now:.6g} s what is held cannot be held"
+
+    def _store(self) -> None:
+        """The state and the contacts of this instant."""
+        m, s = self.march, self.scene
+        acceleration = m.new.copy() if self.n_done else np.zeros_like(m.new)
+        held = m.held_impulse[s.place_of] / self.step
+        self._states.append(
+            (
+                self.now,
+                m.q.copy(),
+                m.v.copy(),
+                acceleration,
+                held,
+                float(m.clock[marching.WORK]),
+                float(m.clock[marching.LOSS]),
+            )
+        )
+        rows = s.rows
+        n = int(rows.count[0]) if self.n_done else 0
+        what, number = rows.what[:n], rows.number[:n, IMPULSE] / self.step
+        normals = np.flatnonzero((what[:, KIND] == NORMAL) & (number > 0.0))
+        origin, source = what[normals, ORIGIN].astype(np.intp), what[normals, SOURCE].astype(np.intp)
+        is_site = origin == OF_SITE
+        pair, place = source.copy(), np.zeros_like(source)
+        pair[is_site] = s.built.site_pair[source[is_site]]
+        place[is_site] = s.built.site_place[source[is_site]]
+        friction = np.zeros(len(normals))
+        if n:
+            coupled = what[normals, 1] > 0
+            friction[coupled] = number[normals[coupled] + 1]
+        keys = np.column_stack([np.where(is_site, 0, origin == OF_BOUND), pair, place])
+        self._contacts.append((keys, np.column_stack([number[normals], friction])))
+        deep = marching.penetration(s.packed.room, self.candidates, m.q, m.v, s.slop)
+        self._deepest = max(self._deepest, float(deep))
+
+    # -- the result ---------------------------------------------------------------------------
+    def _notes(self) -> list[str]:
+        m = self.march
+        found: list[str] = []
+        if m.count[marching.CAPPED]:
+            found.append(
+                f"the contacts of {m.count[marching.CAPPED]} of {self.n_done} steps were left after "
+                f"{m.count[marching.MOST_SWEEPS]} sweeps, with velocities that still changed by up to "
+                f"{m.clock[marching.WORST_RESIDUAL]:.1e} m/s; more sweeps (max_sweeps) or shorter steps make them exact"
+            )
+        if m.count[marching.SOFTENED]:
+            found.append(
+                f"in {m.count[marching.SOFTENED]} steps with several impacts the law of restitution would have added "
+                "energy; they were done without restitution"
+            )
+        reach = self.step * float(m.clock[marching.FASTEST])
+        if len(self.scene.built.pairs) and reach > self.scene.size:
+            found.append(
+                f"a body moved {reach:.3g} m in a step, more than the smallest outline ({self.scene.size:.3g} m): "
+                "contacts may have been missed; take a shorter step"
+            )
+        return found
+
+    def _collected(self, status: Status, message: str, began: float) -> Stepped:
+        m, s, packed = self.march, self.scene, self.scene.packed
+        times, q, v, a, held, work, losses = (list(column) for column in zip(*self._states, strict=True))
+        n_held = len(s.parts.joints)
+        keys = [k for k, _forces in self._contacts]
+        all_keys = np.concatenate(keys)
+        forces = np.concatenate([f for _k, f in self._contacts])
+        multipliers = self._multipliers(np.array(held).reshape(len(times), n_held), keys)
+        course = Course(
+            status=status,
+            message=message,
+            times=np.array(times),
+            poses=np.array(q),
+            velocities=np.array(v),
+            accelerations=np.array(a),
+            multipliers=multipliers,
+            unique=np.ones(multipliers.shape, bool),
+            work=np.array(work) + np.array(losses),
+            happenings=(),
+            n_steps=self.n_done,
+            n_evaluations=self.n_done,
+            n_rejected=0,
+            n_regularised=0,
+            wall_time=time.perf_counter() - began,
+            place_gap=float(m.clock[marching.PLACE_GAP]),
+            motion_gap=0.0,
+            last_step=self.step,
+            method="moreau",
+            tracks=Tracks.of({}, []),
+            near=packed.room.measures[:, NEAR].copy(),
+        )
+        return Stepped(
+            course,
+            s,
+            self.step,
+            ContactForces(
+                np.concatenate(([0], np.cumsum([len(k) for k in keys]))).astype(np.intp),
+                all_keys[:, 0],
+                all_keys[:, 1],
+                all_keys[:, 2],
+                forces[:, 0],
+                forces[:, 1],
+            ),
+            np.array(losses),
+            max(self._deepest, float(m.clock[marching.DEEPEST])),
+            float(m.clock[marching.WORST_RESIDUAL]),
+            float(m.clock[marching.WORST_SHARE]),
+            int(m.count[marching.CAPPED]),
+            int(m.count[marching.SOFTENED]),
+            int(m.count[marching.SWEEPS]),
+            int(m.count[marching.REBUILDS]),
+        )
+
+    def _multipliers(self, held: Floats, keys: list[NDArray[np.intp]]) -> Floats:
+        """(n_times, n_held) in the order of the model's held rows; zero for those that do not press."""
+        system, s = self.scene.numbers.system, self.scene
+        found = np.zeros((len(held), len(system.held)))
+        joint = {row.name: k for k, row in enumerate(s.parts.joints)}
+        for k, row in enumerate(system.held):
+            if row.name in joint:
+                found[:, k] = held[:, joint[row.name]]
+        return found

@@ -1,0 +1,110 @@
+"""Motion in phases as text, and the regions of its cases as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from freebody.language.notation import to_text
+from freebody.present.terminal import wrapped
+
+if TYPE_CHECKING:
+    from freebody.study.answer import Answer
+    from freebody.study.phases.result import Case, PhaseResult, Phases, Regions
+
+
+def phase_lines(phases: Phases) -> Iterator[str]:
+    """The table of cases, then the phases of each; a phase that was told before is only named."""
+    yield "Phases"
+    width = max((len(c.what) for c in phases.cases), default=0)
+    for k, case in enumerate(phases.cases, 1):
+        mark = "   <- the model's own values" if case.is_own and len(phases.cases) > 1 else ""
+        yield f"    {k}  {case.what:<{width}}   {_conditions(case.conditions) or 'always'}{mark}"
+    for text in phases.between:
+        yield f"    between them, where {text}, nothing slips at the start"
+    told: list[PhaseResult] = []
+    for k, case in enumerate(phases.cases, 1):
+        yield ""
+        yield f"  {k}  {case.what}" if len(phases.cases) > 1 else f"  {case.what}"
+        yield from _case(case, told)
+
+
+def _conditions(texts: tuple[str, ...]) -> str:
+    return ", ".join(texts)
+
+
+def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
+    for k, phase in enumerate(case.phases):
+        is_known = any(
+            (other.equations, other.motion, other.forces) == (phase.equations, phase.motion, phase.forces)
+            for other in told
+            if phase.equations
+        )
+        told.append(phase)
+        states = ", ".join(f"{name} {state}" for name, state in phase.states.items())
+        yield from wrapped("first" if not k else "then", states or phase.what)
+        if phase.requires:
+            yield from wrapped("", f"needs {', '.join(phase.requires)}")
+        if is_known:
+            yield from wrapped("", "moves as above")
+        else:
+            for left, right in (*phase.equations, *phase.motion):
+                yield from wrapped("", f"{to_text(left)} = {to_text(right)}")
+            for name, force in phase.forces:
+                yield from wrapped("", f"{name} = {to_text(force)}")
+        yield from _end(phase, is_last=k + 1 == len(case.phases))
+
+
+def _end(phase: PhaseResult, *, is_last: bool) -> Iterator[str]:
+    if phase.event:
+        when = ""
+        if phase.duration is not None:
+            when = f" after t = {to_text(phase.duration)}"
+        elif phase.place is not None:
+            when = f" at {to_text(phase.place[0])} = {to_text(phase.place[1])}"
+        first = f", if {', '.join(phase.happens_if)}" if phase.happens_if else ""
+        yield from wrapped("until", f"{phase.event}{when}{first}; no other event comes before")
+    if phase.reason:
+        yield from wrapped("", phase.reason)
+    elif is_last and not phase.event:
+        yield from wrapped(
+            "until", "no event ends it" + (f", as {_conditions(phase.happens_if)}" if phase.happens_if else "")
+        )
+
+
+def case_lines(answer: Answer) -> Iterator[str]:
+    """An answer that depends on where the parameters are, as a table."""
+    for k, case in enumerate(answer.cases):
+        parts = case.expression if isinstance(case.expression, tuple) else (case.expression,)
+        shown = ", ".join(map(to_text, parts))
+        where = _conditions(case.conditions) or "else"
+        yield from wrapped("cases" if not k else "", f"{shown}   if {where}" + (f" ({case.what})" if case.what else ""))
+
+
+def region_picture(regions: Regions, path: Path | str) -> Path:
+    """Draws which case holds where in the plane of two parameters. Returns the path."""
+    import matplotlib.figure
+    import numpy as np
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    colors = ["#ffffff", "#9ecae1", "#fdae6b", "#a1d99b", "#bcbddc", "#fdd0a2", "#c7e9c0", "#d9d9d9"]
+    figure: Any = matplotlib.figure.Figure(figsize=(6.4, 4.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes: Any = figure.subplots()
+    n = len(regions.cases)
+    shown = ListedColormap([colors[0], *(colors[1 + k % (len(colors) - 1)] for k in range(n))])
+    axes.pcolormesh(regions.x, regions.y, regions.index, cmap=shown, vmin=-1.5, vmax=n - 0.5, shading="nearest")
+    present = [int(k) for k in np.unique(regions.index) if k >= 0]
+    handles = [
+        Patch(color=shown.colors[k + 1], label=f"{regions.cases[k]}: {regions.conditions[k]}")  # type: ignore[index]
+        for k in present
+    ]
+    axes.set_xlabel(regions.labels[0])
+    axes.set_ylabel(regions.labels[1])
+    if handles:
+        figure.legend(handles=handles, loc="outside upper center", frameon=False, fontsize="small")
+    figure.savefig(str(path))
+    return Path(path)

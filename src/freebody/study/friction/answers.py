@@ -1,0 +1,275 @@
+"""Answers to questions about rest under dry friction, in closed form where there is one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from freebody.assess.options import Judgement, judge
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Symbol
+from freebody.language.notation import to_text
+from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit, RestQuantity
+from freebody.model.question import Question
+from freebody.numeric.friction_limits import ROUND_OFF
+from freebody.study.answer import Answer, AnswerCase, Evidence
+from freebody.study.evidence import MIN_DRAWS, Witness
+from freebody.study.friction.cases import Case, Compared, Ends, Limit
+from freebody.study.friction.ends import ParameterEnds, ReactionEnds
+from freebody.study.friction.touching import Touching, touching
+from freebody.study.setup import Setup
+from freebody.symbolic.active_set import Failure
+from freebody.symbolic.conditions import merged
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
+
+TOLERANCE = 1e-8
+ROUTE = "the linear programs of all reactions that rest allows"
+_ENDS = {1: "at most", -1: "at least"}
+_UNIT_OF_ANGLE = "rad"
+
+
+@lru_cache(maxsize=8)
+def prepared(system: System) -> tuple[Touching, Setup]:
+    """What touches at the start, and both routes for it."""
+    touched = touching(system)
+    return touched, Setup(touched.held)
+
+
+def answer(system: System, question: Question) -> Answer:
+    """The answer to a question about rest; without a closed form, its numbers and the reason."""
+    q = question.quantity
+    assert isinstance(q, RestQuantity)
+    try:
+        return _Answerer(system, question).answer(q)
+    except (CannotAnswer, RoutesDisagree) as error:
+        return Answer(question.id, question.text, None, _unit(system, q), None, reason=str(error))
+
+
+class _Answerer:
+    """Answers one question."""
+
+    def __init__(self, system: System, question: Question) -> None:
+        self.system = system
+        self.question = question
+        self.touching, self.setup = prepared(system)
+
+    def answer(self, q: RestQuantity) -> Answer:
+        match q:
+            case RestLimit(name, which):
+                ends = ParameterEnds(self.touching, self.setup, name)
+                signs = {"range": (-1, 1), "least": (-1,), "largest": (1,)}[which]
+                return self._ends(ends, name, signs)
+            case FirstFailure(name):
+                return self._first(ParameterEnds(self.touching, self.setup, name), name)
+            case ReactionRange():
+                return self._ends(ReactionEnds(self.touching, self.setup, self._row(q)), "it", (-1, 1))
+            case Holds():
+                from freebody.study.friction.holding import holds
+
+                return holds(self.touching, self.setup, self.question)
+
+    def _row(self, q: ReactionRange) -> str:
+        """The row that is asked for: of those that could be meant the one that touches."""
+        found = [row for row in self.touching.rows if row.name in q.rows]
+        if not found:
+            raise CannotAnswer(f"nothing touches there at the start, so there is no {q.reaction}")
+        if len(found) > 1:
+            places = ", ".join(row.ends[0] if row.ends else row.name for row in found)
+            raise CannotAnswer(f"there are several places with a {q.reaction}; say at which: at {places}")
+        return found[0].name
+
+    # -- ends ---------------------------------------------------------------------------------
+    def _ends(self, ends: Ends, name: str, signs: Sequence[int]) -> Answer:
+        limits = [ends.limit(sign) for sign in signs]
+        mains = [limit.main for limit in limits]
+        numbers = [limit.first.edge.value if limit.first is not None else math.nan for limit in limits]
+        free = [_is_free(limit, ends) for limit in limits]
+        notes: list[str] = []
+        for limit, number, is_free in zip(limits, numbers, free, strict=True):
+            notes += self._notes(ends, limit, name, number, is_free)
+            if len(limits) > 1 or limit.main is None:
+                notes += self._others(limit, name)
+        found = [main for main, is_free in zip(mains, free, strict=True) if not is_free]
+        values = [x for x, is_free in zip(numbers, free, strict=True) if not is_free]
+        if not found and signs == (-1,) and all(c.edge.value <= 0.0 == ends.low for c in limits[0].compared):
+            zero = self.setup.model.field.zero
+            pairs = [replace(c, exact=0.0, edge=replace(c.edge, value=0.0)) for c in limits[0].compared]
+            case = Case(Failure(), "", zero, (), True)
+            return self._finished(ends, [case], (zero,), [0.0], notes, [replace(limits[0], compared=tuple(pairs))])
+        if not found:
+            why = "every value keeps the system at rest" if len(signs) > 1 else notes[0]
+            return self._plain(None, None, notes=notes[1:] if len(signs) == 1 else notes, reason=why)
+        shown = values if self.setup.has_values else []
+        if any(main is None for main in found):
+            reason = f"the way in which it fails ({self._words(limits)}) leads to no linear or quadratic equation"
+            value = None if not shown else shown[0] if len(shown) == 1 else tuple(shown)
+            return self._plain(None, value, notes=notes, reason=reason)
+        cases = [main for main in found if main is not None]
+        exact = [self._exact(ends, case) for case in cases] if shown else []
+        elements = tuple(case.element for case in cases)
+        return self._finished(ends, cases, elements, exact, notes, limits)
+
+    def _exact(self, ends: Ends, case: Case) -> float:
+        value = ends.number(case.element, self.setup.draws[0])
+        return math.nan if value is None else (0.0 if abs(value) < 1e-12 else value)
+
+    def _words(self, limits: Sequence[Limit]) -> str:
+        return ", ".join(limit.first.seen.words for limit in limits if limit.first and limit.first.seen)
+
+    def _notes(self, ends: Ends, limit: Limit, name: str, number: float, is_free: bool) -> Iterator[str]:
+        """How it fails at this end, and what else comes first for other parameters."""
+        end = "upper" if limit.sign > 0 else "lower"
+        subject = "it" if name == "it" else to_text(Symbol(name))
+        if is_free:
+            if limit.sign < 0 and math.isfinite(number):
+                is_needed = limit.first is not None and limit.first.edge.optimum.value < -ROUND_OFF
+                least = f"{subject} need only be larger than 0" if is_needed else f"{subject} = 0 will do"
+                yield f"there is no lower limit: {least}"
+            else:
+                yield f"there is no {end} limit"
+        elif limit.first is not None and limit.first.seen is not None:
+            yield f"{end} limit: {limit.first.seen.words}"
+        open_ = [c for c in limit.compared if c.case is None and c.seen is not None and not _unlimited(c, ends)]
+        if open_ and limit.main is not None:
+            yield f"{end} limit: at {len(open_)} of {len(limit.compared)} random draws another failure comes first"
+        unlimited = [c for c in limit.compared if _unlimited(c, ends)]
+        if unlimited and not is_free:
+            yield f"with other parameters there is no {end} limit ({len(unlimited)} of {len(limit.compared)} draws)"
+
+    def _others(self, limit: Limit, name: str) -> Iterator[str]:
+        """What else comes first at an end of a range."""
+        end = "upper" if limit.sign > 0 else "lower"
+        subject = f"{end} limit" if name == "it" else f"{end} limit {to_text(Symbol(name))}"
+        for case in limit.cases:
+            if case is not limit.main and (limit.main is None or case.element != limit.main.element):
+                yield f"{subject} = {to_text(tidy(case.element))} where {_where(case)}: {case.words}"
+
+    def _finished(
+        self,
+        ends: Ends,
+        cases: Sequence[Case],
+        elements: tuple[Ratio, ...],
+        exact: Sequence[float],
+        notes: list[str],
+        limits: Sequence[Limit],
+    ) -> Answer:
+        conditions = merged([c for case in cases for c in case.conditions])
+        if not all(case.is_complete for case in cases):
+            notes.append(
+                "that nothing else fails before was checked at the draws; the conditions are not all that this needs"
+            )
+        evidence = _evidence(self.question.text, limits)
+        element = elements[0] if len(elements) == 1 else (elements[0], elements[1])
+        judgement = self._judge(element)
+        value = None if not exact else exact[0] if len(exact) == 1 else tuple(exact)
+        shown = tuple(map(tidy, elements))
+        return self._plain(
+            shown[0] if len(shown) == 1 else shown,
+            value,
+            conditions=tuple(conditions) or (scope(self.system),),
+            notes=notes,
+            evidence=evidence,
+            judgement=judgement,
+            cases=_cases(limits),
+        )
+
+    def _judge(self, element: Ratio | tuple[Ratio, Ratio]) -> Judgement | None:
+        if not self.question.options:
+            return None
+        return judge(self.question, element, self.question.quantity.dimension, self.setup.model, self.setup.system)
+
+    # -- which comes first --------------------------------------------------------------------
+    def _first(self, ends: ParameterEnds, name: str) -> Answer:
+        limit = ends.limit(1)
+        if limit.first is None or _is_free(limit, ends):
+            raise CannotAnswer(f"{name} may grow without limit")
+        if limit.main is None:
+            words = limit.first.seen.words if limit.first.seen else ""
+            return self._plain(None, limit.first.edge.value, notes=[f"first: {words}"], reason="it has no closed form")
+        notes = [f"first: {limit.main.words}, at this {to_text(Symbol(name))}"]
+        exact = [self._exact(ends, limit.main)] if self.setup.has_values else []
+        return self._finished(ends, [limit.main], (limit.main.element,), exact, notes, [limit])
+
+    def _plain(
+        self,
+        expression: object,
+        value: object,
+        *,
+        conditions: tuple[str, ...] = (),
+        notes: Sequence[str] = (),
+        reason: str = "",
+        evidence: Evidence | None = None,
+        judgement: Judgement | None = None,
+        cases: tuple[AnswerCase, ...] = (),
+    ) -> Answer:
+        q = self.question
+        return Answer(
+            q.id,
+            q.text,
+            expression,  # type: ignore[arg-type]
+            _unit(self.system, q.quantity),
+            value,  # type: ignore[arg-type]
+            conditions,
+            tuple(notes),
+            reason=reason,
+            choice=None if judgement is None else judgement.choice,
+            options={} if judgement is None else judgement.options,
+            author_notes=() if judgement is None else judgement.notes,
+            evidence=evidence,
+            cases=cases,
+        )
+
+
+def _cases(limits: Sequence[Limit]) -> tuple[AnswerCase, ...]:
+    """The cases of an answer with one end, where there are several."""
+    if len(limits) != 1 or len(limits[0].cases) < 2:
+        return ()
+    cases = sorted(limits[0].cases, key=lambda case: case is not limits[0].main)
+    return tuple(
+        AnswerCase(tidy(c.element), tuple(x.text().partition(" (")[0] for x in c.conditions), c.words) for c in cases
+    )
+
+
+def _is_free(limit: Limit, ends: Ends) -> bool:
+    return limit.first is not None and _unlimited(limit.first, ends)
+
+
+def _unlimited(c: Compared, ends: Ends) -> bool:
+    return math.isinf(c.edge.value) or (c.edge.value <= ends.low)
+
+
+def _where(case: Case) -> str:
+    """The conditions of a case in one line."""
+    return " and ".join(c.text().partition(" (")[0] for c in case.conditions) or "nothing else fails before"
+
+
+def _evidence(question: str, limits: Sequence[Limit]) -> Evidence:
+    """Every draw that belongs to a case, compared with the linear programs. Raises RoutesDisagree, or CannotAnswer if
+    there were too few."""
+    witness = Witness(question, ROUTE, TOLERANCE)
+    for limit in limits:
+        for c in limit.compared:
+            if c.exact is not None:
+                witness.compare(c.draw, c.exact, c.edge.value)
+    if len(witness.pairs) < MIN_DRAWS:
+        raise CannotAnswer(f"only {len(witness.pairs)} of {MIN_DRAWS} checks against numbers could be made")
+    return witness.evidence()
+
+
+def scope(system: System) -> str:
+    """For which parameters an answer without conditions holds."""
+    acute = [p.name for p in system.parameters.values() if p.acute]
+    text = "for all positive parameters"
+    return text + "".join(f", 0 < {to_text(Symbol(name))} < 90°" for name in acute)
+
+
+def _unit(system: System, q: object) -> str:
+    if isinstance(q, (RestLimit, FirstFailure)):
+        if system.parameters[q.parameter].is_angle:
+            return _UNIT_OF_ANGLE
+        return str(q.dimension)
+    return str(getattr(q, "dimension", "1"))

@@ -1,0 +1,355 @@
+"""A limit in closed form as a case distinction: for every way to fail that comes first somewhere, a formula and where
+it is the one that comes first."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.model.elements import Held
+from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
+from freebody.study.draws import SEED, Draw, draws
+from freebody.study.friction.failures import Seen, how_it_fails, seen
+from freebody.study.friction.limits import Edge
+from freebody.study.friction.touching import Touching
+from freebody.study.setup import Setup
+from freebody.symbolic.active_set import Failure, Reduced, RestEquations, Slot
+from freebody.symbolic.angle_factors import open_parts
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
+from freebody.symbolic.linear import RHS, Row
+from freebody.symbolic.parameter_roots import Values, solutions
+
+AGREES = 1e-8
+MOST_CASES = 6
+_FAR = 1.6  # how far these are from the file's values, against the usual draws
+
+_MORE = {1: "larger", -1: "smaller"}
+
+
+@dataclass(frozen=True)
+class Case:
+    """One way to fail: the parameter at which it happens, and the conditions under which it is the first. Without
+    `is_complete` the conditions are not all known."""
+
+    failure: Failure
+    words: str
+    element: Ratio
+    conditions: tuple[Condition, ...]
+    is_complete: bool
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A draw, the end there by numbers, and the case that it belongs to with its closed form there."""
+
+    draw: Draw
+    edge: Edge
+    seen: Seen | None
+    case: Case | None
+    exact: float | None
+
+
+@dataclass(frozen=True)
+class Limit:
+    """One end. The first of the compared draws has the file's own values; `main` is its case."""
+
+    sign: int
+    cases: tuple[Case, ...]
+    compared: tuple[Compared, ...]
+
+    @property
+    def first(self) -> Compared | None:
+        return self.compared[0] if self.compared else None
+
+    @property
+    def main(self) -> Case | None:
+        return None if self.first is None else self.first.case
+
+
+class Ends:
+    """Something of a system at rest that has ends, each of them in closed form: `ParameterEnds`, `ReactionEnds`."""
+
+    index: int  # of the generator that stands for it
+    is_linear: bool
+    is_coefficient = False  # of friction alone
+    equations: RestEquations
+    low: float = -math.inf  # values below this mean nothing
+    n_wide = 18  # more draws, in search of other ways to fail
+    asked: str | None = None
+
+    def __init__(self, touching: Touching, setup: Setup) -> None:
+        self.touching = touching
+        self.setup = setup
+        self.model = setup.model
+        self.field = setup.model.field
+
+    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+        """The largest (sign +1) or smallest value at a draw; None if there is none at all. near: where it may be."""
+        raise NotImplementedError
+
+    @cached_property
+    def draws(self) -> list[Draw]:
+        """The draws of the setup and wider ones, in whose pose the same contacts touch and nothing else does."""
+        wide = draws(self.touching.held, self.n_wide, seed=SEED + 50, widest=_FAR, near=self.setup.draws[0])
+        every = [*self.setup.draws, *wide]
+        acute = [p.name for p in self.touching.system.parameters.values() if p.acute]
+        kept = [d for d in every if all(0.0 < d.values[name] < math.pi / 2 for name in acute)]
+        return [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
+
+    def limit(self, sign: int) -> Limit:
+        """One end, with all cases that the draws come across."""
+        cases: list[Case] = []
+        compared: list[Compared] = []
+        if self.setup.draws[0] not in self.draws:
+            raise CannotAnswer("in the start pose something penetrates, or touches beyond the end of an edge")
+        for draw in self.draws:
+            near = next((x for c in cases if self.holds(c, draw) and (x := self.number(c.element, draw))), None)
+            try:
+                edge = self.edge(draw, sign, near)
+            except CannotAnswer:
+                continue
+            if edge is not None:
+                compared.append(self._compare(draw, edge, sign, cases))
+            elif draw is self.setup.draws[0]:
+                raise CannotAnswer(self.why_never(draw))
+        joined = {case: case for case in cases}
+        for case in cases:
+            for other in cases:
+                both = one_of_both(joined[case], joined[other])
+                if both is not None:
+                    joined |= {k: both for k, v in joined.items() if v in (joined[case], joined[other])}
+        compared = [c if c.case is None else replace(c, case=joined[c.case]) for c in compared]
+        return Limit(sign, tuple(dict.fromkeys(joined.values())), tuple(compared))
+
+    def why_never(self, draw: Draw) -> str:
+        """Why nothing holds the system at a draw."""
+        problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
+        return f"nothing keeps the system at rest: {how_it_fails(self.touching, problem, draw)}"
+
+    def _compare(self, draw: Draw, edge: Edge, sign: int, cases: list[Case]) -> Compared:
+        if math.isinf(edge.value) or edge.value <= self.low:
+            return Compared(draw, edge, None, None, None)
+        here = seen(self.touching, edge.problem, edge.optimum, draw, self.asked)
+        for case in cases:
+            if self.holds(case, draw):
+                exact = self.number(case.element, draw)
+                if exact is not None and (case.is_complete or _agree(exact, edge.value)):
+                    return Compared(draw, edge, here, case, exact)
+        if len(cases) < MOST_CASES:
+            case = self.case(here, draw, edge, sign)
+            if case is not None and case not in cases:
+                cases.append(case)
+                return Compared(draw, edge, here, case, self.number(case.element, draw))
+        return Compared(draw, edge, here, None, None)
+
+    # -- one case -----------------------------------------------------------------------------
+    def case(self, here: Seen, draw: Draw, edge: Edge, sign: int) -> Case | None:
+        """The closed form of a failure, that which has the right value at the draw; None if there is none."""
+        try:
+            if self.asked is not None and abs(edge.value) <= ROUND_OFF * edge.problem.force:
+                return self._nothing(here)
+            for at in self._candidates(here.failure):
+                element = at[self.index]
+                value = self.number(element, draw)
+                if value is None or not _agree(value, edge.value):
+                    continue
+                at_end = self.equations.reactions(here.failure, at)
+                if not all(self.model.vanishes(r) for r in at_end.residuals):
+                    continue
+                conditions, is_complete = self._conditions(here, at_end, at, sign)
+                return Case(here.failure, here.words, element, conditions, is_complete)
+        except (CannotAnswer, ZeroDivisionError):
+            return None
+        return None
+
+    def _nothing(self, here: Seen) -> Case:
+        """A reaction that may vanish."""
+        assert self.asked is not None
+        failure = Failure(here.failure.opens | {self.asked}) if self.asked not in self.equations.rubs else Failure()
+        zero = self.field.zero
+        at_end = self.equations.reactions(failure, {self.index: zero})
+        reserves, is_complete = self._reserves(failure, at_end, {self.index: zero}, here.draw)
+        conditions = [c for reserve in reserves for c in self._at_their_signs(reserve, here.draw)]
+        is_complete = is_complete and all(r.is_zero() for r in at_end.residuals)
+        return Case(here.failure, "it may be without load", zero, tuple(without_implied(conditions)), is_complete)
+
+    def _candidates(self, failure: Failure) -> Iterator[Values]:
+        for residual in sorted(self.equations.conditions(failure, self.index), key=lambda r: len(r.num)):
+            for at in solutions(self.field, residual, self.index):
+                yield {k: self.field.lowest_terms(x) for k, x in at.items()}
+
+    def number(self, x: Ratio, draw: Draw) -> float | None:
+        numbers = self.model.numbers(draw.sample(draw.start()), draw.sample())
+        try:
+            return float(self.field.evaluate(x, numbers))
+        except (KeyError, ValueError, ArithmeticError):
+            return None
+
+    def holds(self, case: Case, draw: Draw) -> bool:
+        """Whether a case is the one at a draw, as far as its conditions are known."""
+        for c in case.conditions:
+            value = self.number(c.element, draw)
+            if value is None or not (value >= -ROUND_OFF if c.relation == ">=" else value > 0.0):
+                return False
+        return True
+
+    # -- where it is the first ----------------------------------------------------------------
+    def _conditions(self, here: Seen, at_end: Reduced, at: Values, sign: int) -> tuple[tuple[Condition, ...], bool]:
+        reserves, is_complete = self._reserves(here.failure, at_end, at, here.draw)
+        motion = self.equations.motion(here.failure, at)
+        if motion is None:
+            is_complete = False
+        else:
+            moving, is_driven = self._moving(here, motion, at_end, at, sign)
+            reserves += moving
+            is_complete = is_complete and is_driven
+        if self.is_coefficient:
+            reserves.append((at[self.index], ">=", "friction is needed"))
+        found: list[Condition] = []
+        for reserve in reserves:
+            for condition in self._at_their_signs(reserve, here.draw):
+                found.append(condition)
+        return tuple(without_implied(found)), is_complete
+
+    def _at_their_signs(self, reserve: Inequality, draw: Draw) -> Iterator[Condition]:
+        """A product that must not be negative, factor by factor: each keeps the sign that it has at a draw. Where two
+        change theirs together, that is another case."""
+        x, relation, purpose = reserve
+        parts = open_parts(self.field.lowest_terms(x))
+        if len(parts) > 1:
+            values = [self.number(part, draw) for part in parts]
+            parts = [-p if v is not None and v < 0 else p for p, v in zip(parts, values, strict=True)]
+        for part in parts:
+            condition, _possible = require(part, relation, purpose)
+            if condition is not None:
+                yield condition
+
+    def _reserves(self, failure: Failure, at_end: Reduced, at: Values, draw: Draw) -> tuple[list[Inequality], bool]:
+        """What the reactions at the limit must satisfy where contacts stay, or slip under pressure; and whether that
+        is all of it."""
+        eq, one = self.equations, self.field.one
+        lines: list[Line] = []
+        slips = dict(failure.slips)
+        for row in eq.system.held:
+            if row.unilateral and row.name not in failure.opens:
+                what = "stays taut" if row.reaction == "tension" else "keeps touching"
+                lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), f"{_label(row)} {what}"))
+        extra: list[Inequality] = []
+        for name in eq.sized:
+            reserve = self._sized(name, slips.get(name), at_end, at)
+            if reserve is None:
+                return extra, False
+            extra.append(reserve)
+        for name, rub in eq.rubs.items():
+            if name in eq.sized or name in slips or (rub.load and set(rub.load) <= failure.opens):
+                continue
+            pressing, constant = eq.load(rub, failure)
+            for d in (1, -1):
+                c = self.field.follow(eq.coefficient(rub, d), at)
+                line: Row = {eq.columns[name]: d * one, RHS: c * constant}
+                line |= {k: c * x for k, x in pressing.items()}
+                lines.append((self._put(line, at_end, at), f"{_label(rub.row)} does not slip"))
+        found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
+        return extra + found, is_complete
+
+    def _sized(self, name: str, direction: int | None, at_end: Reduced, at: Values) -> Inequality | None:
+        """What friction that a force with two components loads demands: its load is positive where it slips, else the
+        square of what it can carry is not less than that of what it does. None where these are not unique."""
+        eq = self.equations
+        label = _label(eq.rows[name])
+        if direction is not None:
+            size = eq.size(at_end, name)
+            return None if size is None else (size, ">=", f"{label} slips this way")
+        square, force = eq.square(at_end, name), eq.reaction(at_end, name)
+        if square is None or force is None:
+            return None
+        c = self._at_value(eq.coefficient(eq.rubs[name], 1), at)
+        return c * c * square - force * force, ">=", f"{label} does not slip"
+
+    def _put(self, line: Row, at_end: Reduced, at: Values) -> Row:
+        """A sum of multipliers (its constant under RHS) by the free ones."""
+        total: Row = {}
+        asked = None if self.asked is None else self.equations.columns[self.asked]
+        for column, share in line.items():
+            parts = {column: self.field.one} if column == RHS else at_end.pivots.get(column, {column: self.field.one})
+            if column == asked:
+                parts = {RHS: self.equations.rows[self.equations.names[column]].sign * at[self.index]}
+            for k, x in parts.items():
+                total[k] = self.field.lowest_terms(total.get(k, self.field.zero) + share * x)
+        return {k: x for k, x in total.items() if not x.is_zero()}
+
+    def _moving(
+        self, here: Seen, motion: dict[Slot, Ratio], at_end: Reduced, at: Values, sign: int
+    ) -> tuple[list[Inequality], bool]:
+        """That the motion is one of failing: what opens does so, what slips does so that way. It is known up to its
+        size: what fails first moves at rate one, the way it fails. The parameter must drive the motion beyond the
+        limit; False where that condition is not known."""
+        eq, failure = self.equations, here.failure
+        motion = self._of_size_one(here, motion, at)
+        drive = eq.drive(failure, motion, at_end, self.index) if self.asked is None else None
+        if self.is_linear:
+            drive = self.field.partial(eq.power(failure, motion), self.index)
+        found: list[Inequality] = []
+        if drive is not None:
+            found.append((sign * self._at_value(drive, at), ">", f"a {_MORE[sign]} one does not hold"))
+        return found + self._this_way(failure, motion, at), drive is not None
+
+    def _this_way(self, failure: Failure, motion: dict[Slot, Ratio], at: Values) -> list[Inequality]:
+        """That what slips does so that way, and what opens faster than sliding along the edge of the cone would."""
+        eq = self.equations
+        rates = {name: self._at_value(eq.rate(name, motion), at) for name in eq.rows}
+        found: list[Inequality] = []
+        for name, direction in failure.slips:
+            if name != self.asked:
+                found.append((direction * rates[name], ">=", f"{_label(eq.rows[name])} slips this way"))
+        for name in sorted(failure.opens):
+            opening = eq.rows[name].sign * rates[name]
+            own = [rub for rub in eq.rubs.values() if rub.load == (name,)]
+            for d in (1, -1):
+                sliding = self.field.zero
+                for rub in own:
+                    c = self.field.follow(eq.coefficient(rub, d), at)
+                    sliding = sliding + d * c * rates[rub.name]
+                found.append((opening - sliding, ">=", f"{_label(eq.rows[name])} opens"))
+        return found
+
+    def _of_size_one(self, here: Seen, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:
+        """The motion by the rate of the first row that is known to move."""
+        eq = self.equations
+        sizes = [(name, direction) for name, direction in here.failure.slips if name != self.asked]
+        sizes += [(name, eq.rows[name].sign) for name in sorted(here.failure.opens)]
+        if self.asked is not None:
+            sizes.append((self.asked, 1 if here.rates[self.asked] > 0 else -1))
+        for name, direction in sizes:
+            rate = direction * self._at_value(eq.rate(name, motion), at)
+            if not rate.is_zero():
+                return {slot: self.field.lowest_terms(x / rate) for slot, x in motion.items()}
+        return motion
+
+    def _at_value(self, x: Ratio, at: Values) -> Ratio:
+        return self.field.follow(x, at)
+
+
+def one_of_both(one: Case, other: Case) -> Case | None:
+    """Two cases of one formula that differ in the sign of one condition, without it; None if they are not such."""
+    if one == other or one.element != other.element:
+        return None
+    only_one = [c for c in one.conditions if all(c.element != d.element for d in other.conditions)]
+    only_other = [c for c in other.conditions if all(c.element != d.element for d in one.conditions)]
+    if len(only_one) != 1 or len(only_other) != 1 or only_one[0].element != -only_other[0].element:
+        return None
+    common = tuple(c for c in one.conditions if c is not only_one[0])
+    return replace(one, conditions=common, is_complete=one.is_complete and other.is_complete)
+
+
+def _label(row: Held) -> str:
+    return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
+
+
+def _agree(a: float, b: float) -> bool:
+    return abs(a - b) <= 1e-6 * max(abs(a), abs(b), 1e-9)

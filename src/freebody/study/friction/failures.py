@@ -1,0 +1,196 @@
+"""How a system at rest fails: the states of its contacts in the motion that no reaction prevents, and in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.model.elements import Bound, Held
+from freebody.numeric.friction_branches import margin
+from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
+from freebody.numeric.jets import Array
+from freebody.study.draws import Draw
+from freebody.study.friction.touching import Touching
+from freebody.symbolic.active_set import Failure
+
+_STILL = 1e-6  # a rate that is none, of the largest
+_TURNED = math.sin(math.radians(15))
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A failure in numbers: the states of the contacts, the rate of every row, and what it is in words."""
+
+    failure: Failure
+    draw: Draw
+    rates: Mapping[str, float]
+    words: str
+
+
+def seen(touching: Touching, problem: RestProblem, optimum: Optimum, draw: Draw, asked: str | None = None) -> Seen:
+    """What the motion of an optimum does at every contact: it opens where it parts faster than sliding apart along the
+    edge of the friction cone would. A row whose reaction is asked for does neither."""
+    v = optimum.motion
+    raw = problem.J @ v
+    sizes = np.linalg.norm(problem.J * problem.moves, axis=1)
+    sizes = np.where(sizes > 0.0, sizes, 1.0)
+    scaled = raw / sizes
+    still = _STILL * float(np.abs(scaled).max(initial=0.0))
+    opens: set[str] = set()
+    slips: dict[str, int] = {}
+    for row, sign in problem.normals:
+        if problem.names[row] == asked:
+            continue
+        opening = sign * raw[row]
+        own = [cone for cone in problem.cones if cone.load and cone.load[0][0] == row]
+        if any(cone.name == asked for cone in own) and sign * optimum.forces[row] > _STILL * problem.force:
+            continue  # it is pressed, and friction that is asked for is at its limit
+        sliding = sum((c.forward if raw[c.row] > 0 else c.backward) * abs(raw[c.row]) for c in own)
+        if opening - sliding > still * sizes[row] and opening > still * sizes[row]:
+            opens.add(problem.names[row])
+    for cone in problem.cones:
+        if cone.load and {problem.names[j] for j, _sign in cone.load} <= opens:
+            continue
+        if cone.name == asked:
+            # its own cone limits it where its load would grow along the motion
+            if any(sign * scaled[j] > still for j, sign in cone.load):
+                slips[cone.name] = -1 if optimum.forces[cone.row] > 0 else 1
+            continue
+        if abs(scaled[cone.row]) > still:
+            slips[cone.name] = 1 if raw[cone.row] > 0 else -1
+    signs = {
+        problem.names[cone.size[0]]: 1 if optimum.forces[cone.size[0]] >= 0 else -1
+        for cone in problem.cones
+        if len(cone.size) == 1
+    }
+    failure = Failure(frozenset(opens), tuple(sorted(slips.items())), tuple(sorted(signs.items())))
+    rates = dict(zip(problem.names, map(float, raw), strict=True))
+    return Seen(failure, draw, rates, words(touching, problem, failure))
+
+
+def how_it_fails(touching: Touching, problem: RestProblem, draw: Draw) -> str:
+    """The failure of a system that nothing can hold, or the one that is nearest, in words."""
+    loose = unresisted(problem)
+    if loose is not None:
+        return f"nothing resists {touching_most(touching, problem, loose)}"
+    found = margin(problem)
+    return "" if found is None else seen(touching, problem, found, draw).words
+
+
+def touching_most(touching: Touching, problem: RestProblem, v: Array) -> str:
+    """The body that moves most."""
+    relative = np.abs(v) / problem.moves
+    k, best, most = 0, "", -1.0
+    for body in touching.held.moving:
+        n = 3 if body.turns else 2
+        if float(relative[k : k + n].max()) > most:
+            best, most = body.name, float(relative[k : k + n].max())
+        k += n
+    return best
+
+
+# -- words ------------------------------------------------------------------------------------
+def words(touching: Touching, problem: RestProblem, failure: Failure) -> str:
+    """What happens, as one says it: tips about a corner, slips to the right on the floor."""
+    parts = list(dict.fromkeys(_parts(touching, problem, failure)))
+    return " and ".join(parts) if parts else "equilibrium alone decides"
+
+
+def _parts(touching: Touching, problem: RestProblem, failure: Failure) -> Iterator[str]:
+    tipping: dict[str, str] = {}
+    for name in failure.opens:
+        bound = _bound(touching, name)
+        if bound is None:
+            continue
+        body = next((end for end in bound.row.ends if end in touching.held.bodies), "")
+        about = _pivot(touching, failure, body)
+        if body and about:
+            tipping[body] = about
+    for body, about in tipping.items():
+        yield f"{body} tips about {about}"
+    for name in sorted(failure.opens):
+        bound = _bound(touching, name)
+        if bound is not None and any(end in tipping for end in bound.row.ends):
+            continue
+        yield _opening(touching, name)
+    yield from _slips(touching, problem, failure)
+
+
+def _slips(touching: Touching, problem: RestProblem, failure: Failure) -> Iterator[str]:
+    """Where dry friction gives way; corners of one body that slip alike, as the body."""
+    groups: dict[tuple[str, str, str], list[str]] = {}
+    for name, direction in failure.slips:
+        rub = next(r for r in touching.rubs if r.name == name)
+        row = rub.row
+        if not rub.of or len(row.ends) < 2:
+            what = "turns" if row.reaction == "friction torque" else "slips"
+            if row.component.startswith("slip on "):  # a string round a drum
+                what = f"{row.component.replace('slip', 'slips')} towards its {'start' if direction > 0 else 'end'}"
+            groups.setdefault((row.connection, what, ""), [])
+        elif row.component.startswith("rolling"):
+            groups.setdefault((row.ends[0], "rolls", f" on {row.ends[1]}"), [])
+        else:
+            way = _heading(touching, problem, row, direction)
+            groups.setdefault((row.ends[0].partition(".")[0], f"slips{way}", f" on {row.ends[1]}"), []).append(
+                row.ends[0]
+            )
+    for (who, what, where), places in groups.items():
+        yield f"{places[0] if len(places) == 1 else who} {what}{where}"
+
+
+def _bound(touching: Touching, name: str) -> Bound | None:
+    return next((b for b in touching.bounds if b.name == name), None)
+
+
+def _pivot(touching: Touching, failure: Failure, body: str) -> str:
+    """The corner about which a body turns that leaves its others: the one that stays and does not slip."""
+    slipping = {rub.of for rub in touching.rubs if rub.name in dict(failure.slips)}
+    touched = [b for b in touching.bounds if body in b.row.ends]
+    stays = [b for b in touched if b.name not in failure.opens]
+    opened = [b for b in touched if b.name in failure.opens]
+    if len(stays) != 1 or not opened or stays[0].name in slipping:
+        return ""
+    if stays[0].row.connection != opened[0].row.connection and len(touched) > 2:
+        return ""
+    return _place(stays[0].row)
+
+
+def _place(row: Held) -> str:
+    """The corner that a row holds: `block.bottom_left` on the floor, a wheel on `ground.edge`."""
+    corner = next((end for end in row.ends if "." in end), None)
+    return corner or (row.ends[0] if row.ends else row.connection)
+
+
+def _opening(touching: Touching, name: str) -> str:
+    row = next(r for r in touching.rows if r.name == name)
+    if row.reaction == "tension":
+        return f"{row.connection} goes slack"
+    if len(row.ends) >= 2:
+        return f"{row.ends[0]} leaves {row.ends[1]}"
+    return f"{row.connection} lifts off"
+
+
+def _heading(touching: Touching, problem: RestProblem, row: Held, direction: int) -> str:
+    """Which way the first body slips along the other one."""
+    body = next((end for end in row.ends if end in touching.held.bodies), "")
+    columns: list[int] = []
+    k = 0
+    for moving in touching.held.moving:
+        n = 3 if moving.turns else 2
+        if moving.name == body:
+            columns = [k, k + 1]
+        k += n
+    if not columns:
+        return ""
+    gx, gy = (float(problem.J[problem.place(row.name), c]) * direction for c in columns)
+    size = math.hypot(gx, gy)
+    if size == 0.0:
+        return ""
+    up = "up" if gy > _TURNED * size else "down" if gy < -_TURNED * size else ""
+    side = "right" if gx > 0 else "left"
+    if not up:
+        return f" to the {side}"
+    return f" {up}" if abs(gx) < _TURNED * size else f" {up} to the {side}"

@@ -1,0 +1,195 @@
+"""Whether a system stays at rest: for every way to fail, the inequality that prevents it.
+
+A failure is a motion; along it the loads do work, and dry friction of a given size takes some. While that power is not
+positive the failure does not happen. The system holds where this is so for every failure; those that are nearest at
+random parameters are put together until they decide every draw as the linear programs do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from freebody.assess.options import judge
+from freebody.errors import CannotAnswer
+from freebody.model.question import Question
+from freebody.numeric.friction_branches import margin
+from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
+from freebody.study.answer import Answer
+from freebody.study.draws import Draw
+from freebody.study.evidence import MIN_DRAWS, Witness
+from freebody.study.friction.cases import Ends
+from freebody.study.friction.failures import Seen, how_it_fails, seen
+from freebody.study.friction.limits import Edge
+from freebody.study.friction.touching import Touching
+from freebody.study.setup import Setup
+from freebody.symbolic.active_set import Failure, RestEquations
+from freebody.symbolic.angle_factors import open_parts
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.inequalities import without_implied
+from freebody.symbolic.linear import RHS
+from freebody.symbolic.tidy import tidy
+
+ROUTE = "the linear programs of all reactions: whether any hold the system"
+_NEAR = 1e-7  # a margin that is too small to tell
+
+
+@dataclass(frozen=True)
+class Barrier:
+    """A way to fail, and what must not be negative for it not to happen, None where nothing can make it happen; `where`
+    it is a way to fail at all."""
+
+    words: str
+    condition: Condition | None
+    where: tuple[Condition, ...] = ()
+
+    def text(self) -> str:
+        """The inequality, and where it is asked for."""
+        assert self.condition is not None
+        plain = Condition(self.condition.element, ">=").text()
+        where = " and ".join(Condition(c.element, c.relation).text() for c in self.where)
+        return f"{plain}{f' where {where}' if where else ''} (else {self.words})"
+
+
+class Holding(Ends):
+    """The ways to fail of a system at rest."""
+
+    def __init__(self, touching: Touching, setup: Setup) -> None:
+        super().__init__(touching, setup)
+        self.equations = RestEquations(setup.start_instant, touching.rubs)
+        self.index = self.field.index(self.field.parameter("@nothing"))
+        self.is_linear = True
+
+    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+        problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
+        found = margin(problem)
+        return None if found is None else Edge(found.value, problem, found)
+
+    def barrier(self, here: Seen) -> Barrier | None:
+        """The inequality that prevents a failure; None if its motion has no closed form."""
+        motion = self.equations.motion(here.failure, {})
+        if motion is None:
+            return None
+        motion = self._of_size_one(here, motion, {})
+        power = -self.equations.power(here.failure, motion)
+        if power.is_zero():
+            return None
+        parts = open_parts(self.field.lowest_terms(power))
+        if len(parts) > 1:
+            return None
+        condition, _possible = require(parts[0], ">=")
+        where = [
+            c for reserve in self._this_way(here.failure, motion, {}) for c in self._at_their_signs(reserve, here.draw)
+        ]
+        return Barrier(here.words, condition, tuple(without_implied(where)))
+
+    def is_met(self, barrier: Barrier, draw: Draw) -> bool:
+        """Whether a failure is prevented at a draw."""
+
+        def holds(c: Condition) -> bool:
+            value = self.number(c.element, draw)
+            return value is not None and value >= -ROUND_OFF
+
+        if barrier.condition is None or not all(map(holds, barrier.where)):
+            return True
+        return holds(barrier.condition)
+
+
+@dataclass(frozen=True)
+class Looked:
+    """A draw, whether it holds, and how it fails or is nearest to failing."""
+
+    draw: Draw
+    problem: RestProblem
+    is_held: bool
+    is_clear: bool
+    seen: Seen
+
+
+def holds(touching: Touching, setup: Setup, question: Question) -> Answer:
+    """Whether the system stays at rest, at the file's values and in general."""
+    study = Holding(touching, setup)
+    barriers: dict[Failure, Barrier] = {}
+    looked: list[Looked] = []
+    for draw in study.draws:
+        edge = study.edge(draw, 1, None)
+        if edge is None:
+            problem = rest_problem(draw.reference, draw.q, touching.rubs)
+            raise CannotAnswer(f"it does not hold: {how_it_fails(touching, problem, draw)}")
+        here = seen(touching, edge.problem, edge.optimum, draw)
+        at = Looked(draw, edge.problem, edge.value >= -ROUND_OFF, abs(edge.value) > _NEAR, here)
+        looked.append(at)
+        if here.failure not in barriers:
+            found = study.barrier(here)
+            if found is not None:
+                barriers[here.failure] = found
+    return _answer(study, question, list(barriers.values()), looked)
+
+
+def _answer(study: Holding, question: Question, barriers: Sequence[Barrier], looked: Sequence[Looked]) -> Answer:
+    first = looked[0]
+    always = without_implied([b.condition for b in barriers if b.condition is not None and not b.where])
+    kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
+    notes: list[str] = []
+    if study.setup.has_values:
+        verdict = "it holds" if first.is_held else f"it does not hold: {first.seen.words}"
+        notes.append(f"at the model's own values {verdict}")
+    notes += _reserves(study, first)
+    witness = Witness(question.text, ROUTE, 1e-12)
+    for at in looked:
+        if not at.is_clear:
+            continue
+        says = all(study.is_met(b, at.draw) for b in kept)
+        if says and not at.is_held:
+            raise CannotAnswer(f"not every way to fail has a closed form ({at.seen.words}); {'; '.join(notes)}")
+        witness.compare(at.draw, 1.0 if says else 0.0, 1.0 if at.is_held else 0.0)
+    if len(witness.pairs) < MIN_DRAWS:
+        raise CannotAnswer("; ".join(notes))
+    main = next((b for b in kept if b.words == first.seen.words), kept[0] if kept else None)
+    element: Ratio = study.field.one if main is None or main.condition is None else main.condition.element
+    value = study.number(element, first.draw) if study.setup.has_values else None
+    judgement = None
+    if question.options:
+        judgement = judge(question, element, question.quantity.dimension, study.setup.model, study.setup.system)
+    if main is not None:
+        notes.append("the shown reserve is not negative where it holds")
+    return Answer(
+        question.id,
+        question.text,
+        tidy(element),
+        "1" if main is None else "(SI)",
+        value,
+        tuple(b.text() for b in kept) or ("it always holds",),
+        tuple(notes),
+        choice=None if judgement is None else judgement.choice,
+        options={} if judgement is None else judgement.options,
+        author_notes=() if judgement is None else judgement.notes,
+        evidence=witness.evidence(),
+    )
+
+
+def _reserves(study: Holding, first: Looked) -> list[str]:
+    """The share of what friction can carry that is used, where the reactions are unique."""
+    from freebody.language.notation import to_text
+
+    eq = study.equations
+    reduced = eq.reactions(Failure())
+    found: list[str] = []
+    for name, rub in eq.rubs.items():
+        force = eq.reaction(reduced, name)
+        if force is None or not rub.of or rub.row.reaction != "friction force":
+            continue
+        pressing, constant = eq.load(rub, first.seen.failure)
+        load = constant
+        for column, share in pressing.items():
+            row = reduced.pivots.get(column)
+            if row is None or set(row) - {RHS}:
+                break
+            load = load + share * row.get(RHS, study.field.zero)
+        else:
+            if not load.is_zero():
+                ratio = study.field.lowest_terms(force / load)
+                where = rub.row.ends[0] if rub.row.ends else rub.row.connection
+                found.append(f"{where}: friction force / normal force = {to_text(tidy(ratio))}")
+    return found

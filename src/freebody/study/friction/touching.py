@@ -1,0 +1,132 @@
+"""What touches at the start: the system at rest is the one in which these bounds are held.
+
+A contact whose bodies have no place starts closed: of its possible sites those that come first when the two are moved
+towards each other, all that come at once. What is closed decides the pose, and in that pose more may touch.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import Bound, Held, Rub
+from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.reference import Reference
+from freebody.study.draws import SEED, draw_parameters
+from freebody.system.modes import Mode, ideal_bounds, in_mode
+from freebody.system.system import System
+
+_TOUCHES = 1e-8  # a gap that is no gap, by the size of the system
+_TOGETHER = 1e-6  # gaps that close together
+
+
+@dataclass(frozen=True)
+class Touching:
+    """A system at rest: `held` is the ordinary system with all that touches held, `rubs` the friction that acts."""
+
+    system: System
+    held: System
+    bounds: tuple[Bound, ...]
+    rubs: tuple[Rub, ...]
+
+    @property
+    def rows(self) -> tuple[Held, ...]:
+        """Everything that transmits a force."""
+        return (*self.held.held, *(rub.row for rub in self.rubs))
+
+    def is_admissible(self, reference: Reference, q: Array) -> bool:
+        """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        slack, closed = _TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
+        for bound in self.bounds:
+            if not _is_within(reference, g, bound, slack):
+                return False
+        apart = _apart(reference, g, self.system.bounds)
+        return all(gap >= -slack or name in closed for gap, name in apart.values())
+
+
+def touching(system: System) -> Touching:
+    """What touches in the start pose, at the model's own values. Raises CannotAnswer where the pose cannot be
+    assembled, or something moves at the start."""
+    values = draw_parameters(system, random.Random(SEED), 0.0)
+    closed = {row.name for row in ideal_bounds(system)}
+    starting = _starting(system)
+    while True:
+        held = in_mode(system, Mode.of(closed, {}))[0]
+        reference = Reference(held, values)
+        q = reference.assemble()
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        found = _first(reference, g, starting, closed) or _met(reference, g, system.bounds, closed)
+        if not found:
+            break
+        closed |= found
+    v = reference.velocities(q)
+    if float(np.abs(v).max(initial=0.0)) > 0.0:
+        raise CannotAnswer(
+            f"{reference.most_moved(v)} moves at the start, so the system is not at rest; leave out its velocity"
+        )
+    bounds = tuple(bound for bound in system.bounds if bound.name in closed)
+    rubs = tuple(rub for rub in system.rubs if not rub.of or rub.of in closed)
+    return Touching(system, held, bounds, rubs)
+
+
+def _starting(system: System) -> list[list[Bound]]:
+    """The sites of every pair of outlines that starts closed."""
+    return [pair.elements()[0] for pair in system.contacts if pair.starts_closed]
+
+
+def _first(reference: Reference, g: JetGeometry, pairs: Sequence[Sequence[Bound]], closed: set[str]) -> set[str]:
+    """The sites that close first of a pair none of which is closed yet; of the first such pair."""
+    for sites in pairs:
+        if not any(site.name in closed for site in sites):
+            furthest = list(_apart(reference, g, sites).values())
+            least = min(gap for gap, _name in furthest) + _TOGETHER * reference.sizes.length
+            return {name for gap, name in furthest if gap <= least}
+    return set()
+
+
+def _apart(reference: Reference, g: JetGeometry, sites: Iterable[Bound]) -> dict[tuple[str, ...], tuple[float, str]]:
+    """How far every point or circle is from every other body, and the site that tells.
+
+    A point is as far from a convex polygon as it is beyond the furthest of its edges; where a corner is nearer to a
+    circle than the edges beside it, that corner tells."""
+    found: dict[tuple[str, ...], tuple[float, str]] = {}
+    doubtful: dict[tuple[str, ...], tuple[float, str]] = {}
+    for site in sites:
+        pair = (site.row.connection, *site.row.ends[:1], *site.row.ends[-1:])
+        here = _gap(reference, g, site), site.name
+        is_edge = isinstance(site.row.measure, Displacement)
+        known = found if is_edge or _is_within(reference, g, site, 0.0) else doubtful
+        known[pair] = max(known.get(pair, (-math.inf, "")), here)
+    return doubtful | found
+
+
+def _met(reference: Reference, g: JetGeometry, bounds: Iterable[Bound], closed: set[str]) -> set[str]:
+    """Other bounds that are closed in this pose."""
+    size = _TOUCHES * reference.sizes.length
+    return {
+        bound.name
+        for bound in bounds
+        if bound.name not in closed and abs(_gap(reference, g, bound)) <= size and _is_within(reference, g, bound, size)
+    }
+
+
+def _gap(reference: Reference, g: JetGeometry, bound: Bound) -> float:
+    return bound.row.sign * reference.gap(bound.row, g).value
+
+
+def _is_within(reference: Reference, g: JetGeometry, bound: Bound, slack: float) -> bool:
+    """Whether the place of a contact exists in this pose, up to some slack."""
+    for span in bound.within:
+        value = reference.jet(g, span.measure).value
+        low = None if span.low is None else reference.number(span.low)
+        high = None if span.high is None else reference.number(span.high)
+        if (low is not None and value < low - slack) or (high is not None and value > high + slack):
+            return False
+    return True

@@ -1,0 +1,212 @@
+"""What all phases of a system share: its start, one field of its parameters, and many sets of numbers for these."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO, Expr, Symbol, n_operations
+from freebody.measures.distance import Distance
+from freebody.model.elements import Bound, Held, Start
+from freebody.numeric.contact.start import assembled_touching, gap_of
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.study.draws import SEED, draw_parameters
+from freebody.study.phases.numbers import Chosen, Sets
+from freebody.study.phases.phase import Phase, Placed
+from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.relations import parted
+from freebody.symbolic.state import SymbolicState
+from freebody.system.modes import Mode, ideal_bounds, in_mode, sticking_row
+from freebody.system.system import System
+
+_ZERO = 1e-9
+_TOUCHES = 1e-8  # a gap that is none, by the size of the system
+_LONG_ANGLE = 3
+
+
+class Home:
+    """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
+
+    def __init__(self, system: System) -> None:
+        self.closed = closed_at_start(system)
+        free = Mode.of(self.closed, {})
+        self.home = Setup(in_mode(system, free)[0])
+        self.system = _with_angles(system, self.home)
+        if self.system is not system:
+            self.home = Setup(in_mode(self.system, free)[0])
+        self.sets = Sets(self.system)
+        self.angles: dict[str, Ratio] = {}  # symbols for angles of bodies at which later phases begin
+        self.constants = dict(self._constants())
+        self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}
+        self.assumed: list[Condition] = []
+        self.indices: Chosen = np.flatnonzero(self._admissible())
+
+    def _admissible(self) -> Any:
+        """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
+        found = np.ones(self.sets.n, dtype=bool)
+        state, express = self.home.start_instant, self.home.model.elimination.express
+        needed = [(state.here(express(x)), ">", "as at the start") for x in self.home.model.assumed]
+        for bound in self.system.bounds:
+            if bound.name not in self.closed and not bound.within:
+                needed.append((self._gap(bound), ">=", f"{bound.row.connection} is open at the start"))
+        for row in [r for r in self.system.held if r.unilateral] + [b.row for b in self.system.bounds]:
+            if row.name in self.closed and isinstance(row.measure, Distance) and row.target is not None:
+                target = self.home.model.geometry.scalar(row.target)  # a circle in a ring is the smaller one
+                needed.append((target, ">", f"{row.connection} fits"))
+        for x, relation, purpose in needed:
+            found &= ~(self.numbers(x) <= 0) if relation == ">" else ~(self.numbers(x) < 0)
+            condition, _possible = require(x, relation, purpose)
+            if condition is not None:
+                self.assumed.append(condition)
+        return found
+
+    def _gap(self, bound: Bound) -> Ratio:
+        measure: Any = bound.row.measure
+        target = bound.row.target
+        value = self.home.start_instant.value(measure)
+        return bound.row.sign * (value if target is None else value - self.home.model.geometry.scalar(target))
+
+    def _constants(self) -> Iterator[tuple[str, Ratio]]:
+        """Start values of the measures that are held where they are, by the symbols that stand for them."""
+        rows: list[Held] = [*self.system.held, *(sticking_row(rub) for rub in self.system.rubs)]
+        for row in rows:
+            measure: Any = row.measure
+            if getattr(measure, "incremental", False):
+                try:
+                    yield _symbol_of(row), self.home.start_instant.value(measure)
+                except CannotAnswer:
+                    continue
+
+    # -- one field ----------------------------------------------------------------------------
+    def to_home(self, phase: Phase | Setup, x: Ratio) -> Ratio:
+        """An element of the parameters in the field that all phases share."""
+        model = self.home.model
+        expr = phase.model.field.expression(x)
+        return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
+
+    def at_start(self, x: Ratio) -> Ratio:
+        return self.home.start_instant.here(x)
+
+    def numbers(self, x: Ratio) -> Array:
+        """An element of the parameters in all sets."""
+        return self.sets.evaluate(self.home.model, x)
+
+    def changes_sign(self, x: Ratio, sets: Chosen) -> bool:
+        numbers = self.numbers(x)[sets]
+        return bool((numbers > 0).any() and (numbers < 0).any())
+
+    def conditions(self, elements: Sequence[tuple[Ratio, str, str]], sets: Chosen) -> list[Condition]:
+        """What is left of inequalities that hold at some sets, factor by factor."""
+
+        def sign_at(x: Ratio) -> int:
+            signs = set(np.sign(self.numbers(x)[sets]).tolist()) - {0.0}
+            return int(signs.pop()) if len(signs) == 1 else 0
+
+        found = [c for x, relation, purpose in elements for c in parted(x, relation, purpose, sign_at)]
+        # what is not so at every set of the branch is no condition of it
+        return [c for c in found if not (self.numbers(c.element)[sets] < -_ZERO).any()]
+
+    # -- states as starts ---------------------------------------------------------------------
+    def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
+        """The state of a phase at given values of its coordinates and speeds, as starts of all bodies. Angles become
+        symbols, since sines of long sums are long."""
+        model, f = phase.model, phase.model.field
+        there = SymbolicState(model, values)
+        moving = {c.index for c in model.coordinates} | {c.speed for c in model.coordinates}
+
+        def at(x: Ratio) -> Ratio:
+            x = f.lowest_terms(there.here(x))
+            if f.ingredients(x) & moving:
+                raise CannotAnswer("the state at the event has no closed form")
+            return x
+
+        def shown(x: Ratio) -> Expr:
+            return f.expression(at(x))
+
+        starts: dict[str, Start] = {}
+        for body in phase.system.moving:
+            pose, (vx, vy, w) = model.poses[body.name], model.velocities[body.name]
+            name = body.default_point
+            px, py = (model.geometry.scalar(e) for e in body.points[name])
+            place = pose.x + pose.cos * px - pose.sin * py, pose.y + pose.sin * px + pose.cos * py
+            starts[body.name] = Start(
+                (name, (shown(place[0]), shown(place[1]))),
+                self._angle(phase, at(pose.angle)) if body.turns else None,
+                (shown(vx), shown(vy)),
+                shown(w) if body.turns else None,
+            )
+        return Placed(starts)
+
+    def _angle(self, phase: Phase | Setup, angle: Ratio) -> Expr:
+        """An angle as it is where it is short, else a symbol for it."""
+        expr = phase.model.field.expression(angle)
+        if n_operations(expr) < _LONG_ANGLE:
+            return expr
+        name = f"@angle {len(self.angles) + 1}"
+        self.angles[name] = self.to_home(phase, angle)
+        self.sets.values[name] = self.numbers(self.angles[name])
+        return Symbol(name)
+
+
+def _symbol_of(row: Held) -> str:
+    """The name that a symbolic model gives to the start value of a row."""
+    return row.name.replace(".", "_").replace(" ", "_") + "_0"
+
+
+def _with_angles(system: System, setup: Setup) -> System:
+    """The system with the angles of bodies of which nobody said any, where these are zero in every start pose."""
+    bodies = dict(system.bodies)
+    for body in system.moving:
+        if body.turns and body.start.angle is None:
+            angles = [draw.reference.pose(draw.q, body.name)[2] for draw in setup.draws]
+            if all(abs(a) < _ZERO for a in angles):
+                bodies[body.name] = replace(body, start=replace(body.start, angle=ZERO))
+    return system if bodies == system.bodies else replace(system, bodies=bodies)
+
+
+def closed_at_start(system: System) -> frozenset[str]:
+    """Bounds that are closed when the motion begins: ideal ones; of those said to touch the places that do so at the
+    model's own values; and those whose gap is zero whatever the values are."""
+    closed = {row.name for row in ideal_bounds(system)}
+    if any(b.starts_closed for b in system.bounds):
+        reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
+        q = assembled_touching(reference)
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        size = _TOUCHES * reference.sizes.length
+        closed |= {
+            b.name
+            for b in system.bounds
+            if b.starts_closed and abs(gap_of(reference, g, b)) <= size and _exists(reference, q, b, size)
+        }
+    others = [b for b in system.bounds if b.name not in closed]
+    if others:
+        setup = Setup(in_mode(system, Mode.of(closed, {}))[0], 2)
+        for bound in others:
+            geometry = setup.model.geometry
+            target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
+            measure: Any = bound.row.measure
+            if setup.start_instant.here(measure.value(geometry) - target).is_zero():
+                draw = setup.draws[0]
+                if _exists(draw.reference, draw.q, bound, _TOUCHES * draw.reference.sizes.length):
+                    closed.add(bound.name)
+    return frozenset(closed)
+
+
+def _exists(reference: Reference, q: Array, bound: Bound, slack: float) -> bool:
+    """Whether the place of a contact is within the edge on which it lies."""
+    now = reference.snapshot(q, np.zeros_like(q))
+    for span in bound.within:
+        value = now.value(span.measure)
+        if span.low is not None and value < reference.number(span.low) - slack:
+            return False
+        if span.high is not None and value > reference.number(span.high) + slack:
+            return False
+    return True

@@ -1,0 +1,131 @@
+"""Many random parameter sets at once: which branch of a case distinction is taken by which of them.
+
+Coefficients of friction are drawn between 0 and 1.2, acute angles over their range, everything else within a factor of
+four of the file's value (of 1 where there is none). The first set is that of the file where it gives all values.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from freebody.language.expression import free_symbols
+from freebody.language.units import DIMENSIONLESS
+from freebody.numeric.jets import Array
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.system.system import System
+
+Chosen = NDArray[np.intp]  # indices of parameter sets
+Mask = NDArray[np.bool_]
+
+N_SETS = 400
+_SEED = 11
+_SPREAD = 1.4
+_MOST_FRICTION = 1.2
+
+_FUNCTIONS = SimpleNamespace(
+    pi=math.pi,
+    **{name: getattr(np, name) for name in ("sqrt", "cos", "sin", "exp", "log", "sinh", "cosh", "tanh")},
+    acos=np.arccos,
+    asin=np.arcsin,
+    atan=np.arctan,
+    atan2=np.arctan2,
+)
+
+
+def coefficients_of_friction(system: System) -> tuple[str, ...]:
+    """Parameters that are coefficients of friction, in order of declaration."""
+    used: set[str] = set()
+    for rub in system.rubs:
+        for expr in (rub.static, rub.kinetic, rub.static_back, rub.kinetic_back):
+            used |= set() if expr is None else free_symbols(expr)
+    return tuple(n for n, p in system.parameters.items() if n in used and p.dimension == DIMENSIONLESS)
+
+
+class Sets:
+    """Parameter sets as arrays, by name. Pairs of static and kinetic coefficients are drawn in their order."""
+
+    def __init__(self, system: System, n: int = N_SETS) -> None:
+        rng = np.random.default_rng(_SEED)
+        friction = set(coefficients_of_friction(system))
+        self.values: dict[str, Array] = {}
+        for p in system.parameters.values():
+            if p.form is not None:
+                continue
+            center = 1.0 if p.value is None else p.value
+            if p.acute:
+                drawn = rng.uniform(0.03, math.pi / 2 - 0.03, n)
+            elif p.name in friction:
+                drawn = rng.uniform(0.0, _MOST_FRICTION, n)
+            else:
+                drawn = (center or 1.0) * np.exp(rng.uniform(-_SPREAD, _SPREAD, n))
+                if p.sign == "any":
+                    drawn = drawn * rng.choice((-1.0, 1.0), n)
+            if p.value is not None:
+                drawn[0] = p.value
+                if p.sign == "any" or p.acute or n < 2:
+                    drawn[1 : n // 8] = p.value
+            self.values[p.name] = drawn
+        for rub in system.rubs:
+            pairs = ((rub.static, rub.kinetic), (rub.static_back, rub.kinetic_back))
+            for static, kinetic in pairs:
+                s, k = str(getattr(static, "name", "")), str(getattr(kinetic, "name", ""))
+                if s != k and s in self.values and k in self.values:
+                    low, high = np.minimum(self.values[s], self.values[k]), np.maximum(self.values[s], self.values[k])
+                    self.values[s], self.values[k] = high, low
+        self.n = n
+        self.constants: dict[str, Array] = {}  # start values that a model has symbols for
+        self._known: dict[int, tuple[int, dict[int, Any]]] = {}
+        self._models: list[SymbolicModel] = []  # keeps the keys above alive
+
+    def at(self, values: dict[str, Array]) -> Sets:
+        """Other sets, of which all values are given."""
+        other = object.__new__(Sets)
+        other.values, other.n = values, len(next(iter(values.values())))
+        other._known, other._models, other.constants = {}, [], {}
+        return other
+
+    def evaluate(self, model: SymbolicModel, x: Ratio, more: dict[int, Any] | None = None) -> Array:
+        """An element of the parameters (and of what `more` gives) in all sets; nan where it has no real value."""
+        with np.errstate(all="ignore"):
+            values = (
+                self._numbers(model) if more is None else model.field.complete(self._plain(model, more), _FUNCTIONS)
+            )
+            try:
+                found = np.asarray(model.field.evaluate(x, values), dtype=np.float64)
+            except (KeyError, ZeroDivisionError):
+                return np.full(self.n, np.nan)
+        return found if found.ndim else np.full(self.n, float(found))
+
+    def _plain(self, model: SymbolicModel, more: dict[int, Any] | None = None) -> dict[int, Any]:
+        values: dict[int, Any] = dict(more or {})
+        for name, drawn in self.values.items():
+            if name in model.parameters:
+                values[model.field.index(model.parameters[name])] = drawn
+        for generator in model.constants.values():
+            shown = getattr(model.field.generators[model.field.index(generator)].display, "name", "")
+            if shown in self.constants:
+                values[model.field.index(generator)] = self.constants[shown]
+        return values
+
+    def _numbers(self, model: SymbolicModel) -> dict[int, Any]:
+        n_known, values = self._known.get(id(model), (0, {}))
+        if n_known != len(model.field.generators):
+            if not n_known:
+                self._models.append(model)
+            values = model.field.complete(values or self._plain(model), _FUNCTIONS)
+            self._known[id(model)] = len(model.field.generators), values
+        return values
+
+    def one(self, k: int) -> dict[str, float]:
+        """One of the sets."""
+        return {name: float(v[k]) for name, v in self.values.items()}
+
+    def some(self, indices: Sequence[int] | Chosen, n: int) -> list[dict[str, float]]:
+        return [self.one(int(k)) for k in indices[:n]]

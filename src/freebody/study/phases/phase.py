@@ -1,0 +1,254 @@
+"""One phase: a mode of the system, its motion in closed form, and the functions that stay positive while it lasts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.expression import ZERO, free_symbols
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.angle import Angle
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import Bound, Held, Parameter, Rub, Start
+from freebody.numeric.reference import Reference
+from freebody.study.draws import SEED, Draw
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.motion import StartState, start_from_bodies, start_state
+from freebody.symbolic.phases.course import Course, course_of
+from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.state import SymbolicState
+from freebody.system.modes import Mode, in_mode
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class Placed:
+    """The state in which a phase begins: that of the file, or poses and velocities of every body as formulas."""
+
+    bodies: Mapping[str, Start] | None = None
+
+    def put_into(self, system: System) -> System:
+        if self.bodies is None:
+            return system
+        bodies = {n: replace(b, start=self.bodies.get(n, b.start)) for n, b in system.bodies.items()}
+        parameters = dict(system.parameters)
+        for start in self.bodies.values():
+            for name in free_symbols(start.angle or ZERO) - parameters.keys():
+                parameters[name] = Parameter(name, DIMENSIONLESS, None, "any")
+        return replace(system, bodies=bodies, parameters=parameters, start={}, start_rates={}, mode=None)
+
+
+@dataclass(frozen=True)
+class Watch:
+    """Something that must stay positive for the phase to go on, and what happens where it does not."""
+
+    kind: str  # "slip ends", "opens", "slips", "touches"
+    name: str  # of the bound or the friction
+    element: Ratio
+    direction: int = 0  # in which it begins to slip
+
+    @property
+    def connection(self) -> str:
+        return self.name.partition(".")[0]
+
+
+class _Given(Setup):
+    """A system set up for given parameter sets, without drawing."""
+
+    def __init__(self, system: System, values: Sequence[Mapping[str, float]]) -> None:
+        self.system = system
+        self.draws = []
+        for chosen in values:
+            with suppress(CannotAnswer):
+                own = {name: value for name, value in chosen.items() if name in system.parameters}
+                reference = Reference(system, own)
+                self.draws.append(Draw(own, reference, reference.assemble()))
+        if not self.draws:
+            raise CannotAnswer("the phase cannot be assembled at its start")
+        starts = [d.sample() for d in self.draws]
+        general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
+        self.model = SymbolicModel(system, [*starts, *general])
+
+
+class Phase:
+    """A mode from a given state on. Raises CannotAnswer where the mode has no closed form, or its forces are not
+    unique."""
+
+    def __init__(self, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
+        self.base, self.mode, self.placed = base, mode, placed
+        self.bounds: dict[str, Bound] = {b.name: b for b in base.bounds}
+        self.rubs: dict[str, Rub] = {r.name: r for r in base.rubs}
+        system, loads = in_mode(placed.put_into(base), mode)
+        self.shared = self._shared(system, loads, values)
+        system = without_rows(system, self.dropped)
+        self.determinant: Ratio | None = None
+        if loads:
+            # any number will do for the loads while they are symbols: they move nothing at an instant
+            unknown = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
+            trial = _Given(replace(system, parameters=unknown), [{**v, **dict.fromkeys(loads, 1.0)} for v in values])
+            solved = solve_loads(trial.model, loads, named_rows(trial.system), trial.model.is_negative)
+            system = with_loads(system, trial.model, solved)
+            determinant = solved.determinant
+            setup = _Given(system, values)
+            if not determinant.generators() & {c.speed for c in trial.model.coordinates}:
+                with suppress(CannotAnswer, ExpressionError):
+                    names = {c.name: setup.model.field.variable(c.index) for c in setup.model.coordinates}
+                    expr = trial.model.field.expression(determinant)
+                    self.determinant = setup.model.geometry.apply(expr, names)
+        else:
+            setup = _Given(system, values)
+        self.setup: Setup = setup
+        self.system = system
+        self.model = self.setup.model
+        self.rows = named_rows(system)
+
+    @property
+    def dropped(self) -> frozenset[str]:
+        """Frictions that stick together with another one, and leave the holding to it."""
+        return frozenset(name for names in self.shared.values() for name in names)
+
+    def _shared(
+        self, system: System, loads: Mapping[str, Rub], values: Sequence[Mapping[str, float]]
+    ) -> dict[str, list[str]]:
+        """Frictions that stick along the same line: of these only the sum is determined, and one row stands for all."""
+        sticking = [name for name, state in self.mode.rubs if state == 0]
+        if len(sticking) < 2:
+            return {}
+        parameters = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
+        known = [{**v, **dict.fromkeys(loads, 1.0)} for v in values[:1]]
+        model = _Given(replace(system, parameters=parameters), known).model
+        found: dict[str, list[str]] = {}
+        for name in sticking:
+            if name not in model.redundant:
+                continue
+            own = model.gradient(self.rubs[name].row.measure)
+            for other in sticking:
+                its = model.gradient(self.rubs[other].row.measure)
+                is_kept = other != name and other not in model.redundant and own.keys() == its.keys()
+                if is_kept and all(model.vanishes(own[k] - its[k]) for k in own):
+                    found.setdefault(other, []).append(name)
+                    break
+            else:
+                raise CannotAnswer(f"the friction forces {', '.join(sticking)} are not unique where they all stick")
+        return found
+
+    @cached_property
+    def start(self) -> StartState:
+        if self.placed.bodies is None:
+            return start_state(self.model, dict(self.system.start), dict(self.system.start_rates))
+        return start_from_bodies(self.model)
+
+    @cached_property
+    def course(self) -> Course:
+        return course_of(self.model, self.start)
+
+    @classmethod
+    def begun(cls, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> Phase:
+        """The phase, in the coordinates of the named measures, or without them where only that has a closed form."""
+        phase = cls(base, mode, placed, values)
+        if placed.bodies is None or not has_lines(base):
+            return phase
+        try:
+            _ = phase.course
+        except CannotAnswer:
+            with suppress(CannotAnswer):
+                plain = cls(replace(base, measures={}), mode, placed, values)
+                _ = plain.course
+                plain.base = base
+                return plain
+        return phase
+
+    @cached_property
+    def state(self) -> SymbolicState:
+        return SymbolicState(self.model)
+
+    @cached_property
+    def start_instant(self) -> SymbolicState:
+        return SymbolicState(self.model, self.start.values)
+
+    # -- forces -------------------------------------------------------------------------------
+    def normal(self, bound: Bound | Held) -> Ratio:
+        """The reaction of a closed bound; not negative while it is closed."""
+        row = bound.row if isinstance(bound, Bound) else bound
+        return row.sign * self.model.multiplier(self.rows[row.name])
+
+    def load(self, rub: Rub) -> Ratio:
+        """What multiplies the coefficient of a friction; 1 where the coefficient is a force itself."""
+        if not rub.load:
+            return self.model.field.one
+        return resultant(self.model, rub, self.rows, self.model.is_negative)
+
+    def coefficient(self, rub: Rub, direction: int, *, at_rest: bool) -> Ratio:
+        g = self.model.geometry
+        values: dict[str, Ratio] = {}
+        for name, measure in rub.measures:
+            values[name] = measure.value(g)
+            values[f"rate({name})"] = self.model.rate(values[name])
+        return g.apply(rub.coefficient(direction, at_rest=at_rest), values)
+
+    def friction(self, rub: Rub) -> Ratio:
+        """The friction force along the slip of a rub: what holds it, or what resists it; none where it is open."""
+        state = self.mode.states.get(rub.name)
+        if state is None:
+            return self.model.field.zero
+        if rub.name in self.dropped:
+            raise CannotAnswer(f"only the sum of the friction forces of {rub.row.connection} is determined")
+        if state == 0:
+            return self.model.multiplier(self.rows[rub.name])
+        return -state * self.coefficient(rub, state, at_rest=False) * self.load(rub)
+
+    # -- what the phase lives on --------------------------------------------------------------
+    @cached_property
+    def watches(self) -> tuple[Watch, ...]:
+        """Everything that stays positive while the phase lasts."""
+        found: list[Watch] = []
+        states = self.mode.states
+        for name in [row.name for row in self.base.held if row.unilateral] + list(self.bounds):
+            if name in self.mode.closed:
+                found.append(Watch("opens", name, self.normal(self.rows[name])))
+            elif name in self.bounds:
+                found.append(Watch("touches", name, self.gap(self.bounds[name].row)))
+        for name, state in states.items():
+            rub = self.rubs[name]
+            if state:
+                found.append(Watch("slip ends", name, state * self.state.rate(rub.row.measure)))
+            elif name not in self.dropped:
+                found += self._limits(rub)
+        return tuple(found)
+
+    def _limits(self, rub: Rub) -> list[Watch]:
+        """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
+        held = self.friction(rub)
+        together = [rub, *(self.rubs[name] for name in self.shared.get(rub.name, ()))]
+        up = down = self.model.field.zero
+        for one in together:
+            up = up + self.coefficient(one, 1, at_rest=True) * self.load(one)
+            down = down + self.coefficient(one, -1, at_rest=True) * self.load(one)
+        return [Watch("slips", rub.name, up + held, 1), Watch("slips", rub.name, down - held, -1)]
+
+    def base_row(self, name: str) -> Held:
+        """A row of the system, or of its bounds, whether it is held now or not."""
+        return next(row for row in (*self.base.held, *(b.row for b in self.base.bounds)) if row.name == name)
+
+    def gap(self, row: Held) -> Ratio:
+        """How far a bound is from being closed."""
+        measure: Any = row.measure
+        value: Ratio = measure.value(self.model.geometry)
+        target = self.model.field.zero if row.target is None else self.model.geometry.scalar(row.target)
+        return row.sign * (value - target)
+
+
+def has_lines(system: System) -> bool:
+    """Whether named measures bring coordinates of their own, lengths and angles of lines."""
+    return not all(isinstance(m, (Displacement, Angle)) for m in system.measures.values())
+
+
+def without_rows(system: System, names: frozenset[str]) -> System:
+    """Without rows that follow from the others."""
+    return replace(system, held=tuple(row for row in system.held if row.name not in names)) if names else system

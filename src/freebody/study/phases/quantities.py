@@ -1,0 +1,100 @@
+"""Quantities in one mode, stated once for both routes: what a friction does is a held row where it sticks, a load where
+it slides, and nothing where its contact is open."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from freebody.errors import CannotAnswer
+from freebody.measures.geometry import Direction
+from freebody.model.elements import Push
+from freebody.model.question import Multiplier, Power, Quantity, RatioOf, Wrench
+from freebody.model.state import State
+from freebody.study.quantities import quantity_value
+from freebody.system.system import System
+
+
+def value_in_mode(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
+    """The quantity at an instant of a mode; `base` is the system with its contacts, `system` the mode."""
+    match quantity:
+        case RatioOf(top, bottom):
+            return value_in_mode(top, base, system, state) / value_in_mode(bottom, base, system, state)
+        case Multiplier():
+            return _reaction(quantity, base, system, state)
+        case Wrench() if _is_contact(quantity.connection, base):
+            return _force(quantity, base, system, state)
+        case Power(of) if _is_contact(of, base):
+            return sum((state.law(p) * state.rate(p.measure) for p in _frictions(of, system)), _zero(state))
+        case _:
+            return quantity_value(quantity, plain(system), state)
+
+
+def plain(system: System) -> System:
+    """Without the loads of frictions, which are no loads of the model."""
+    return replace(system, pushes=tuple(p for p in system.pushes if p.load in system.loads))
+
+
+
+def _is_contact(name: str, base: System) -> bool:
+    return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.rubs)))
+
+
+def _frictions(connection: str, system: System) -> list[Push]:
+    return [p for p in system.pushes if p.load not in system.loads and p.load.partition(".")[0] == connection]
+
+
+def _reaction(quantity: Multiplier, base: System, system: System, state: State[Any]) -> Any:
+    row = next(
+        row
+        for row in base.rows
+        if row.connection == quantity.connection
+        and row.reaction == quantity.reaction
+        and set(quantity.at) <= set(row.ends or row.measure.bodies())
+    )
+    for held in system.held:
+        if held.name == row.name:
+            return row.sign * state.multiplier(held)
+    for push in system.pushes:
+        if push.load == row.name:
+            return row.sign * state.law(push)
+    return _zero(state)
+
+
+def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
+    """The force of a contact on a body: its rows, and its friction where that slides."""
+    if quantity.moment:
+        raise CannotAnswer("the moment of a contact is asked by its forces; ask for its normal and friction force")
+    rows = [row for row in system.held if row.connection == quantity.connection]
+    touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
+    moving = [b for b in touched if not base.bodies[b].fixed]
+    body = quantity.on or moving[0]
+    fx, fy = _zero(state), _zero(state)
+    for row in rows:
+        gx, gy, _g = state.gradient(row.measure, body)
+        force = state.multiplier(row)
+        fx, fy = fx + gx * force, fy + gy * force
+    for push in _frictions(quantity.connection, system):
+        gx, gy, _g = state.gradient(push.measure, body)
+        force = state.law(push)
+        fx, fy = fx + gx * force, fy + gy * force
+    if quantity.size:
+        return state.sqrt(fx * fx + fy * fy)
+    if quantity.along is None:
+        return fx, fy
+    ex, ey = _unit(quantity.along, state)
+    return fx * ex + fy * ey
+
+
+def _unit(along: Direction, state: State[Any]) -> tuple[Any, Any]:
+    from freebody.measures.displacement import Displacement
+    from freebody.measures.geometry import RIGHT, UP, ZERO, Point
+
+    tip, foot = Point(along.body, along.components), Point(along.body, (ZERO, ZERO))
+    return state.value(Displacement(tip, foot, RIGHT)), state.value(Displacement(tip, foot, UP))
+
+
+def _zero(state: State[Any]) -> Any:
+    from freebody.language.expression import ZERO
+
+    return state.scalar(ZERO)

@@ -1,0 +1,86 @@
+"""Which case holds where in the plane of two parameters."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.language.expression import Symbol
+from freebody.language.notation import to_text
+from freebody.model.names import did_you_mean
+from freebody.numeric.jets import Array
+from freebody.study.phases.numbers import coefficients_of_friction
+
+if TYPE_CHECKING:
+    from freebody.study.phases.result import Phases
+
+_MOST_FRICTION = 1.0
+
+
+@dataclass(frozen=True)
+class Regions:
+    """The cases over a grid of two parameters in SI units: `index[j, k]` is the case at y[j], x[k], -1 where none is
+    known. Labels name the parameters with their units; angles are in degrees there and in `x`, `y`."""
+
+    names: tuple[str, str]
+    labels: tuple[str, str]
+    x: Array
+    y: Array
+    index: Array
+    cases: tuple[str, ...]
+    conditions: tuple[str, ...]
+
+
+def regions(phases: Phases, x: str, y: str, n: int) -> Regions:
+    """The case at each of n times n values of two parameters; the others have the model's values. Raises InputError for
+    a name that is no parameter, or a parameter without a value that would be needed."""
+    system, tree = phases.system, phases.tree
+    for name in (x, y):
+        if name not in system.parameters:
+            raise InputError(f"there is no parameter {name}.{did_you_mean(name, system.parameters)}")
+    missing = [
+        p.name for p in system.parameters.values() if p.value is None and p.form is None and p.name not in (x, y)
+    ]
+    if missing:
+        raise InputError(f"a picture needs a value for {', '.join(missing)}")
+    axes = [_axis(phases, name, n) for name in (x, y)]
+    grid = np.meshgrid(*axes)
+    values = {p.name: np.full(n * n, p.value or 0.0) for p in system.parameters.values() if p.form is None}
+    values[x], values[y] = grid[0].ravel(), grid[1].ravel()
+    sets = tree.sets.at(values)
+    index = np.full(n * n, -1)
+    for k, case in enumerate(phases.cases):
+        holds = np.ones(n * n, dtype=bool)
+        for relation in case.relations:
+            numbers = sets.evaluate(tree.home.model, relation.element)
+            with np.errstate(invalid="ignore"):
+                holds &= numbers >= 0 if relation.relation == ">=" else numbers > 0
+        index = np.where(holds & (index < 0), k, index)
+    labels, shown = zip(*(_labelled(phases, name, axis) for name, axis in zip((x, y), axes, strict=True)), strict=True)
+    cases = tuple(c.what for c in phases.cases)
+    conditions = tuple(", ".join(c.conditions) or "always" for c in phases.cases)
+    return Regions((x, y), labels, shown[0], shown[1], index.reshape(n, n), cases, conditions)
+
+
+def _axis(phases: Phases, name: str, n: int) -> Array:
+    p = phases.system.parameters[name]
+    if p.acute:
+        return np.linspace(0.0, math.pi / 2, n + 2)[1:-1]
+    if name in coefficients_of_friction(phases.system):
+        return np.linspace(0.0, max(_MOST_FRICTION, 1.5 * (p.value or 0.0)), n + 1)[1:]
+    center = 1.0 if p.value is None else p.value
+    low = -2.0 * abs(center) if p.sign == "any" else 0.0
+    return np.linspace(low, 2.0 * abs(center) or 1.0, n + 1)[1:]
+
+
+def _labelled(phases: Phases, name: str, axis: Array) -> tuple[str, Array]:
+    p = phases.system.parameters[name]
+    shown = to_text(Symbol(name))
+    if p.is_angle:
+        return f"{shown} [deg]", np.degrees(axis)
+    unit = str(p.dimension)
+    return (f"{shown} [{unit}]" if unit != "1" else shown), axis

@@ -1,0 +1,282 @@
+"""The phases of a system as plain values: a case distinction, each case a sequence of phases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+from typing import Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Symbol, add
+from freebody.language.notation import to_python
+from freebody.study.phases.numbers import coefficients_of_friction
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.regions import Regions, regions
+from freebody.study.phases.tree import Edge, Node, Tree
+from freebody.study.phases.words import happening, label, states, summary
+from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.phases.course import Course, Energy, Uniform
+from freebody.symbolic.phases.relations import Relation, generators_of, readable, simplified
+from freebody.symbolic.state import SymbolicState
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class PhaseResult:
+    """One phase of a case. Times count from its beginning."""
+
+    what: str
+    states: dict[str, str]
+    requires: tuple[str, ...]  # inequalities that make it the mode that begins here
+    equations: tuple[tuple[Expr, Expr], ...]  # accelerations
+    motion: tuple[tuple[Expr, Expr], ...]  # coordinates as functions of time, or the square of the speed
+    forces: tuple[tuple[str, Expr], ...]
+    event: str = ""  # what ends it; nothing where it lasts
+    duration: Expr | None = None
+    place: tuple[Expr, Expr] | None = None  # coordinate and its value at the event, where there is no time
+    happens_if: tuple[str, ...] = ()  # inequalities that make this event the one that ends it
+    reason: str = ""  # why there is no closed form, or why nothing follows
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "what": self.what,
+            "states": self.states,
+            "requires": list(self.requires),
+            "equations": {to_python(a): to_python(b) for a, b in self.equations},
+            "motion": {to_python(a): to_python(b) for a, b in self.motion},
+            "forces": {name: to_python(e) for name, e in self.forces},
+            "event": self.event or None,
+            "duration": None if self.duration is None else to_python(self.duration),
+            "place": None if self.place is None else {to_python(self.place[0]): to_python(self.place[1])},
+            "happens_if": list(self.happens_if),
+            "reason": self.reason or None,
+        }
+
+
+@dataclass(frozen=True)
+class Case:
+    """A sequence of phases, and where in the space of parameters it is the one that happens."""
+
+    what: str
+    conditions: tuple[str, ...]
+    phases: tuple[PhaseResult, ...]
+    is_own: bool  # the one of the model's own values
+    n_sets: int  # parameter sets that were seen to take it
+    relations: tuple[Relation, ...] = field(default=(), compare=False, repr=False)
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "what": self.what,
+            "conditions": list(self.conditions),
+            "is_own": self.is_own,
+            "sets": self.n_sets,
+            "phases": [p.to_plain() for p in self.phases],
+        }
+
+
+@dataclass(frozen=True)
+class Phases:
+    """All cases; that of the model's own values first."""
+
+    system: System
+    cases: tuple[Case, ...]
+    n_sets: int
+    reasons: tuple[str, ...]  # modes that could not be looked at, and why
+    between: tuple[str, ...]  # equations on which nothing slips at the start, between cases
+    tree: Tree = field(compare=False, repr=False)
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "cases": [c.to_plain() for c in self.cases],
+            "parameter_sets": self.n_sets,
+            "left_out": list(self.reasons),
+            "between": list(self.between),
+        }
+
+    @property
+    def first_model(self) -> SymbolicModel:
+        """Of the phase in which the motion begins at the model's own values."""
+        return self.tree.roots[0].phase.model if self.tree.roots else self.tree.home.model
+
+    def regions(self, x: str, y: str, n: int = 120) -> Regions:
+        """Which case holds where in the plane of two parameters, the others at the model's values."""
+        return regions(self, x, y, n)
+
+    def plot(self, x: str, y: str, path: FilePath, n: int = 240) -> FilePath:
+        """Draws the regions of the cases."""
+        from freebody.present.phases import region_picture
+
+        return region_picture(self.regions(x, y, n), path)
+
+
+def phases(system: System) -> Phases:
+    """The phases of a system with contacts or dry friction, in closed form. Raises CannotAnswer where it has none."""
+    return phases_of(Tree(system))
+
+
+def phases_of(tree: Tree) -> Phases:
+    """The cases of a tree, path by path."""
+    if not tree.system.bounds and not tree.system.rubs and not tree.closed:
+        raise CannotAnswer("the system has no contact, no stop and no dry friction: its motion has one phase")
+    cases = [_case(tree, path) for path in paths(tree.roots)]
+    cases.sort(key=lambda case: not case.is_own)
+    between = tuple(_equation(x) for x in tree.boundaries)
+    return Phases(tree.system, tuple(cases), tree.sets.n, tuple(dict.fromkeys(tree.reasons)), between, tree)
+
+
+def _equation(x: Ratio) -> str:
+    """x = 0 with the factors that are not zero left out."""
+    condition, _possible = require(x, "!=")
+    element = x.numerator() if condition is None else condition.element
+    return relation_text(readable(element), "=")
+
+
+Path = list[tuple[Node, Edge | None]]
+
+
+def paths(nodes: list[Node]) -> list[Path]:
+    """All ways through the tree."""
+    found: list[Path] = []
+    for node in nodes:
+        if not node.edges:
+            found.append([(node, None)])
+        for edge in node.edges:
+            if not edge.nodes:
+                found.append([(node, edge)])
+            found += [[(node, edge), *rest] for rest in paths(edge.nodes)]
+    return found
+
+
+def path_conditions(tree: Tree, path: Path) -> list[Condition]:
+    """All that makes a path the one that happens."""
+    found = list(tree.assumed)
+    for node, edge in path:
+        found += node.conditions + (edge.conditions if edge is not None else [])
+    return found
+
+
+def relations(tree: Tree, conditions: list[Condition]) -> list[Relation]:
+    """Conditions solved for the coefficients of friction."""
+    model = tree.home.model
+    unknowns = generators_of(model.field, coefficients_of_friction(tree.system), model.parameters)
+    return simplified(conditions, unknowns)
+
+
+def _case(tree: Tree, path: Path) -> Case:
+    found = relations(tree, path_conditions(tree, path))
+    last_node, last_edge = path[-1]
+    sets = last_node.sets if last_edge is None else last_edge.sets
+    shown = [
+        _phase(tree, node, edge, path[k + 1][0] if k + 1 < len(path) else None) for k, (node, edge) in enumerate(path)
+    ]
+    is_own = tree.system.has_values and 0 in sets
+    texts = tuple(r.text() for r in found)
+    return Case(_title([p.what for p in shown]), texts, tuple(shown), is_own, len(sets), tuple(found))
+
+
+def _title(what: list[str]) -> str:
+    """slides, then rolls"""
+    words: list[str] = []
+    for k, word in enumerate(what):
+        words.append("slides back" if word == "slides" and k and what[k - 1] == "slides" else word)
+    return ", then ".join(words)
+
+
+def _phase(tree: Tree, node: Node, edge: Edge | None, following: Node | None) -> PhaseResult:
+    phase = node.phase
+    texts = tuple(_with_purpose(r) for r in relations(tree, node.conditions))
+    equations, motion = _motion(tree, phase)
+    event, duration, place, why = "", None, None, node.reason
+    happens: tuple[str, ...] = ()
+    if edge is not None:
+        why = edge.stops or why
+        happens = tuple(r.text() for r in relations(tree, edge.conditions))
+        if edge.first is not None and edge.watch is not None:
+            event = happening(edge.watch, None if following is None else following.phase)
+            duration = None if edge.time is None else readable(edge.time)
+            if edge.first.zero.at is not None:
+                c = phase.model.coordinates[0]
+                place = Symbol(c.name), readable(edge.first.zero.at)
+    return PhaseResult(
+        summary(phase),
+        states(phase),
+        texts,
+        equations,
+        motion,
+        _forces(tree, phase),
+        event,
+        duration,
+        place,
+        happens,
+        why,
+    )
+
+
+def _with_purpose(r: Relation) -> str:
+    return f"{r.text()} ({', '.join(r.purposes)})" if r.purposes else r.text()
+
+
+def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tuple[tuple[Expr, Expr], ...]]:
+    """Accelerations, and their integrals in the time since the phase began."""
+    model = phase.model
+    course = _course(phase)
+    equations: list[tuple[Expr, Expr]] = []
+    for c, a in zip(model.coordinates, model.accelerations, strict=True):
+        second = Call("rate", Call("rate", Symbol(c.name)))
+        x = model.solved_accelerations[a]
+        equations.append((second, readable(x if course is None else course.plain(x))))
+    motion: list[tuple[Expr, Expr]] = []
+    if isinstance(course, Uniform):
+        t = tree.home.model.field.time
+        for c in model.coordinates:
+            q0, u0, a = (
+                tree.to_home(phase, x)
+                for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed])
+            )
+            motion.append((Symbol(c.name), add(readable(q0), readable(u0 * t), readable(a * t * t / 2))))
+    elif isinstance(course, Energy):
+        motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, readable(course.square)))
+    return tuple(equations), tuple(motion)
+
+
+def _course(phase: Phase) -> Course | None:
+    try:
+        return phase.course
+    except CannotAnswer:
+        return None
+
+
+def _shown(tree: Tree, phase: Phase, x: Ratio) -> Expr:
+    """By the parameters alone where nothing moves in it."""
+    moving = {k for c in phase.model.coordinates for k in (c.index, c.speed)}
+    time = phase.model.field.index(phase.model.field.time)
+    if phase.model.field.ingredients(x) & (moving | {time}):
+        return readable(x)
+    return readable(tree.to_home(phase, x))
+
+
+def _forces(tree: Tree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
+    """Reactions of bounds and frictions in this mode."""
+    found: list[tuple[str, Expr]] = []
+    state = SymbolicState(phase.model)
+    held = {row.name: row for row in phase.system.held}
+    pushes = {p.load: p for p in phase.system.pushes}
+    special = {b.name for b in phase.base.bounds} | {r.name for r in phase.base.rubs}
+    for row in phase.base.rows:
+        if row.name not in special and not row.unilateral:
+            continue
+        try:
+            if row.name in held:
+                force = row.sign * state.multiplier(held[row.name])
+            elif row.name in pushes:
+                force = row.sign * state.law(pushes[row.name])
+            else:
+                continue
+        except CannotAnswer:
+            continue
+        course = _course(phase)
+        force = phase.model.field.lowest_terms(force) if course is None else course.plain(force)
+        found.append((f"{row.reaction} of {label(row.name)}", _shown(tree, phase, force)))
+    return tuple(found)

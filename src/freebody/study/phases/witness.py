@@ -1,0 +1,257 @@
+"""A second opinion on phases: the modes integrated in numbers, the loads of sliding frictions solved at every instant.
+
+Accelerations and multipliers are affine in the loads N; one solution without and one for each unit load give all,
+
+    a = a_0 + sum_k N_k (a_k - a_0),        N_i = l_i0 + sum_k N_k (l_ik - l_i0).
+
+It knows the order of the modes, and finds by itself when each ends and by which event.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import evaluate
+from freebody.model.elements import Rub
+from freebody.model.question import Event
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+from freebody.study.phases.phase import Phase, without_rows
+from freebody.symbolic.phases.friction import named_rows
+from freebody.system.modes import in_mode
+from freebody.system.system import System
+
+Watcher = Callable[[Array, Array, float], float]
+
+_RTOL = 1e-12
+_ATOL = 1e-13
+_STILL = 1e-9
+_N_LOOKS = 6  # places in a step at which events are looked for
+MAX_TIME = 1000.0
+
+
+@dataclass(frozen=True)
+class Seen:
+    """The state at the end of a phase: by which event, when, and the instant in the mode that ends."""
+
+    event: tuple[str, str, int] | None  # kind, name, direction
+    time: float
+    mode: NumericMode
+    q: Array
+    v: Array
+    begin: Snapshot  # the start of the phase
+
+    def snapshot(self) -> Snapshot:
+        return self.mode.snapshot(self.q, self.v, self.time)
+
+
+class NumericMode:
+    """One mode of a system at given parameter values."""
+
+    def __init__(self, base: System, phase: Phase, values: Mapping[str, float]) -> None:
+        self.base, self.mode = base, phase.mode
+        system, self.loads = in_mode(base, phase.mode)
+        self.system = without_rows(system, phase.dropped)
+        self.shared = phase.shared
+        self.values = {n: v for n, v in values.items() if n in base.parameters}
+        self.rows = named_rows(self.system)
+        units = [dict.fromkeys(self.loads, 0.0) | ({} if one is None else {one: 1.0}) for one in (None, *self.loads)]
+        self.references = [self._reference(u) for u in units]
+        self._last: tuple[Any, list[Snapshot]] | None = None
+        self.bounds = {b.name: b for b in base.bounds}
+        self.rubs = {r.name: r for r in base.rubs}
+
+    def _reference(self, loads: Mapping[str, float]) -> Reference:
+        reference = Reference(self.system, {**self.values, **loads})
+        reference.assemble()  # from this pose measures count of which only changes mean something
+        return reference
+
+    def start(self) -> tuple[Array, Array]:
+        """The start of the model in this mode."""
+        q = self.references[0].assemble()
+        return q, self.references[0].velocities(q)
+
+    # -- dynamics ---------------------------------------------------------------------------------
+    def solved(self, q: Array, v: Array, t: float) -> dict[str, float]:
+        """The loads of the sliding frictions."""
+        if not self.loads:
+            return {}
+        seen = self._seen(q, v, t)
+        n = len(self.loads)
+        table = np.array([[self._size(rub, s) for s in seen] for rub in self.loads.values()])
+        for signs in _signs(table[:, 0]):
+            a = signs * table[:, 0]
+            B = signs[:, None] * (table[:, 1:] - table[:, :1])
+            N = np.linalg.solve(np.eye(n) - B, a)
+            if float(N.min()) >= -_STILL * max(1.0, float(np.abs(N).max())):
+                return dict(zip(self.loads, N.tolist(), strict=True))
+        raise CannotAnswer("no friction force is consistent with the motion")
+
+    def _seen(self, q: Array, v: Array, t: float) -> list[Snapshot]:
+        """One instant without loads and with each unit load; the last one is kept, since everything asks for it."""
+        key = (t, q.tobytes(), v.tobytes())
+        if self._last is None or self._last[0] != key:
+            self._last = key, [r.snapshot(q, v, t) for r in self.references]
+        return self._last[1]
+
+    def multiplier(self, name: str, q: Array, v: Array, t: float) -> float:
+        """Of a row, with the loads of the sliding frictions."""
+        found = [s.multiplier(self.rows[name]) for s in self._seen(q, v, t)]
+        N = self.solved(q, v, t)
+        return found[0] + sum(value * (one - found[0]) for value, one in zip(N.values(), found[1:], strict=True))
+
+    def _size(self, rub: Rub, s: Snapshot) -> float:
+        (name,) = [n for n in rub.load if abs(s.multiplier(self.rows[n])) > 0.0] or rub.load[:1]
+        return self.rows[name].sign * s.multiplier(self.rows[name])
+
+    def accelerations(self, q: Array, v: Array, t: float) -> Array:
+        N = self.solved(q, v, t)
+        found = [s.accelerations for s in self._seen(q, v, t)]
+        total = found[0].copy()
+        for value, one in zip(N.values(), found[1:], strict=True):
+            total += value * (one - found[0])
+        return total
+
+    def snapshot(self, q: Array, v: Array, t: float) -> Snapshot:
+        """The instant with the loads put in."""
+        if not self.loads:
+            return self.references[0].snapshot(q, v, t)
+        return self._reference(self.solved(q, v, t)).snapshot(q, v, t)
+
+    # -- what ends it -----------------------------------------------------------------------------
+    def watches(self) -> list[tuple[tuple[str, str, int], Watcher]]:
+        """What must stay positive, by the event that its zero is."""
+        found: list[tuple[tuple[str, str, int], Watcher]] = []
+        unilateral = [r.name for r in self.base.held if r.unilateral]
+        for name in [*unilateral, *self.bounds]:
+            if name in self.mode.closed:
+                found.append((("opens", name, 0), lambda q, v, t, n=name: self.normal(n, q, v, t)))
+            elif name in self.bounds:
+                found.append((("touches", name, 0), lambda q, v, t, n=name: self.gap(n, q, v, t)))
+        for name, state in self.mode.states.items():
+            if state:
+                found.append((("slip ends", name, 0), lambda q, v, t, n=name, s=state: s * self.slip(n, q, v, t)))
+            elif not any(name in others for others in self.shared.values()):
+                for way in (1, -1):
+                    found.append((("slips", name, way), lambda q, v, t, n=name, w=way: self.reserve(n, w, q, v, t)))
+        return found
+
+    def normal(self, name: str, q: Array, v: Array, t: float) -> float:
+        return self.rows[name].sign * self.multiplier(name, q, v, t)
+
+    def gap(self, name: str, q: Array, v: Array, t: float) -> float:
+        row, reference = self.bounds[name].row, self.references[0]
+        target = 0.0 if row.target is None else reference.number(row.target, t)
+        return row.sign * (reference.snapshot(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
+
+    def slip(self, name: str, q: Array, v: Array, t: float) -> float:
+        return self._seen(q, v, t)[0].rate(self.rubs[name].row.measure)
+
+    def reserve(self, name: str, way: int, q: Array, v: Array, t: float) -> float:
+        limit = 0.0
+        for rub in (self.rubs[name], *(self.rubs[other] for other in self.shared.get(name, ()))):
+            load = float(np.hypot.reduce([self.multiplier(n, q, v, t) for n in rub.load])) if rub.load else 1.0
+            limit += self.coefficient(rub, way, self._seen(q, v, t)[0]) * load
+        return limit + way * self.multiplier(name, q, v, t)
+
+    def coefficient(self, rub: Rub, way: int, now: Snapshot) -> float:
+        values: dict[str, float] = {**self.values, "t": now.t}
+        for name, measure in rub.measures:
+            values[name], values[f"rate({name})"] = now.value(measure), now.rate(measure)
+        return float(evaluate(rub.coefficient(way, at_rest=True), values))
+
+    def _distance(self, asked: Event, begin: Snapshot) -> Watcher:
+        """How far a measure is from its value, positive at the beginning."""
+
+        def gap(s: Snapshot) -> float:
+            found = s.rate(asked.measure) if asked.order else s.value(asked.measure)
+            return found - self.references[0].number(asked.value)
+
+        sign = -1.0 if gap(begin) < 0 else 1.0
+        return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
+
+    # -- motion -----------------------------------------------------------------------------------
+    def run(self, q: Array, v: Array, start: float, until: float, asked: Event | None = None) -> Seen:
+        """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
+        n = len(q)
+        begin = self.references[0].snapshot(q, v, start)
+        watches = self.watches()
+        if asked is not None:
+            watches.append((("is reached", asked.text, 0), self._distance(asked, begin)))
+
+        def derivative(t: float, y: Array) -> Array:
+            return np.concatenate([y[n:], self.accelerations(y[:n], y[n:], t)])
+
+        armed = np.array([watch(q, v, start) for _event, watch in watches]) > _STILL
+        for a, b, state in _looks(derivative, np.concatenate([q, v]), start, until):
+            y = state(b)
+            now = np.array([watch(y[:n], y[n:], b) for _event, watch in watches])
+            fallen = np.flatnonzero(armed & (now < 0.0))
+            if len(fallen):
+                roots = [(_root(watches[int(k)][1], state, n, a, b), int(k)) for k in fallen]
+                first = min(root for root, _k in roots)
+                time, k = max((r for r in roots if r[0] <= first + 1e-9 * abs(first)), key=lambda r: r[1])
+                y = state(time)
+                return Seen(watches[k][0], time, self, y[:n], y[n:], begin)
+            armed |= now > _STILL
+            q, v = y[:n], y[n:]
+        return Seen(None, until, self, q, v, begin)
+
+
+def _looks(
+    derivative: Callable[[float, Array], Array], y: Array, start: float, until: float
+) -> Iterator[tuple[float, float, Callable[[float], Array]]]:
+    """Short pieces of a motion, each with its state as a function of time."""
+    from scipy.integrate import DOP853
+
+    solver: Any = DOP853(derivative, start, y, until, rtol=_RTOL, atol=_ATOL)
+    while solver.status == "running":
+        solver.step()
+        state: Callable[[float], Array] = solver.dense_output()
+        looks = [float(t) for t in np.linspace(float(solver.t_old), float(solver.t), _N_LOOKS)]
+        for a, b in pairwise(looks):
+            yield a, b, state
+
+
+def _root(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float:
+    """The time at which a watched function falls through zero."""
+    from scipy import optimize
+
+    def value(t: float) -> float:
+        y = state(t)
+        return watch(y[:n], y[n:], t)
+
+    solver: Any = optimize
+    return float(solver.brentq(value, a, b, xtol=1e-14, rtol=1e-14))
+
+
+def _signs(first: Array) -> Sequence[Array]:
+    """Bounds push; a guide may be pressed on either side."""
+    own = np.where(first < 0, -1.0, 1.0)
+    return [np.ones_like(own), own, -own]
+
+
+def follow(
+    base: System,
+    phases: Sequence[Phase],
+    values: Mapping[str, float],
+    until: Sequence[float],
+    asked: Event | None = None,
+) -> list[Seen]:
+    """The phases one after the other, each to its event or its time in `until`."""
+    found: list[Seen] = []
+    time, q, v = 0.0, np.zeros(0), np.zeros(0)
+    for k, (phase, end) in enumerate(zip(phases, until, strict=True)):
+        mode = NumericMode(base, phase, values)
+        if k == 0:
+            q, v = mode.start()
+        seen = mode.run(q, v, time, end, asked)
+        found.append(seen)
+        time, q, v = seen.time, seen.q, seen.v
+    return found

@@ -1,0 +1,105 @@
+"""Modes and events in words."""
+
+from __future__ import annotations
+
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import Rub
+from freebody.study.phases.phase import Phase, Watch
+
+_HELD = {"tension": ("taut", "slack"), "stop force": ("at the stop", "free"), "stop torque": ("at the stop", "free")}
+
+
+def states(phase: Phase) -> dict[str, str]:
+    """The state of every contact, stop, ideal string and dry friction, by the name that a user knows."""
+    found: dict[str, str] = {}
+    rows = [row for row in phase.base.held if row.unilateral] + [b.row for b in phase.base.bounds]
+    for row in rows:
+        closed, opened = _HELD.get(row.reaction, ("touches", "open"))
+        found[label(row.name)] = closed if row.name in phase.mode.closed else opened
+    for row in phase.base.held:
+        if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
+            found[row.connection] = "rolls"
+    for rub in phase.base.rubs:
+        name = label(rub.of or rub.name)
+        state = phase.mode.states.get(rub.name)
+        if state is not None:
+            found[name] = verb(phase, rub, state)
+    return found
+
+
+def verb(phase: Phase, rub: Rub, state: int) -> str:
+    if state:
+        return "slides"
+    if rolls(rub) and phase.model.coordinates:
+        return "rolls"
+    return "holds" if not phase.model.coordinates else "sticks"
+
+
+def rolls(rub: Rub) -> bool:
+    """Whether no slip means rolling: a body turns along with it."""
+    measure = rub.row.measure
+    return isinstance(measure, Combination) and any(not isinstance(m, Displacement) for _c, m in measure.terms)
+
+
+def label(name: str) -> str:
+    """contact.contact is the contact; contact.foot on floor is said in full."""
+    connection, _, component = name.partition(".")
+    plain = ("contact", "slip", "length", "normal", "friction", "min", "max", "torque")
+    return connection if component in plain else f"{connection} ({component})"
+
+
+def summary(phase: Phase) -> str:
+    """What the system does, in a few words."""
+    found = states(phase)
+    spoken = _by_connection(found)
+    if not spoken:
+        return "moves in contact" if any(w == "touches" for w in found.values()) else "moves"
+    if len(spoken) == 1:
+        (word,) = spoken.values()
+        alone = all(w == "open" for w in found.values())
+        return {"open": "flies" if alone else "moves apart", "slack": "moves with a slack string"}.get(word, word)
+    return ", ".join(f"{n} {w}" for n, w in spoken.items())
+
+
+def _by_connection(found: dict[str, str]) -> dict[str, str]:
+    """Places of one contact that do the same are told once; what is open beside one that touches is left out."""
+    groups: dict[str, dict[str, str]] = {}
+    for name, word in found.items():
+        if word not in ("touches", "taut", "free"):
+            groups.setdefault(name.partition(" (")[0], {})[name] = word
+    spoken: dict[str, str] = {}
+    for connection, words in groups.items():
+        closed = {n: w for n, w in words.items() if w != "open"}
+        if not closed:
+            spoken[connection] = "open"
+        elif len(set(closed.values())) > 1:
+            spoken |= closed
+        else:
+            (name, word), *more = closed.items()
+            corner = name.partition(" (")[2].partition(" on ")[0].rpartition(".")[2]
+            tips = bool(corner) and not more and len(words) > 2 and word in ("sticks", "slides")
+            about = {"sticks": f"tips about {corner}", "slides": f"tips and slides on {corner}"}
+            spoken[connection] = about[word] if tips else word
+    return spoken
+
+
+def happening(watch: Watch, after: Phase | None) -> str:
+    """An event in words."""
+    name = label(watch.name)
+    match watch.kind:
+        case "opens":
+            return f"{name} goes slack" if watch.name.endswith(".length") else f"{name} opens"
+        case "touches":
+            return f"{name} touches"
+        case "slips":
+            return f"{name} begins to slip"
+        case "slip ends":
+            state = None if after is None else after.mode.states.get(watch.name)
+            if after is not None and state == 0:
+                return {"rolls": "rolling begins", "holds": f"{name} comes to rest"}.get(
+                    verb(after, after.rubs[watch.name], 0), f"slip of {name} ends"
+                )
+            return f"slip of {name} reverses" if state else f"slip of {name} ends"
+        case _:
+            return watch.kind

@@ -1,0 +1,1 @@
+"""Motion in phases: one mode of contacts and dry friction after the other, in closed form."""

@@ -1,0 +1,234 @@
+"""The motion of one phase in closed form, and where a function of the state vanishes along it.
+
+    rest      nothing can move
+    uniform   every acceleration is constant:    q(t) = q0 + u0 t + a t^2/2; what is a polynomial in q and u is one in t
+    energy    one degree of freedom and loads with potentials:    u^2 = (M0 u0^2 + 2 V0 - 2 V(q))/M(q); what is even
+              in u is a function of q
+
+t is the time since the phase began.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.motion import Motion, StartState, zeros_of
+from freebody.symbolic.signs import Sign, sign_of
+
+TAU = "@since"  # the time since a phase began, as a generator
+
+
+@dataclass(frozen=True)
+class Zero:
+    """A place where a function vanishes along the course: after a time, or at a value of the coordinate."""
+
+    time: Ratio | None
+    values: Mapping[int, Ratio]  # coordinates and speeds there, by generator
+    at: Ratio | None = None  # of the coordinate, where energy gives the motion
+
+
+class Course:
+    """What the kinds of motion have in common."""
+
+    def __init__(self, model: SymbolicModel, start: StartState, still: Mapping[int, Ratio] | None = None) -> None:
+        self.model = model
+        self.start = start
+        self.still = dict(still or {})  # dependent coordinates that do not move
+
+    @property
+    def kind(self) -> str:
+        raise NotImplementedError
+
+    def along(self, x: Ratio) -> list[Ratio]:
+        """Coefficients of a function of the state: of the powers of the time, lowest first."""
+        raise NotImplementedError
+
+    def zeros(self, x: Ratio) -> list[Zero]:
+        """All zeros after the start that have a closed form."""
+        raise NotImplementedError
+
+    def plain(self, x: Ratio) -> Ratio:
+        """With what does not move put in."""
+        f = self.model.field
+        return f.lowest_terms(f.follow(self.model.in_independent_speeds(x), self.still))
+
+
+class Uniform(Course):
+    """Constant accelerations."""
+
+    @property
+    def kind(self) -> str:
+        return "uniform" if self.model.coordinates else "rest"
+
+    @cached_property
+    def tau(self) -> Ratio:
+        return self.model.field.parameter(TAU)
+
+    @cached_property
+    def accelerations(self) -> dict[int, Ratio]:
+        """By the generator of the speed."""
+        m = self.model
+        found = zip(m.coordinates, m.accelerations, strict=True)
+        return {c.speed: self.plain(m.solved_accelerations[a]) for c, a in found}
+
+    def values(self, time: Ratio) -> dict[int, Ratio]:
+        """Coordinates and speeds at a time."""
+        f = self.model.field
+        found: dict[int, Ratio] = {f.index(f.time): time, **self.still}
+        for c in self.model.coordinates:
+            q, u, a = self.start.of(c.index), self.start.of(c.speed), self.accelerations[c.speed]
+            found[c.index] = f.lowest_terms(q + u * time + a * time * time / 2)
+            found[c.speed] = f.lowest_terms(u + a * time)
+        return found
+
+    def along(self, x: Ratio) -> list[Ratio]:
+        """Raises CannotAnswer where the function is no polynomial in the time."""
+        f = self.model.field
+        index = f.index(self.tau)
+        x = f.follow(self.model.in_independent_speeds(x), self.values(self.tau))
+        if index in f.ingredients(x.denominator()) or any(
+            index in f.generators[g].made_of for g in x.generators() if g != index
+        ):
+            raise CannotAnswer("it is no polynomial in the time")
+        below = x.denominator()
+        return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
+
+    def zeros(self, x: Ratio) -> list[Zero]:
+        return [Zero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
+
+
+class Energy(Course):
+    """One degree of freedom by the first integral of energy."""
+
+    @property
+    def kind(self) -> str:
+        return "energy"
+
+    def __init__(self, model: SymbolicModel, start: StartState, square: Ratio) -> None:
+        super().__init__(model, start, {})
+        self.square = square  # u^2 as a function of q
+
+    @property
+    def coordinate(self) -> Coordinate:
+        return self.model.coordinates[0]
+
+    def is_odd(self, x: Ratio) -> bool:
+        """Whether a function of the state changes its sign with the direction of the motion."""
+        parts = self.model.in_independent_speeds(x).numerator().coefficients(self.coordinate.speed)
+        return all(part.is_zero() for part in parts[::2])
+
+    def as_function(self, x: Ratio) -> Ratio:
+        """A function of the state as one of the coordinate; one that is odd in the speed times the speed. Raises
+        CannotAnswer where it is neither odd nor even."""
+        f, speed = self.model.field, self.coordinate.speed
+        odd = int(self.is_odd(x))
+        x = self.model.in_independent_speeds(x)
+        total = f.zero
+        for k, part in enumerate(x.numerator().coefficients(speed)):
+            if (k + odd) % 2 and not part.is_zero():
+                raise CannotAnswer("it depends on the direction of the motion")
+            if not part.is_zero():
+                total = total + part * self.square ** ((k + odd) // 2)
+        if speed in x.denominator().generators():
+            raise CannotAnswer("it has the speed in a divisor")
+        return f.lowest_terms(total / x.denominator())
+
+    def along(self, x: Ratio) -> list[Ratio]:
+        return [self.as_function(x)]
+
+    def zeros(self, x: Ratio) -> list[Zero]:
+        return [self.at(value, 1) for value in self.places(x)]
+
+    def places(self, x: Ratio) -> list[Ratio]:
+        """Values of the coordinate at which a function of the state vanishes."""
+        return zeros_of(self.model, self.as_function(x), self.coordinate)
+
+    def at(self, value: Ratio, way: int) -> Zero:
+        """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1)."""
+        f, c = self.model.field, self.coordinate
+        if any(f.arguments[g][0] == "atan" for g in value.generators() if g in f.arguments):
+            return Zero(None, {c.index: value}, value)  # its cosine is made of nested roots: no form to go on from
+        square = f.lowest_terms(f.follow(self.square, {c.index: value}))
+        return Zero(
+            self._time_to(value), {c.index: value, c.speed: way * f.sqrt(square, self.model.is_negative)}, value
+        )
+
+    def reachable(self, zero: Zero) -> tuple[Ratio, ...]:
+        """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
+        what makes the place a real number."""
+        assert zero.at is not None
+        f = self.model.field
+        found: list[Ratio] = []
+        for g in sorted(f.ingredients(zero.at)):
+            name, argument = f.arguments.get(g, ("", f.one))
+            if name in ("acos", "asin"):
+                found.append(1 - argument * argument)
+            if f.generators[g].kind == "root" and f.generators[g].made_of:
+                found.append(f.radicand(g))
+        if self.coordinate.speed in zero.values:
+            found.append(zero.values[self.coordinate.speed] ** 2)
+        return tuple(x for x in found if not x.is_zero())
+
+    def _time_to(self, value: Ratio) -> Ratio | None:
+        """From rest, u^2 = alpha + beta q - w^2 q^2 is harmonic: q - c = (q0 - c) cos(w t) with c = beta/(2 w^2)."""
+        f, c = self.model.field, self.coordinate
+        if not self.start.of(c.speed).is_zero() or c.index in self.square.denominator().generators():
+            return None
+        parts = self.square.numerator().coefficients(c.index)
+        if len(parts) != 3 or any(c.index in f.ingredients(p) for p in parts):
+            return None
+        below = self.square.denominator()
+        beta, gamma = parts[1] / below, parts[2] / below
+        if sign_of(gamma) is not Sign.NEGATIVE:
+            return None
+        center = -beta / (2 * gamma)
+        known = functions(f, self.model.is_negative)
+        return known["acos"](f.lowest_terms((value - center) / (self.start.of(c.index) - center))) / known["sqrt"](
+            -gamma
+        )
+
+
+def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
+    """Roots other than zero of a polynomial of degree two at most, of which the coefficients are given."""
+    c = list(c)
+    while c and c[-1].is_zero():
+        c.pop()
+    while c and c[0].is_zero():
+        c.pop(0)
+    if len(c) < 2:
+        return []
+    f = model.field
+    if len(c) == 2:
+        return [f.lowest_terms(-c[0] / c[1])]
+    if len(c) == 3:
+        if c[1].is_zero():
+            root = f.sqrt(-c[0] / c[2], model.is_negative)
+            return [root, -root]
+        root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.is_negative)
+        return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+    raise CannotAnswer(f"the time is a root of a polynomial of degree {len(c) - 1}")
+
+
+def course_of(model: SymbolicModel, start: StartState) -> Course:
+    """The motion of a model in closed form. Raises CannotAnswer where there is none."""
+    f = model.field
+    still = {c.index: start.values[c.index] for c in model.dependent if model.vanishes(model.dependent_speed(c))}
+    moving = [c.name for c in model.dependent if c.index not in still]
+    if moving:
+        raise CannotAnswer(f"{', '.join(moving)} follow from the others only through a closed loop")
+    still |= {c.speed: f.zero for c in model.dependent}
+    accelerations = [f.lowest_terms(f.follow(model.solved_accelerations[a], still)) for a in model.accelerations]
+    if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
+        return Uniform(model, start, still)
+    if len(model.coordinates) == 1:
+        c = model.coordinates[0]
+        square = Motion(model, start).speed_squared(c, model.field.variable(c.index))
+        return Energy(model, start, model.field.lowest_terms(square))
+    names = ", ".join(c.name for c in model.coordinates)
+    raise CannotAnswer(f"the accelerations of {names} are not constant, and energy alone gives the speed of one only")

@@ -1,0 +1,121 @@
+"""The loads of sliding frictions, solved for: then a mode is an ordinary system without unknown symbols.
+
+A sliding friction pushes with -s c N, N the size of a multiplier (or of two) of the same system. The multipliers are
+linear in all N_j,
+
+    N_i = a_i + sum_j B_ij N_j,        (1 - B) N = a,
+
+so they are rational in what the system is made of. Where 1 - B is singular or a solution is negative there is no such
+motion (Painleve).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, free_symbols, substitute
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Push, Rub
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
+
+IsNegative = Callable[[Ratio], bool]
+
+
+@dataclass(frozen=True)
+class Loads:
+    """The loads by the symbols that name them, and what must be positive for them to exist."""
+
+    values: dict[str, Ratio]
+    determinant: Ratio
+
+
+def resultant(model: SymbolicModel, rub: Rub, rows: Mapping[str, Held], is_negative: IsNegative) -> Ratio:
+    """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
+    parts = [(rows[name], model.multiplier(rows[name])) for name in rub.load]
+    parts = [(row, x) for row, x in parts if not x.is_zero()]
+    if not parts:
+        return model.field.zero
+    if len(parts) > 1:
+        raise CannotAnswer(
+            f"the friction of {rub.row.connection} is proportional to a resultant of two components, "
+            "sqrt(x^2 + y^2), with which the equations are not rational; simulate the motion for numbers"
+        )
+    ((row, x),) = parts
+    x = row.sign * x
+    return x if row.unilateral or not is_negative(x) else -x
+
+
+def solve_loads(
+    model: SymbolicModel, loads: Mapping[str, Rub], rows: Mapping[str, Held], is_negative: IsNegative
+) -> Loads:
+    """The loads of all sliding frictions. Raises CannotAnswer where they are not unique or not rational."""
+    f = model.field
+    names = list(loads)
+    columns = {f.index(model.parameters[name]): name for name in names}
+    equations: list[Row] = []
+    for name in names:
+        x = resultant(model, loads[name], rows, is_negative)
+        row: Row = {f.index(model.parameters[name]): f.one}
+        rest = x
+        for column in columns:
+            slope = f.partial(x, column)
+            if not slope.is_zero():
+                if f.ingredients(slope) & columns.keys():
+                    raise CannotAnswer(f"the load of {loads[name].row.connection} is not linear in the friction forces")
+                row[column] = row.get(column, f.zero) - slope
+                rest = rest - slope * f.variable(column)
+        row[RHS] = f.lowest_terms(rest)
+        equations.append({k: v for k, v in row.items() if k == RHS or not v.is_zero()})
+    determinant = _determinant([[row.get(c, f.zero) for c in columns] for row in equations], f.one)
+    solved = solve(f, equations, list(columns), model.vanishes)
+    if solved.free or solved.contradictory:
+        raise CannotAnswer("the friction forces that slide here are not determined")
+    values = {name: f.lowest_terms(solved.pivots[column].get(RHS, f.zero)) for column, name in columns.items()}
+    return Loads(values, f.lowest_terms(determinant))
+
+
+def _determinant(A: list[list[Ratio]], one: Ratio) -> Ratio:
+    if not A:
+        return one
+    total = one - one
+    for k, entry in enumerate(A[0]):
+        if not entry.is_zero():
+            total = total + (-1) ** k * entry * _determinant([row[:k] + row[k + 1 :] for row in A[1:]], one)
+    return total
+
+
+def with_loads(system: System, model: SymbolicModel, loads: Loads) -> System:
+    """The system with the loads put into the laws of its frictions. Coordinates stand in a law as named measures.
+    Raises CannotAnswer where a load depends on what is no measure."""
+    exprs = {name: tidy(value) for name, value in loads.values.items()}
+    pushes = tuple(_with(push, exprs, model) for push in system.pushes)
+    parameters = {n: p for n, p in system.parameters.items() if n not in exprs}
+    return replace(system, pushes=pushes, parameters=parameters)
+
+
+def _with(push: Push, exprs: Mapping[str, Expr], model: SymbolicModel) -> Push:
+    own = {name: e for name, e in exprs.items() if name in free_symbols(push.law)}
+    if not own:
+        return push
+    law = substitute(push.law, own)
+    needed = free_symbols(law)
+    measures: dict[str, Measure] = dict(push.measures)
+    for c in (*model.coordinates, *model.dependent):
+        if c.name in needed and c.name not in measures:
+            measure = model.measure_of(c)
+            if measure is None:
+                raise CannotAnswer(f"the load of {push.load} depends on {c.name}, which is no measure of the model")
+            measures[c.name] = measure
+    return replace(push, law=law, measures=tuple(measures.items()))
+
+
+def named_rows(system: System) -> dict[str, Held]:
+    """Every row of a system by name, those of its bounds too."""
+    rows = {row.name: row for row in system.held}
+    return rows | {bound.name: bound.row for bound in system.bounds}

@@ -1,0 +1,210 @@
+"""Inequalities as people write them: solved for a coefficient of friction, weaker ones left out, sin/cos as tan."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from freebody.language.expression import (
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    add,
+    multiply,
+    number,
+    power,
+)
+from freebody.language.notation import to_text
+from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.tidy import tidy
+
+_SIGNS = {">": ">", ">=": "≥", "<": "<", "<=": "≤"}
+_FLIPPED = {">": "<", ">=": "<="}
+
+
+@dataclass(frozen=True)
+class Relation:
+    """`left relation right` where it could be solved for a generator; else `element relation 0`."""
+
+    element: Ratio
+    relation: str
+    unknown: int | None = None
+    bound: Ratio | None = None
+    purposes: tuple[str, ...] = ()
+
+    def text(self) -> str:
+        if self.unknown is None or self.bound is None:
+            return relation_text(readable(self.element), self.relation)
+        field = self.element.field
+        left = to_text(field.generators[self.unknown].display)
+        return f"{left} {_SIGNS[self.relation]} {to_text(readable(self.bound))}"
+
+
+def readable(x: Ratio) -> Expr:
+    """The tidy form with tangents."""
+    return with_tangents(tidy(x))
+
+
+def with_tangents(e: Expr) -> Expr:
+    """sin(a)/cos(a) in products becomes tan(a)."""
+    match e:
+        case Sum(terms):
+            return add(*map(with_tangents, terms))
+        case Power(base, exponent):
+            return power(with_tangents(base), exponent)
+        case Call(function, argument):
+            return Call(function, with_tangents(argument))
+        case Product(factors):
+            return _tangent_product(factors)
+        case _:
+            return e
+
+
+def _tangent_product(factors: tuple[Expr, ...]) -> Expr:
+    top = [f for f in factors if not _is_divisor(f)]
+    below = [inner for f in factors if _is_divisor(f) for inner in _inner(f)]
+    for c in [f for f in below if isinstance(f, Call) and f.function == "cos"]:
+        s = Call("sin", c.argument)
+        if s in top:
+            top[top.index(s)] = Call("tan", c.argument)
+            below.remove(c)
+    up, down = map(with_tangents, top), map(with_tangents, below)
+    product = multiply(*up)
+    rest = multiply(*down)
+    return product if rest == number(1) else product / rest
+
+
+def _is_divisor(f: Expr) -> bool:
+    return isinstance(f, Power) and isinstance(f.exponent, Number) and f.exponent.value == -1
+
+
+def _inner(f: Expr) -> tuple[Expr, ...]:
+    assert isinstance(f, Power)
+    return f.base.factors if isinstance(f.base, Product) else (f.base,)
+
+
+def solved_for(condition: Condition, unknowns: Sequence[int]) -> Relation:
+    """The condition solved for the first of some generators in which it is linear with a slope of known sign."""
+    x = condition.element.numerator()
+    below = sign_of(condition.element.denominator())
+    purposes = (condition.purpose,) if condition.purpose else ()
+    plain = Relation(condition.element, condition.relation, purposes=purposes)
+    if condition.relation not in _FLIPPED:
+        return plain
+    for g in unknowns:
+        if g not in x.generators():
+            continue
+        parts = x.coefficients(g)
+        if len(parts) != 2 or any(g in x.field.ingredients(p) for p in parts):
+            continue
+        slope = sign_of(parts[1])
+        if not slope.is_strict or not below.is_strict:
+            continue
+        relation = condition.relation if slope is below else _FLIPPED[condition.relation]
+        bound = x.field.lowest_terms(-parts[0] / parts[1])
+        return Relation(condition.element, relation, g, bound, purposes)
+    return plain
+
+
+def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list[Relation]:
+    """The conditions solved, without those that follow from another one."""
+    kept: list[Relation] = []
+    for condition in conditions:
+        new = solved_for(condition, unknowns)
+        if new.unknown is not None and new.bound is not None and _says_nothing(new):
+            continue
+        if any(_follows(new, old) for old in kept):
+            continue
+        kept = [old for old in kept if not _follows(old, new)]
+        kept.append(new)
+    return kept
+
+
+def _says_nothing(r: Relation) -> bool:
+    """mu >= what is never positive."""
+    assert r.unknown is not None
+    assert r.bound is not None
+    sign = sign_of(r.bound)
+    return r.relation in (">", ">=") and sign is Sign.NEGATIVE and r.element.field.generators[r.unknown].positive
+
+
+def _follows(weak: Relation, strong: Relation) -> bool:
+    """True where the first is a consequence of the second."""
+    if weak.element == strong.element:
+        return weak.relation == strong.relation or weak.relation == strong.relation + "="
+    if weak.unknown is None or weak.unknown != strong.unknown or weak.bound is None or strong.bound is None:
+        return False
+    if weak.relation[0] != strong.relation[0]:
+        return False
+    gap = strong.bound - weak.bound if weak.relation[0] == ">" else weak.bound - strong.bound
+    if gap.is_zero():
+        return weak.relation == strong.relation or len(weak.relation) == 2
+    return sign_of(gap) in (Sign.POSITIVE, Sign.NONNEGATIVE)
+
+
+def parted(x: Ratio, relation: str, purpose: str, sign_at: Callable[[Ratio], int]) -> list[Condition]:
+    """What `x relation 0` comes to: one condition for each factor that has one sign wherever it is looked at, and the
+    radicand of a root that must be positive. `sign_at` tells that sign, 0 where there is not one."""
+    condition, _possible = require(x, relation, purpose)
+    if condition is None:
+        return []
+    field = x.field
+    found: list[Condition] = []
+    rest = field.one
+    n_open = 0
+    for base, exponent in _factors(condition.element):
+        root = _radicand(base)
+        if root is not None:
+            found += parted(root, relation, purpose, sign_at)
+            continue
+        if exponent % 2 == 0 or sign_of(base).is_strict:
+            rest = rest * base**exponent
+            continue
+        sign = sign_at(base)
+        n_open += 1
+        if sign == 0:
+            rest = rest * base**exponent
+            continue
+        rest = rest * sign
+        part, _possible = require(sign * base, relation, purpose)
+        if part is not None:
+            found.append(part)
+    left, _possible = require(rest, relation, purpose)
+    if left is not None and not rest.is_constant():
+        return [condition]
+    return found if n_open > 1 or left is None or sign_of(rest) is Sign.POSITIVE else [condition]
+
+
+def _factors(x: Ratio) -> list[tuple[Ratio, int]]:
+    """Irreducible factors above and below the bar; the sign as a factor."""
+    field = x.field
+    found: list[tuple[Ratio, int]] = []
+    sign = 1
+    for poly in (x.numerator().num, x.denominator().num):
+        unit, factors = field.factor_by_degree(poly) or field.factor(poly)
+        sign = -sign if unit < 0 else sign
+        found += factors
+    if sign < 0:
+        found.append((-field.one, 1))
+    return found
+
+
+def _radicand(base: Ratio) -> Ratio | None:
+    """Of a factor that is a root."""
+    field = base.field
+    if len(base.generators()) != 1 or base.den is not None:
+        return None
+    (index,) = base.generators()
+    generator = field.generators[index]
+    is_root = generator.kind == "root" and bool(generator.made_of) and base == field.variable(index)
+    return field.radicand(index) if is_root else None
+
+
+def generators_of(field: Field, names: Sequence[str], known: dict[str, Ratio]) -> list[int]:
+    """The generators of parameters by name."""
+    return [field.index(known[name]) for name in names if name in known and known[name].generators()]

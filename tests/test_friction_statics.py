@@ -1,0 +1,486 @@
+"""Statics with dry friction: closed forms of the textbooks, the linear programs beside them, and how it fails."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.numeric.contact import problem as contact
+from freebody.numeric.contact.forces import contact_forces
+from freebody.numeric.friction_branches import extreme, margin, spread
+from freebody.numeric.friction_limits import RestProblem, at, ray, rest_problem
+from freebody.numeric.reference import Reference
+from freebody.study.friction.answers import prepared
+from freebody.study.friction.ends import ParameterEnds
+from freebody.study.friction.touching import touching
+
+Agree = Callable[[fb.Solution, str, str | list[str]], None]
+
+LADDER = """
+parameters: {m: 10 kg, M: 60 kg, L: 4 m, d: 1.5 m, alpha: 60 deg, mu: 0.5, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
+bodies: {ladder: {rod: {mass: m, length: L}, angle: alpha, points: {rung: [d - L/2, 0]}}}
+connections:
+  floor: {contact: {between: [ladder, ground.floor], friction: mu}}
+  wall: {contact: {between: [ladder, ground.wall], friction: WALL}}
+loads: {weight: {gravity: g}PERSON}
+"""
+PERSON = ", person: {force: {at: ladder.rung, along: down, magnitude: M*g}}"
+SMOOTH = LADDER.replace("WALL", "0").replace("PERSON", "")
+ROUGH = LADDER.replace("WALL", "mu").replace("PERSON", "")
+CLIMBED = LADDER.replace("WALL", "0").replace("PERSON", PERSON)
+
+BLOCK = """
+parameters: {m: 10 kg, b: 0.5 m, h: 1 m, d: 0.8 m, mu: 0.4, F: 10 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {rectangle: {mass: m, width: b, height: h}, points: {P: [0, d - h/2]}}}
+connections: {floor: {contact: {between: [block, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: block.P, along: right, magnitude: F}}}
+"""
+
+INCLINE = """
+parameters: {m: 10 kg, theta: 20 deg, mu: 0.5, F: 50 N, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: theta}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {slope: {contact: {between: [block, ground.slope], friction: mu}}}
+loads: {weight: {gravity: g}PUSH}
+"""
+RESTING = INCLINE.replace("PUSH", "").replace("F: 50 N, ", "")
+PUSHED = INCLINE.replace("PUSH", ", push: {force: {at: block, along: right, magnitude: F}}")
+LEANING = INCLINE.replace("PUSH", ", push: {force: {at: block, along: theta, magnitude: F}}")
+
+CYLINDERS = """
+parameters: {m: 2 kg, R: 0.1 m, mu: 0.4, nu: 0.2, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  a: {disk: {mass: m, radius: R}, at: [-R, R]}
+  b: {disk: {mass: m, radius: R}, at: [R, R]}
+  c: {disk: {mass: m, radius: R}, at: [0, R*(1 + sqrt(3))]}
+connections:
+  fa: {contact: {between: [a, ground.floor], friction: nu, touching: true}}
+  fb: {contact: {between: [b, ground.floor], friction: nu, touching: true}}
+  ca: {contact: {between: [c, a], friction: mu, touching: true}}
+  cb: {contact: {between: [c, b], friction: mu, touching: true}}
+loads: {weight: {gravity: g}}
+"""
+
+WEDGED = """
+parameters: {m: 10 kg, b: 0.5 m, h: 0.3 m, mu: 0.4, g: 9.81 m/s^2}
+ground: {lines: {left: {along: down}, right: {along: up, through: [b, 0]}}}
+bodies: {block: {rectangle: {mass: m, width: b, height: h}, at: [b/2, 0]}}
+connections:
+  l: {contact: {between: [block, ground.left], friction: mu, touching: true}}
+  r: {contact: {between: [block, ground.right], friction: mu, touching: true}}
+loads: {weight: {gravity: g}}
+"""
+
+BEAM = """
+parameters: {m: 10 kg, L: 2 m, d: 0.3 m, F: 20 N, mu: 0.4, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {table: {rod: {mass: m, length: L}, angle: 0, points: {one: [-L/2, 0], two: [d, 0], three: [L/2, 0]}}}
+connections:
+  one: {contact: {between: [table.one, ground.floor], friction: mu}}
+  two: {contact: {between: [table.two, ground.floor], friction: mu}}
+  three: {contact: {between: [table.three, ground.floor], friction: mu}}
+loads: {weight: {gravity: g}, pull: {force: {at: table, along: right, magnitude: F}}}
+"""
+
+PIN = """
+parameters: {m: 2 kg, R: 0.1 m, r: 0.02 m, mu: 0.3, F: 1 N, g: 9.81 m/s^2}
+bodies: {disk: {disk: {mass: m, radius: R}, points: {rim: [R, 0]}}}
+connections: {p: {pin: {first: ground.A, second: disk, friction: mu, radius: r}}}
+loads: {weight: {gravity: g}, push: {force: {at: disk.rim, along: up, magnitude: F}}}
+"""
+
+BRAKE = """
+parameters: {m: 2 kg, R: 0.1 m, T: 5 N m, M: 3 kg, g: 9.81 m/s^2}
+bodies: {drum: {disk: {mass: m, radius: R}}, load: {particle: {mass: M}}}
+connections:
+  p: {pin: [ground.A, drum]}
+  s: {string: {path: [wound on drum at right, load]}}
+  it: {brake: {between: [drum, ground], torque: T}}
+loads: {weight: {gravity: g}}
+"""
+
+LIFTED = """
+parameters: {W: 800 N, M: 2 kg, L: 0.4 m, alpha: 12 deg, mu: 0.2, F: 400 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [L/2, 0]}}}
+bodies:
+  wedge: {polygon: {mass: M, corners: [[0, 0], [L, 0], [0, L*tan(alpha)]]}, at: [0, 0], angle: 0}
+  load: {particle: {mass: W/g}, at: [L/2, L*tan(alpha)/2]}
+connections:
+  floor: {contact: {between: [wedge, ground.floor], friction: mu, touching: true}}
+  face: {contact: {between: [load, wedge], friction: mu, touching: true}}
+  wall: {contact: {between: [load, ground.wall], friction: mu, touching: true}}
+loads: {weight: {gravity: g}, drive: {force: {at: wedge.corner1, along: right, magnitude: F}}}
+"""
+
+CURB = """
+parameters: {m: 20 kg, R: 0.4 m, h: 0.1 m, mu: 0.8, F: 100 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}, points: {edge: [sqrt(R**2 - (R - h)**2), h]}}
+bodies: {wheel: {disk: {mass: m, radius: R}, at: [0, R]}}
+connections:
+  floor: {contact: {between: [wheel, ground.floor], friction: mu, touching: true}}
+  curb: {contact: {between: [wheel, ground.edge], friction: mu, touching: true}}
+loads: {weight: {gravity: g}, pull: {force: {at: wheel, along: right, magnitude: F}}}
+"""
+
+CAR = """
+parameters: {m: 1000 kg, a: 1.2 m, b: 1.4 m, h: 0.5 m, theta: 15 deg, mu: 0.6, g: 9.81 m/s^2}
+ground: {lines: {road: {along: theta}}}
+bodies: {car: {body: {mass: m, inertia: 1000 kg m^2}, angle: theta, points: {front: [a, -h], rear: [-b, -h]}}}
+connections:
+  front: {contact: {between: [car.front, ground.road]}}
+  rear: {contact: {between: [car.rear, ground.road], friction: mu}}
+loads: {weight: {gravity: g}}
+"""
+
+BRACKET = """
+parameters: {m: 2 kg, mu: 0.3, F: 50 N, a: 0.3 m, b: 0.1 m}
+bodies:
+  arm: {body: {mass: m, inertia: 1 kg m^2}, at: [0, 0], angle: 0, points: {top: [0, b/2], low: [0, -b/2], tip: [a, 0]}}
+connections:
+  t: {slot: {pin: arm.top, along: up, through: ground.origin, friction: mu}}
+  u: {slot: {pin: arm.low, along: up, through: ground.origin, friction: mu}}
+loads: {push: {force: {at: arm.tip, along: down, magnitude: F}}}
+"""
+
+ROLLER = """
+parameters: {m: 20 kg, R: 0.4 m, f: 0.01 m, mu: 0.8, theta: 1 deg, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: theta}}}
+bodies: {wheel: {disk: {mass: m, radius: R}}}
+connections: {slope: {contact: {between: [wheel, ground.slope], friction: mu, rolling_resistance: f}}}
+loads: {weight: {gravity: g}}
+"""
+
+PILE = """
+parameters: {m: 2 kg, M: 5 kg, b: 0.4 m, h: 0.2 m, mu: 0.3, nu: 0.4, F: 5 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  lower: {rectangle: {mass: M, width: 2*b, height: h}, at: [0, h/2], angle: 0}
+  upper: {rectangle: {mass: m, width: b, height: h}, at: [0, 3*h/2], angle: 0}
+connections:
+  floor: {contact: {between: [lower, ground.floor], friction: nu, touching: true}}
+  mid: {contact: {between: [upper, lower], friction: mu, touching: true}}
+loads: {weight: {gravity: g}, pull: {force: {at: upper, along: right, magnitude: F}}}
+"""
+_FACE = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"
+
+
+def asked(model: str, question: str) -> fb.Solution:
+    return fb.solve(fb.System.from_text(model), question)
+
+
+# Formulas derived in the comments; BJ: Beer & Johnston, Vector Mechanics for Engineers: Statics, ch. 8
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        # moments about the foot: N_wall L sin = m g L/2 cos; at the floor N = m g, T = N_wall
+        (SMOOTH, "least mu so that it stays at rest", "1/(2*tan(alpha))"),
+        (SMOOTH, "least alpha so that it stays at rest", "atan(1/(2*mu))"),
+        # both contacts at their limits: the reactions meet above the mass centre, alpha = 90 deg - 2 phi, mu = tan(phi)
+        (ROUGH, "least mu so that it stays at rest", "tan(pi/4 - alpha/2)"),
+        (ROUGH, "least alpha so that it stays at rest", "pi/2 - 2*atan(mu)"),
+        # moments about the foot with the person at d
+        (CLIMBED, "largest d so that it stays at rest", "L*(mu*(m + M)*tan(alpha) - m/2)/M"),
+        (CLIMBED, "least mu so that it stays at rest", "(m*L/2 + M*d)/((m + M)*L*tan(alpha))"),
+        # moments about the right corner; for mu < b/(2 d) it slides instead
+        (BLOCK, "does it tip or slide as F grows", "m*g*b/(2*d)"),
+        (BLOCK.replace("mu: 0.4", "mu: 0.2"), "does it tip or slide as F grows", "mu*m*g"),
+        (BLOCK, "range of F that keeps it at rest", ["-m*g*b/(2*d)", "m*g*b/(2*d)"]),
+        (BLOCK, "least mu so that it stays at rest", "F/(m*g)"),
+        # BJ sec. 8.2: angle of repose
+        (RESTING, "least mu so that it stays at rest", "tan(theta)"),
+        (RESTING, "largest theta so that it stays at rest", "atan(mu)"),
+        # F = W tan(theta -+ phi)
+        (PUSHED, "range of F that keeps it at rest", ["m*g*tan(theta - atan(mu))", "m*g*tan(theta + atan(mu))"]),
+        (
+            LEANING,
+            "range of F that keeps it at rest",
+            ["m*g*(sin(theta) - mu*cos(theta))", "m*g*(sin(theta) + mu*cos(theta))"],
+        ),
+        # of each lower cylinder: moments about its foot give mu = tan(15 deg); about its top contact nu = mu/3
+        (CYLINDERS, "least mu so that it stays at rest", "2 - sqrt(3)"),
+        (CYLINDERS, "least nu so that it stays at rest", "(2 - sqrt(3))/3"),
+        # |T| = mu r |R| with R the weight less the push; moment F R
+        (PIN, "range of F that keeps it at rest", ["-mu*r*m*g/(R - mu*r)", "mu*r*m*g/(R + mu*r)"]),
+        (PIN, "least mu so that it stays at rest", "F*R/(r*(m*g - F))"),
+        (BRAKE, "largest M so that it stays at rest", "T/(g*R)"),
+        (BRAKE, "least T so that it stays at rest", "M*g*R"),
+        # load: N2 (sin + mu cos) = N_wall, N2 (cos - mu sin) = W + mu N_wall; wedge: floor carries M g and N2's part
+        (
+            LIFTED,
+            "largest F so that it stays at rest",
+            f"mu*(M*g + {_FACE}*(cos(alpha) - mu*sin(alpha))) + {_FACE}*(sin(alpha) + mu*cos(alpha))",
+        ),
+        # moments about the edge of the curb: F (R - h) = m g sqrt(R^2 - (R - h)^2)
+        (CURB, "largest F so that it stays at rest", "m*g*sqrt(R**2 - (R - h)**2)/(R - h)"),
+        # moments about the front wheels: N_rear (a + b) = m g (a cos + h sin), mu N_rear = m g sin
+        (CAR, "least mu so that it stays at rest", "(a + b)*sin(theta)/(a*cos(theta) + h*sin(theta))"),
+        (CAR, "largest theta so that it stays at rest", "atan(mu*a/(a + b - mu*h))"),
+        # two equal normal forces F a/b carry the load: 2 mu F a/b = F
+        (BRACKET, "least mu so that it stays at rest", "b/(2*a)"),
+        # the normal force acts f before the middle
+        (ROLLER, "largest theta so that it stays at rest", "atan(f/R)"),
+        (PILE, "largest F so that it stays at rest", "mu*m*g"),
+        # the middle support takes from all to nothing
+        (BEAM, "range of normal force of two", ["0", "m*g*L/(L + 2*d)"]),
+        (BEAM, "range of normal force of one", ["2*d*m*g/(L + 2*d)", "m*g/2"]),
+        # floor and wall at the limit of the wall: N (sin -+ mu cos) = m g cos/2
+        (
+            ROUGH.replace("alpha: 60", "alpha: 70"),
+            "range of normal force of wall",
+            ["m*g*cos(alpha)/(2*(sin(alpha) + mu*cos(alpha)))", "m*g*cos(alpha)/(2*(sin(alpha) - mu*cos(alpha)))"],
+        ),
+    ],
+)
+def test_limit_is_the_formula_of_the_textbook(
+    model: str, question: str, expected: str | list[str], agrees: Agree
+) -> None:
+    solution = asked(model, question)
+    agrees(solution, "q1", expected)
+    evidence = solution["q1"].evidence
+    assert evidence is not None
+    assert evidence.draws >= 5
+
+
+def test_block_answer_names_both_failures_and_the_condition_that_decides() -> None:
+    answer = asked(BLOCK, "does it tip or slide as F grows")["q1"]
+    assert answer.conditions == ("2·d·μ ≥ b (block.bottom_right does not slip)",)
+    assert answer.notes == ("first: block tips about block.bottom_right, at this F",)
+    assert [(case.what, case.conditions) for case in answer.cases] == [
+        ("block tips about block.bottom_right", ("2·d·μ ≥ b",)),
+        ("block slips to the right on floor", ("b ≥ 2·d·μ",)),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("model", "reserve", "condition"),
+    [
+        (RESTING, "mu*cos(theta) - sin(theta)", "μ·cos(θ) ≥ sin(θ) (else block slips down to the left on slope)"),
+        (SMOOTH, "2*mu*sin(alpha) - cos(alpha)", "2·μ·sin(α) ≥ cos(α) (else ladder.start slips to the left on floor)"),
+    ],
+)
+def test_does_it_hold_is_answered_by_the_inequality(model: str, reserve: str, condition: str, agrees: Agree) -> None:
+    solution = asked(model, "does it hold")
+    agrees(solution, "q1", reserve)
+    assert solution["q1"].conditions == (condition,)
+    assert "at the model's own values it holds" in solution["q1"].notes
+
+
+def test_a_block_that_does_not_hold_is_said_to_slide_down() -> None:
+    answer = asked(RESTING.replace("mu: 0.5", "mu: 0.3"), "does it hold")["q1"]
+    assert "at the model's own values it does not hold: block slips down to the left on slope" in answer.notes
+
+
+def test_self_locking_force_has_no_upper_limit() -> None:
+    # tan(theta + phi) is infinite at theta + phi = 90 deg
+    answer = asked(PUSHED.replace("20 deg", "70 deg"), "largest F so that it stays at rest")["q1"]
+    assert answer.expression is None
+    assert answer.reason == "there is no upper limit"
+
+
+def test_block_wedged_between_walls_has_reactions_without_limit() -> None:
+    found = fb.statics(fb.System.from_text(WEDGED))
+    assert found.holds
+    assert all(r.low == 0.0 and math.isinf(r.high) for r in found.reactions if r.reaction == "normal force")
+    answer = asked(WEDGED, "range of normal force of l at top_left")["q1"]
+    assert "there is no upper limit" in answer.notes
+    least = asked(WEDGED, "least mu so that it stays at rest")["q1"]
+    assert least.notes == ("there is no lower limit: μ need only be larger than 0",)
+
+
+def test_no_coefficient_of_friction_helps_where_the_block_tips() -> None:
+    answer = asked(BLOCK.replace("F: 10 N", "F: 40 N"), "least mu so that it stays at rest")["q1"]
+    assert answer.reason == "no value of mu keeps the system at rest: block tips about block.bottom_right"
+
+
+@pytest.mark.parametrize(
+    ("question", "problem"),
+    [
+        ("range of G that keeps it at rest", "there is no parameter G. There is: L, M"),
+        ("does it tip or slide", "say as what grows"),
+        ("range of normal force of wal", "there is no connection wal. Did you mean wall"),
+        ("range of tension of wall", "wall has no tension"),
+    ],
+)
+def test_a_question_that_cannot_be_read_says_why(question: str, problem: str) -> None:
+    with pytest.raises(fb.ModelError, match=problem.replace("?", "\\?")):
+        asked(SMOOTH, question)
+
+
+def test_a_system_that_moves_is_not_at_rest() -> None:
+    model = RESTING.replace(
+        "{particle: {mass: m}}", "{particle: {mass: m}, velocity: [v*cos(theta), v*sin(theta)]}"
+    ).replace("theta: 20", "v: 1 m/s, theta: 20")
+    with pytest.raises(fb.CannotAnswer, match="block moves at the start"):
+        fb.statics(fb.System.from_text(model))
+
+
+# -- the linear programs ----------------------------------------------------------------------
+def rest(model: str, **values: float) -> RestProblem:
+    system = fb.System.from_text(model)
+    touched = touching(system)
+    reference = Reference(touched.held, values)
+    return rest_problem(reference, reference.assemble(), touched.rubs)
+
+
+def test_ladder_holds_with_a_margin_and_fails_by_slipping() -> None:
+    assert margin(rest(SMOOTH, mu=0.3)).value > 0.0  # type: ignore[union-attr]
+    failing = margin(rest(SMOOTH, mu=0.28))
+    assert failing is not None
+    assert failing.value < 0.0
+    assert failing.motion[2] < 0.0  # the ladder comes down
+
+
+def test_largest_and_smallest_parameter_are_those_of_the_same_ray() -> None:
+    path = ray(rest(BLOCK, F=10.0), rest(BLOCK, F=20.0), 10.0)
+    top, bottom = extreme(path, 1), extreme(path, -1)
+    assert top is not None
+    assert bottom is not None
+    assert top.value == pytest.approx(10 * 9.81 * 0.5 / 1.6, rel=1e-13)
+    assert bottom.value == pytest.approx(-top.value, rel=1e-13)
+    for share, holds in ((0.999999, True), (1.000001, False)):
+        found = margin(at(path, share * top.value))
+        assert found is not None
+        assert (found.value >= 0.0) == holds
+
+
+def test_pin_friction_is_bounded_by_the_size_of_the_force_in_any_direction() -> None:
+    # one reaction of open direction: both ends of the torque by |R| mu r
+    problem = rest(PIN, F=0.0)
+    ends = spread(problem, problem.place("p.friction"))
+    assert ends is not None
+    assert [e.value for e in ends] == pytest.approx([0.0, 0.0], abs=1e-9)  # moments alone decide
+    tilted = rest(PIN, F=1.0, mu=0.26)
+    assert margin(tilted).value < 0.0  # type: ignore[union-attr]
+    assert margin(rest(PIN, F=1.0, mu=0.28)).value > 0.0  # type: ignore[union-attr]
+
+
+SEEDS = range(6)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_random_row_of_blocks_leans_as_the_closed_form_says(seed: int) -> None:
+    """Blocks of random sizes side by side, the first one pushed: the limit is the least of all ways to fail."""
+    rng = random.Random(seed)
+    b, h, m, mu, d = (rng.uniform(*r) for r in ((0.2, 1.0), (0.4, 1.2), (1, 20), (0.1, 0.9), (0.05, 0.4)))
+    system = fb.System.from_text(BLOCK).with_parameters(b=b, h=h, m=m, mu=mu, d=d)
+    answer = fb.solve(system, "largest F so that it stays at rest")["q1"]
+    expected = min(mu * m * 9.81, m * 9.81 * b / (2 * d))
+    assert answer.value == pytest.approx(expected, rel=1e-12), f"seed {seed}"
+
+
+@pytest.mark.parametrize("name", ["SMOOTH", "ROUGH", "CLIMBED", "BLOCK", "PUSHED", "LIFTED", "BEAM"])
+def test_just_inside_the_limit_contact_forces_keep_it_at_rest_and_just_outside_it_accelerates(name: str) -> None:
+    """The complementarity problem of the motion, which knows nothing of linear programs, agrees on both sides."""
+    model, parameter, sign = {
+        "SMOOTH": (SMOOTH, "mu", -1),
+        "ROUGH": (ROUGH, "mu", -1),
+        "CLIMBED": (CLIMBED, "d", 1),
+        "BLOCK": (BLOCK, "F", 1),
+        "PUSHED": (PUSHED, "F", 1),
+        "LIFTED": (LIFTED, "F", 1),
+        "BEAM": (BEAM, "F", 1),
+    }[name]
+    touched, setup = prepared(fb.System.from_text(model))
+    ends = ParameterEnds(touched, setup, parameter)
+    n_checked = 0
+    for draw in ends.draws[:6]:
+        edge = ends.edge(draw, sign, None)
+        if edge is None or math.isinf(edge.value):
+            continue
+        for share, is_at_rest in ((1 - 1e-4 * sign, True), (1 + 1e-4 * sign, False)):
+            problem = ends.parametric.problem(touched, draw, edge.value * share)
+            assert problem is not None
+            fastest = float(np.abs(accelerations(problem, draw.reference.masses)).max())
+            assert (fastest < 1e-9) == is_at_rest, f"{draw.values}"
+            n_checked += 1
+    assert n_checked >= 6
+
+
+def accelerations(problem: RestProblem, masses: np.ndarray) -> np.ndarray:
+    """Of all coordinates, by the contact forces that the complementarity problem gives at rest."""
+    weights = np.where(masses > 0.0, masses, 1e-2 * masses[masses > 0.0].min())
+    signs = np.ones(len(problem.names))
+    for row, sign in problem.normals:
+        signs[row] = sign
+    J = signs[:, None] * problem.J
+    rubs = tuple(
+        contact.Rub(c.row, (c.forward, c.backward), (c.forward, c.backward), normals=tuple(j for j, _s in c.load))
+        for c in problem.cones
+    )
+    normals = tuple(row for row, _sign in problem.normals)
+    found = contact_forces(contact.ContactProblem(J / weights @ J.T, J / weights @ problem.Q, normals, rubs))
+    assert found.is_found
+    return (problem.Q + J.T @ found.forces) / weights
+
+
+# -- the report -------------------------------------------------------------------------------
+def test_report_of_the_stacked_cylinders_has_the_used_share_of_every_cone() -> None:
+    found = fb.System.from_text(CYLINDERS).statics()  # type: ignore[attr-defined]
+    share = 2 - math.sqrt(3)
+    used = {r.connection: r.used for r in found.reactions if r.reaction == "friction force"}
+    assert used == {
+        "fa": pytest.approx(share / 3 / 0.2),
+        "fb": pytest.approx(share / 3 / 0.2),
+        "ca": pytest.approx(share / 0.4),
+        "cb": pytest.approx(share / 0.4),
+    }
+    assert found.reserve == pytest.approx(min(0.4 / share, 0.6 / share))
+
+
+def test_report_of_the_rough_ladder_shows_intervals() -> None:
+    found = fb.statics(fb.System.from_text(ROUGH))
+    wall = next(r for r in found.reactions if r.name == "wall.ladder.end on wall")
+    assert not wall.is_unique
+    low = 10 * 9.81 * 0.5 / (2 * (math.sin(math.pi / 3) + 0.25))
+    assert wall.low == pytest.approx(low, rel=1e-9)
+
+
+def test_report_without_friction_needed() -> None:
+    found = fb.statics(fb.System.from_text(RESTING.replace("theta: 20 deg", "theta: {value: 0 deg, sign: any}")))
+    assert found.holds
+    assert math.isinf(found.reserve)
+
+
+def test_command_prints_a_table_and_json(tmp_path: Path) -> None:
+    file = tmp_path / "block.yaml"
+    file.write_text(BLOCK)
+
+    def run(*more: str) -> str:
+        command = [sys.executable, "-m", "freebody.cli", "statics", str(file), *more]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    text = run()
+    assert "It holds." in text
+    assert "with less block slips to the right on floor" in text
+    document = json.loads(run("--json"))
+    assert document["holds"] is True
+    assert document["friction_reserve"] == pytest.approx(0.4 * 98.1 / 10)
+    assert {r["reaction"] for r in document["reactions"]} == {"normal force", "friction force"}
+
+
+def test_mirrored_block_has_the_mirrored_range() -> None:
+    ends = asked(BLOCK.replace("along: right, magnitude", "along: left, magnitude"), "range of F that keeps it at rest")
+    low, high = ends["q1"].value  # type: ignore[misc]
+    assert low == pytest.approx(-high)
+
+
+def test_scaling_all_forces_scales_the_limits() -> None:
+    problem = rest(ROUGH)
+    heavy = replace(problem, Q=7.0 * problem.Q)
+    one, seven = (spread(p, problem.place("wall.ladder.end on wall")) for p in (problem, heavy))
+    assert one is not None
+    assert seven is not None
+    assert [e.value for e in seven] == pytest.approx([7.0 * e.value for e in one], rel=1e-12)

@@ -1,0 +1,490 @@
+"""Motion in phases, in closed form: which modes follow each other, when, and where in the space of parameters."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.language.notation import to_python, to_text
+from freebody.model.contact_questions import EnergyLost, Transition, Turns
+from freebody.study.phases.result import Phases, phases
+from freebody.study.phases.witness import follow
+
+FOLDER = Path(__file__).parents[1] / "examples"
+Agree = Callable[[str, str], None]
+
+SLOPE = """
+freebody: 1
+title: on a slope
+parameters: {{m: 1 kg, r: 0.1 m, theta: {theta} deg, mu: {mu}, v0: 2 m/s, g: 9.81 m/s^2}}
+ground: {{lines: {{incline: {{along: -theta}}}}}}
+bodies: {{ball: {{{shape}: {{mass: m, radius: r}}}}}}
+connections: {{contact: {{contact: {{between: [ball, incline], friction: mu}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{x: {{travel of ball along incline}}}}
+start: {{x: 0, rate(x): v0}}
+"""
+FLAT = """
+freebody: 1
+title: on the flat
+parameters: {{m: 1 kg, r: 0.1 m, mu: 0.2, v0: 5 m/s, g: 9.81 m/s^2}}
+ground: {{lines: {{floor: {{along: right}}}}}}
+bodies: {{ball: {{{shape}: {{mass: m, radius: r}}}}}}
+connections: {{contact: {{contact: {{between: [ball, floor], friction: mu}}}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{x: {{x of ball}}}}
+start: {{x: 0, rate(x): v0}}
+"""
+BLOCK = """
+freebody: 1
+title: block
+parameters: {m: 1 kg, theta: 30 deg, mu_s: 0.5, mu_k: 0.4, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: -theta}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [block, incline], friction: {static: mu_s, kinetic: mu_k}}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of block along incline}}
+start: {x: 0}
+"""
+
+
+@pytest.fixture
+def agrees_text() -> Agree:
+    """Asserts that two formulas are the same function of their symbols."""
+
+    def check(found: str, expected: str) -> None:
+        assert_same_function(found, expected, {})
+
+    return check
+
+
+def sphere(theta: float = 20.0, mu: float = 0.3, shape: str = "sphere") -> fb.System:
+    return fb.System.from_text(SLOPE.format(theta=theta, mu=mu, shape=shape))
+
+
+def solved(text: str, *questions: str) -> fb.Solution:
+    listed = "\n".join(f"  - {q}" for q in questions)
+    return fb.solve(fb.System.from_text(f"{text}\nquestions:\n{listed}\n"))
+
+
+def shown(solution: fb.Solution, k: int = 1) -> str:
+    expression = solution[f"q{k}"].expression
+    assert expression is not None, solution[f"q{k}"].reason
+    assert not isinstance(expression, tuple)
+    return to_python(expression)
+
+
+def titles(found: Phases) -> dict[str, tuple[str, ...]]:
+    return {case.what: case.conditions for case in found.cases}
+
+
+# -- the launched sphere ----------------------------------------------------------------------
+def test_sphere_slides_and_then_rolls_if_friction_is_large_enough() -> None:
+    assert titles(phases(sphere())) == {
+        "slides, then rolls": ("μ > 2·tan(θ)/7",),
+        "slides": ("μ ≤ 2·tan(θ)/7",),
+    }
+
+
+def test_the_case_of_the_file_comes_first() -> None:
+    first = phases(sphere(mu=0.05)).cases[0]
+    assert first.is_own
+    assert first.what == "slides"
+
+
+def test_sphere_and_disk_roll_at_five_sevenths_and_two_thirds_of_launch_speed_on_the_flat(agrees_text: Agree) -> None:
+    for shape, speed, time in (("sphere", "5*v0/7", "2*v0/(7*mu*g)"), ("disk", "2*v0/3", "v0/(3*mu*g)")):
+        found = solved(FLAT.format(shape=shape), "velocity of x when rolling begins", "time when rolling begins")
+        agrees_text(shown(found, 1), speed)
+        agrees_text(shown(found, 2), time)
+
+
+def test_published_times_on_the_flat() -> None:
+    ball = solved(FLAT.format(shape="sphere"), "time when rolling begins", "velocity of x when rolling begins")
+    assert ball["q1"].value == pytest.approx(0.728119994, abs=5e-10)
+    assert ball["q2"].value == pytest.approx(3.571428571, abs=5e-10)
+    disk = solved(FLAT.format(shape="disk"), "time when rolling begins", "velocity of x when rolling begins")
+    assert disk["q1"].value == pytest.approx(0.849473327, abs=5e-10)
+    assert disk["q2"].value == pytest.approx(3.333333333, abs=5e-10)
+
+
+def test_below_the_critical_friction_the_answer_says_that_it_is_not_true_there() -> None:
+    found = fb.solve(sphere(mu=0.05), "velocity of x when rolling begins")
+    (answer,) = found.answers
+    assert answer.expression is not None
+    assert answer.value is None
+    assert answer.conditions == ("μ > 2·tan(θ)/7",)
+    assert any("NOT SO" in note for note in answer.notes)
+
+
+def test_conditions_are_true_exactly_on_the_right_side_of_the_critical_friction() -> None:
+    found = phases(sphere())
+    regions = found.regions("theta", "mu", 61)
+    names = np.array([found.cases[k].what for k in range(len(found.cases))])
+    theta, mu = np.meshgrid(np.radians(regions.x), regions.y)
+    rolls = names[regions.index] == "slides, then rolls"
+    assert (regions.index >= 0).all()
+    assert (rolls == (mu > 2 / 7 * np.tan(theta))).all()
+
+
+@pytest.mark.parametrize("theta", [5.0, 20.0, 45.0, 70.0])
+@pytest.mark.parametrize("off", [-1e-9, 1e-9])
+def test_just_beside_the_critical_friction(theta: float, off: float) -> None:
+    mu = 2 / 7 * math.tan(math.radians(theta)) * (1 + off)
+    found = phases(sphere())
+    values = {**{k: np.array([v]) for k, v in found.tree.sets.one(0).items()}, "theta": np.array([math.radians(theta)])}
+    sets = found.tree.sets.at({**values, "mu": np.array([mu])})
+    true = [
+        case.what
+        for case in found.cases
+        if all(sets.evaluate(found.tree.home.model, r.element)[0] > 0 for r in case.relations)
+    ]
+    assert true == ["slides, then rolls" if off > 0 else "slides"]
+
+
+def test_rolling_begins_when_the_numeric_route_says_so() -> None:
+    system = sphere()
+    tree = phases(system).tree
+    node = tree.roots[0]
+    edge = next(e for e in node.edges if e.first is not None)
+    assert edge.time is not None
+    times = tree.numbers(edge.time)
+    for k in edge.sets[:6]:
+        (seen,) = follow(tree.system, [node.phase], tree.sets.one(int(k)), [2.0 * float(times[k])])
+        assert seen.event == ("slip ends", "contact.slip", 0)
+        assert seen.time == pytest.approx(times[k], rel=1e-10)
+
+
+def test_energy_lost_is_the_friction_force_times_the_way_that_slipped(agrees_text: Agree) -> None:
+    found = solved(
+        SLOPE.format(theta=20, mu=0.3, shape="disk"), "energy lost until rolling begins", "time when rolling begins"
+    )
+    agrees_text(shown(found, 1), f"mu*m*g*cos(theta)*v0*({shown(found, 2)})/2")
+
+
+def test_the_sphere_is_solved_in_less_than_three_seconds(within: Callable[..., None]) -> None:
+    within(3.0, lambda: fb.solve(fb.System.load(FOLDER / "sphere_launched_down_incline.yaml")))
+
+
+# -- holding and slipping ---------------------------------------------------------------------
+def test_block_holds_up_to_the_static_friction() -> None:
+    found = titles(phases(fb.System.from_text(BLOCK)))
+    assert found["holds"] == ("μ_s ≥ tan(θ)",)
+    assert "μ_s < tan(θ)" in found["slides"]
+
+
+def test_acceleration_of_a_block_is_a_case_distinction() -> None:
+    answer = solved(BLOCK, "acceleration of x at start")["q1"]
+    cases = {to_text(case.expression): case.conditions for case in answer.cases}  # type: ignore[arg-type]
+    assert set(cases) == {"g·(sin(θ) - μ_k·cos(θ))", "0"}
+    assert cases["0"] == ("μ_s ≥ tan(θ)",)
+
+
+def test_friction_force_of_a_holding_block_is_what_it_needs(agrees_text: Agree) -> None:
+    held = BLOCK.replace("theta: 30 deg", "theta: 10 deg")
+    agrees_text(shown(solved(held, "friction force of contact")), "-m*g*sin(theta)")
+
+
+def test_block_pulled_over_an_edge_holds_while_friction_carries_the_weight() -> None:
+    text = """
+freebody: 1
+title: over an edge
+parameters: {m1: 2 kg, m2: 1 kg, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}, points: {P: [1 m, 0]}}
+bodies: {block: {particle: {mass: m1}, at: [0, 0]}, weight: {particle: {mass: m2}, at: [1 m, -0.3 m]}}
+connections:
+  contact: {contact: {between: [block, table], friction: mu, touching: true}}
+  plumb: {slider: {body: weight, along: down}}
+  rope: {string: {from: block, over: [ground.P], to: weight}}
+loads: {gravity: {gravity: g}}
+measures: {x: {x of block}}
+start: {x: 0}
+"""
+    found = phases(fb.System.from_text(text))
+    assert titles(found) == {"slides": ("μ < m₂/m₁",), "holds": ("μ ≥ m₂/m₁",)}
+    tension = solved(text, "tension of rope")["q1"]
+    assert tension.value == pytest.approx(2 * 1 * 9.81 * 1.3 / 3)
+
+
+def test_upper_of_two_blocks_slips_when_it_is_pulled_too_hard() -> None:
+    text = """
+freebody: 1
+title: stacked
+parameters: {m1: 2 kg, m2: 1 kg, F: 10 N, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {lower: {particle: {mass: m1}, lines: {top: {along: right}}}, upper: {particle: {mass: m2}}}
+connections:
+  smooth: {slider: {body: lower, along: right}}
+  contact: {contact: {between: [upper, lower.top], friction: mu}}
+loads: {gravity: {gravity: g}, pull: {force: {at: upper, along: right, magnitude: F}}}
+measures: {x1: {x of lower}, x2: {x of upper}}
+"""
+    assert titles(phases(fb.System.from_text(text))) == {
+        "slides": ("μ < m₁·F/(m₂·g·(m₁ + m₂))",),
+        "sticks": ("μ ≥ m₁·F/(m₂·g·(m₁ + m₂))",),
+    }
+
+
+def test_a_growing_pull_makes_a_block_slip_after_a_time(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: pulled harder and harder
+parameters: {m: 1 kg, c: 5 N/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {sledge: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [sledge, floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: sledge, along: right, magnitude: c*t}}}
+measures: {x: {x of sledge}}
+"""
+    agrees_text(shown(solved(text, "when does the sledge slip?")), "mu*m*g/c")
+    after = phases(fb.System.from_text(text)).cases[0].phases[1]
+    assert dict(after.forces)["friction force of contact"] is not None
+    assert [to_text(right) for _left, right in after.equations] == ["(c·t - m·μ·g)/m"]
+
+
+def test_when_it_slips_at_once_the_time_is_zero_and_the_condition_is_told() -> None:
+    answer = solved(BLOCK, "time when block slips")["q1"]
+    assert answer.value == 0.0
+    assert "μ_s < tan(θ)" in answer.conditions
+
+
+@pytest.mark.slow
+def test_box_on_a_slope_holds_slides_or_tips() -> None:
+    text = """
+freebody: 1
+title: box
+parameters: {m: 1 kg, w: 0.2 m, h: 0.3 m, theta: 20 deg, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: -theta}}}
+bodies: {box: {rectangle: {mass: m, width: w, height: h}, angle: -theta}}
+connections: {contact: {contact: {between: [box, incline], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: {travel of box along incline}}
+start: {x: 0}
+"""
+    found = titles(phases(fb.System.from_text(text)))
+    assert set(found["holds"]) == {"w·cos(θ) ≥ h·sin(θ)", "μ ≥ tan(θ)"}
+    assert set(found["slides"]) == {"μ ≤ w/h", "μ < tan(θ)"}
+    assert "h·sin(θ) > w·cos(θ)" in found["tips about bottom_right"]
+    assert "μ > w/h" in found["tips and slides on bottom_right"]
+
+
+# -- friction in joints -----------------------------------------------------------------------
+def test_flywheel_comes_to_rest_by_its_brake(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: flywheel
+parameters: {I: 2 kg m^2, omega0: 30 rad/s, T: 5 N m}
+ground: {points: {A: [0, 0]}}
+bodies: {wheel: {body: {mass: 1 kg, inertia: I}}}
+connections: {axle: {pin: [ground.A, wheel]}, brake: {brake: {between: [wheel, ground], torque: T}}}
+measures: {theta: {angle of wheel}}
+start: {theta: 0, rate(theta): omega0}
+"""
+    found = solved(text, "time when wheel stops", "turns of wheel until it stops", "energy lost until wheel stops")
+    agrees_text(shown(found, 1), "I*omega0/T")
+    agrees_text(shown(found, 2), "I*omega0**2/(2*T)/(2*pi)")
+    agrees_text(shown(found, 3), "I*omega0**2/2")
+
+
+def test_axle_friction_by_the_weight_alone(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: wheel on a dry axle
+parameters: {m: 1 kg, R: 0.2 m, a: 0.02 m, omega0: 10 rad/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {wheel: {disk: {mass: m, radius: R}}}
+connections: {axle: {pin: {first: ground.A, second: wheel, friction: mu, radius: a}}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of wheel}}
+start: {rate(theta): omega0}
+"""
+    agrees_text(shown(solved(text, "time when wheel stops")), "R**2*omega0/(2*mu*g*a)")
+
+
+def test_friction_by_a_resultant_of_two_components_is_refused_with_the_reason() -> None:
+    text = """
+freebody: 1
+title: pendulum on a dry pin
+parameters: {m: 1 kg, L: 1 m, a: 0.02 m, mu: 0.3, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {axle: {pin: {first: ground.A, second: rod.start, friction: mu, radius: a}}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod}}
+start: {theta: 0, rate(theta): -1 rad/s}
+questions: [acceleration of theta at start]
+"""
+    (answer,) = fb.solve(fb.System.from_text(text)).answers
+    assert answer.expression is None
+    assert "resultant of two components" in answer.reason
+
+
+def test_block_on_a_spring_swings_half_a_period_at_a_time(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: spring and dry friction
+parameters: {m: 1 kg, k: 100 N/m, mu: 0.2, A: 0.07 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [block, floor], friction: mu}}}
+loads: {weight: {gravity: g}, spring: {force: {at: block, along: right, magnitude: -k*x}}}
+measures: {x: {x of block}}
+start: {x: A}
+"""
+    found = solved(text, "x when block stops", "time when block stops")
+    agrees_text(shown(found, 1), "2*mu*m*g/k - A")
+    agrees_text(shown(found, 2), "pi*sqrt(m/k)")
+    assert found.phases is not None
+    told = titles(found.phases)
+    assert told["holds"] == ("μ ≥ k·A/(m·g)",)
+    assert set(told["slides, then holds"]) == {"μ < k·A/(m·g)", "μ ≥ k·A/(3·m·g)"}
+
+
+# -- leaving a surface ------------------------------------------------------------------------
+def test_particle_leaves_a_smooth_sphere_at_two_thirds() -> None:
+    system = fb.System.load(FOLDER / "particle_leaving_dome.yaml").with_parameters(v0="0.000001 m/s")
+    angle = fb.solve(system, "phi when bead leaves the dome").answers[0].value
+    assert isinstance(angle, float)
+    assert math.cos(angle) == pytest.approx(2 / 3, abs=1e-9)
+
+
+def test_rolling_ball_leaves_a_cylinder_at_ten_seventeenths() -> None:
+    system = fb.System.load(FOLDER / "ball_leaving_cylinder.yaml").with_parameters(phi0="0.001 deg")
+    angle = fb.solve(system, "phi when ball leaves the drum").answers[0].value
+    assert isinstance(angle, float)
+    assert math.cos(angle) == pytest.approx(10 / 17, abs=1e-9)
+
+
+def test_ladder_leaves_the_wall_at_two_thirds_of_its_height(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: ladder
+parameters: {m: 10 kg, L: 3 m, theta0: 60 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}, wall: {along: down}}}
+bodies: {ladder: {rod: {mass: m, length: L}, at: [L/2*cos(theta0), L/2*sin(theta0)], angle: -theta0}}
+connections:
+  foot: {contact: {between: [ladder.end, floor], touching: true}}
+  top: {contact: {between: [ladder.start, wall], touching: true}}
+loads: {weight: {gravity: g}}
+measures: {h: {height of ladder.start}}
+"""
+    agrees_text(shown(solved(text, "h when top opens")), "2/3*L*sin(theta0)")
+
+
+def test_a_ball_dropped_touches_after_its_time_of_fall(agrees_text: Agree) -> None:
+    text = """
+freebody: 1
+title: dropped
+parameters: {m: 1 kg, r: 0.1 m, H: 1 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {disk: {mass: m, radius: r}, at: [0, H]}}
+connections: {contact: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
+loads: {weight: {gravity: g}}
+measures: {y: {height of ball}}
+"""
+    found = solved(text, "time when y = r")
+    agrees_text(shown(found), "sqrt(2*(H - r)/g)")
+    assert found.phases is not None
+    assert "impact" in found.phases.cases[0].phases[0].reason
+
+
+def test_ball_in_a_half_pipe_slips_at_once_if_let_go_too_high() -> None:
+    text = """
+freebody: 1
+title: half pipe
+parameters: {m: 0.5 kg, r: 0.05 m, R: 0.4 m, mu: 0.1, phi0: 70 deg, g: 9.81 m/s^2}
+bodies:
+  bowl: {ring: {radius: R}, fixed: true}
+  ball: {sphere: {mass: m, radius: r}, at: [(R - r)*sin(phi0), -(R - r)*cos(phi0)]}
+connections: {contact: {contact: {between: [ball, inside bowl], friction: mu, touching: true}}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.origin to ball from down}}
+start: {phi: phi0}
+"""
+    assert titles(phases(fb.System.from_text(text))) == {
+        "slides": ("R > r", "μ < 2·tan(φ₀)/7"),
+        "rolls": ("R > r", "μ ≥ 2·tan(φ₀)/7"),
+    }
+
+
+# -- spin -------------------------------------------------------------------------------------
+def test_back_spin_brings_the_ball_back_if_it_is_fast_enough() -> None:
+    found = fb.solve(fb.System.load(FOLDER / "ball_with_back_spin.yaml"))
+    assert found["farthest"].conditions == ("2·r·ω₀ > 5·v₀",)
+    assert found["return"].cases[0].conditions == ("r·ω₀ > 6·v₀",)
+
+
+def test_billiard_ball_rolls_at_once_if_struck_at_two_fifths_of_its_radius() -> None:
+    found = phases(fb.System.load(FOLDER / "billiard_ball.yaml"))
+    assert found.between == ("2·r = 5·h",)
+
+
+# -- words, data, pictures --------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("words", "kind"),
+    [
+        ("time when rolling begins", "rolls"),
+        ("time when pure rolling starts", "rolls"),
+        ("time when the ball begins to roll", "rolls"),
+        ("time when ball rolls without slipping", "rolls"),
+        ("time when slip of contact = 0", "slip ends"),
+        ("time when sliding ends", "slip ends"),
+        ("time until the ball comes to rest", "slip ends"),
+        ("when does contact slip?", "slips"),
+        ("time when slipping begins", "slips"),
+        ("where does the ball leave the incline?", "opens"),
+        ("x when contact opens", "opens"),
+        ("x when ball leaves incline", "opens"),
+        ("x when contact is lost", "opens"),
+    ],
+)
+def test_words_of_students_are_read(words: str, kind: str) -> None:
+    asked = sphere().question(words)
+    assert isinstance(asked.transition, Transition)
+    assert asked.transition.kind == kind
+    assert asked.event is None
+
+
+def test_quantities_up_to_an_event_are_read() -> None:
+    assert isinstance(sphere().question("energy lost until rolling begins").quantity, EnergyLost)
+    assert isinstance(sphere().question("number of turns of ball until rolling begins").quantity, Turns)
+
+
+def test_a_quantity_up_to_an_event_needs_one() -> None:
+    with pytest.raises(fb.ModelError, match="say until when"):
+        sphere().question("turns of ball")
+
+
+def test_an_unknown_name_in_an_event_is_told() -> None:
+    with pytest.raises(fb.ModelError, match="no connection or body contakt"):
+        sphere().question("time when contakt opens")
+
+
+def test_what_never_happens_is_said_so() -> None:
+    (answer,) = fb.solve(sphere(), "time when contact opens").answers
+    assert answer.expression is None
+    assert "never happens" in answer.reason
+
+
+def test_json_of_a_solution_holds_its_phases() -> None:
+    document = json.loads(json.dumps(fb.solve(sphere(), "time when rolling begins").to_plain(), allow_nan=False))
+    first = document["phases"]["cases"][0]
+    assert first["conditions"] == ["μ > 2·tan(θ)/7"]
+    assert [p["event"] for p in first["phases"]] == ["rolling begins", None]
+    assert first["phases"][0]["duration"] == "2*v0/(g*(7*mu*cos(theta) - 2*sin(theta)))"
+
+
+def test_regions_are_drawn(tmp_path: Path) -> None:
+    assert phases(sphere()).plot("theta", "mu", tmp_path / "regions.png", n=40).stat().st_size > 5_000
+
+
+def test_an_unknown_parameter_of_a_region_is_told() -> None:
+    with pytest.raises(fb.InputError, match="no parameter nu"):
+        phases(sphere()).regions("theta", "nu")

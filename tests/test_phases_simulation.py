@@ -1,0 +1,86 @@
+"""Motion in phases: the closed forms and the event-driven simulation are two ways to the same numbers."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import freebody as fb
+from freebody.study.phases.result import Phases, phases
+
+FOLDER = Path(__file__).parents[1] / "examples"
+EVENTS = ("stops slipping", "slips back", "parts", "starts slipping")
+
+
+def first_time(found: Phases, values: dict[str, float]) -> float | None:
+    """When the first phase ends at these values; None if it does not."""
+    sets = found.tree.sets.at({k: np.array([v]) for k, v in values.items()})
+    model = found.tree.home.model
+    for node in found.tree.roots:
+        for edge in node.edges:
+            conditions = [*node.conditions, *edge.conditions]
+            if all(sets.evaluate(model, c.element)[0] > 0 for c in conditions):
+                return None if edge.time is None else float(sets.evaluate(model, edge.time)[0])
+    raise AssertionError(f"no case holds at {values}")
+
+
+@pytest.fixture(scope="module")
+def sphere() -> fb.System:
+    return fb.System.load(FOLDER / "sphere_launched_down_incline.yaml")
+
+
+@pytest.fixture(scope="module")
+def sphere_phases(sphere: fb.System) -> Phases:
+    return phases(sphere)
+
+
+@pytest.mark.parametrize("theta", [2.0, 15.0, 30.0, 50.0])
+@pytest.mark.parametrize("factor", [0.5, 1.01, 1.2, 3.0])
+def test_rolling_begins_in_the_simulation_when_the_formula_says(
+    sphere: fb.System, sphere_phases: Phases, theta: float, factor: float
+) -> None:
+    angle = math.radians(theta)
+    values = {p.name: p.value for p in sphere.parameters.values() if p.value is not None}
+    values |= {"theta": angle, "mu": 2 / 7 * math.tan(angle) * factor}
+    time = first_time(sphere_phases, values)
+    assert (time is None) == (factor < 1)
+    until = 2.0 if time is None else 1.2 * time
+    result = fb.simulate(sphere, until, values=values, tolerance=1e-11)
+    times = [e.time for e in result.events if e.kind == "stops slipping"]
+    if time is None:
+        assert times == []
+    else:
+        assert times == [pytest.approx(time, rel=1e-10)]
+
+
+@pytest.mark.parametrize("name", ["ball_with_back_spin", "block_on_rough_incline", "billiard_ball"])
+def test_the_first_event_of_an_example_is_that_of_its_simulation(name: str) -> None:
+    system = fb.System.load(FOLDER / f"{name}.yaml")
+    values = {p.name: p.value for p in system.parameters.values() if p.value is not None}
+    time = first_time(phases(system), values)
+    assert time is not None
+    result = fb.simulate(system, 1.2 * time, tolerance=1e-11)
+    assert [e.time for e in result.events if e.kind in EVENTS] == [pytest.approx(time, rel=1e-10)]
+
+
+@pytest.mark.parametrize("name", ["particle_leaving_dome", "ball_leaving_cylinder"])
+def test_the_place_of_leaving_is_that_of_the_simulation(name: str) -> None:
+    system = fb.System.load(FOLDER / f"{name}.yaml")
+    expected = fb.solve(system)["angle"].value
+    assert isinstance(expected, float)
+    result = fb.simulate(system, 1.5, tolerance=1e-11, events=[f"phi = {expected!r} rad"])
+    leaves = next(e.time for e in result.events if e.kind == "parts")
+    passes = next(e.time for e in result.events if e.kind != "parts")
+    assert leaves == pytest.approx(passes, rel=1e-8)
+
+
+def test_speed_when_rolling_begins_is_that_of_the_simulation(sphere: fb.System) -> None:
+    answers = fb.solve(sphere)
+    time, speed = answers["time"].value, answers["speed"].value
+    assert isinstance(time, float)
+    result = fb.simulate(sphere, time, tolerance=1e-12)
+    velocity = result.dataset["body_velocity"].values[-1, 0]
+    assert float(np.hypot(*velocity)) == pytest.approx(speed, rel=1e-10)
