@@ -433,7 +433,7 @@ def test_tooth_forces_and_tensions_at_the_start_are_those_of_the_closed_forms(na
     for question, answer in zip(system.questions, system.solve().answers, strict=True):
         if isinstance(question.quantity, Multiplier) and question.event is None and isinstance(answer.value, float):
             row = multiplier_row(question.quantity, system)
-            name = reaction_names(system)[system.rows.index(row)]
+            name = reaction_names(system.rows)[system.rows.index(row)]
             assert float(result.dataset[name][0]) == pytest.approx(answer.value, rel=1e-8, abs=1e-10), answer.question
 
 

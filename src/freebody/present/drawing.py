@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from freebody.present.figures import Array
+from freebody.present.halts import Halts
 from freebody.present.layout import Layout, bounds, headings
+from freebody.present.marks import ContactTrack
 from freebody.present.pen import Pen
 from freebody.present.scene import Scene
-from freebody.present.strokes import Label, Stroke, stroke_points
+from freebody.present.strokes import Label, Path, Stretch, Stroke, stroke_points
+from freebody.present.surfaces import Surfaces, surplus
 
 _NARROWEST, _LOWEST = 0.6, 0.35  # width by height of a picture, and height by width
 
@@ -33,32 +37,53 @@ class Drawing:
     moved: tuple[str, ...]
     strokes: list[Stroke] = field(default_factory=list[Stroke])
     labels: list[Label] = field(default_factory=list[Label])
+    contacts: ContactTrack | None = None  # with as many times as the poses
 
     @classmethod
-    def of(cls, scene: Scene, poses: Array) -> Drawing:
-        """The drawing of a scene on its way through poses (n_times, n_bodies, 3) [m, m, rad]."""
+    def of(cls, scene: Scene, poses: Array, contacts: ContactTrack | None = None) -> Drawing:
+        """The drawing of a scene on its way through poses (n_times, n_bodies, 3) [m, m, rad], with marks where bodies
+        touch if these are given."""
         layout = Layout.of(scene, np.asarray(poses, dtype=np.float64))
         tracks = [headings(rope, layout.poses) for rope in layout.ropes]
         every = np.concatenate(tracks, axis=1) if tracks else np.zeros((len(poses), 0))
         low, high = bounds(scene, layout.poses)
-        drawing = cls(scene, layout.poses, every, layout.symbol, low, high, layout.moved)
-        pen = Pen(scene, layout)
+        drawing = cls(scene, layout.poses, every, layout.symbol, low, high, layout.moved, contacts=contacts)
+        pen, surfaces = Pen(scene, layout), Surfaces(scene, layout)
+        drawing.strokes.extend(Halts(scene, layout).strokes())
         drawing.strokes.extend(pen.strokes())
         drawing.labels.extend(pen.labels())
-        seen = [drawing.points(stroke, k) for stroke in drawing.strokes for k in drawing.key_frames()]
-        corners = np.concatenate([*seen, low[None], high[None]])
+        drawing._frame()
+        drawing.strokes[:0] = surfaces.strokes(drawing.low, drawing.high)
+        return drawing
+
+    def _frame(self) -> None:
+        """Sets the corners round all strokes so far."""
+        seen = [self.points(stroke, k) for stroke in self.strokes for k in self.key_frames()]
+        corners = np.concatenate([*seen, self.low[None], self.high[None]])
         low, high = corners.min(axis=0), corners.max(axis=0)
-        margin = 3 * layout.symbol
+        margin = 3 * self.symbol
         wide, tall = high - low + 2 * margin
         middle = (low + high) / 2
         half = np.array((max(wide, _NARROWEST * tall), max(tall, _LOWEST * wide))) / 2
-        drawing.low[:], drawing.high[:] = middle - half, middle + half
-        return drawing
+        self.low[:], self.high[:] = middle - half, middle + half
 
     def key_frames(self) -> Sequence[int]:
         """A few frames that stand for all."""
         n = len(self.poses)
         return sorted({round(k * (n - 1) / 60) for k in range(61)})
+
+    @cached_property
+    def marks(self) -> list[tuple[int, int, Path | Stretch]]:
+        """Marks where bodies touch: the number of the meeting, the state in which it shows, and the mark."""
+        thicker = {figure.turn: surplus(figure, self.symbol) for figure in self.scene.figures}
+        return [] if self.contacts is None else list(self.contacts.marks(self.symbol, thicker))
+
+    def shown(self, frame: int) -> list[Stroke]:
+        """The strokes of one instant: all that there are, and the marks of the present contacts."""
+        if self.contacts is None:
+            return self.strokes
+        now = self.contacts.states[frame]
+        return [*self.strokes, *(stroke for k, state, stroke in self.marks if now[k] == state)]
 
     def points(self, stroke: Stroke, frame: int) -> Array:
         """(n, 2) [m] a stroke at one instant, in ground coordinates."""

@@ -61,10 +61,17 @@ class Figure:
     is_particle: bool = False
     has_mass: bool = True
     has_place: bool = False  # the model says where it starts
+    corners: tuple[Place, ...] = ()  # of a straight-edged rim, in order
+    outside: tuple[str, ...] = ()  # what may touch it, by name: its rim from outside, its corners, its points
+    inside: tuple[str, ...] = ()  # what may touch its rim from inside
 
     @property
     def outline(self) -> Array:
-        """(n, 2) [m] corners of the hull of its points, counter-clockwise; two for a rod, one for a dot."""
+        """(n, 2) [m] its corners, if they enclose an area; or those of the hull of its points, counter-clockwise: two
+        for a rod, one for a dot."""
+        corners = np.array([(p.x, p.y) for p in self.corners])
+        if len(corners) > 2 and len(hull(corners)) > 2:
+            return corners
         return hull(np.array([(p.x, p.y) for p in self.points.values()] or [(0.0, 0.0)]))
 
 
@@ -130,6 +137,52 @@ class Spring:
     has_damper: bool = False
 
 
+class Tip(NamedTuple):
+    """What of a body may touch a surface: a circle, or a point of radius 0."""
+
+    place: Place
+    radius: float
+    figure: str  # the name of its body
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A straight line that others may touch, solid on the right of its direction."""
+
+    through: Place
+    along: Heading
+    tips: tuple[Tip, ...]
+    edge: Pair | None = None  # [m] from where to where it is an edge of its own body, along it from `through`
+
+    @property
+    def is_endless(self) -> bool:
+        """Whether it is a line of the ground, or fixed in it."""
+        return self.through.body == GROUND and self.edge is None
+
+
+@dataclass(frozen=True)
+class Halt:
+    """A stop of a point: at `limit` from `origin` along a direction it goes no farther; `side` +1 where it stays
+    ahead of that."""
+
+    point: Place
+    origin: Place
+    along: Heading
+    limit: float
+    side: int
+
+
+@dataclass(frozen=True)
+class TurnHalt:
+    """A stop of a turning body: its angle from a base body (or the ground) goes no farther than `limit`; `side` +1
+    where it stays counter-clockwise of that."""
+
+    body: int
+    base: int
+    limit: float
+    side: int
+
+
 @dataclass(frozen=True)
 class Joints:
     """All that joins the bodies."""
@@ -140,6 +193,9 @@ class Joints:
     contacts: list[Contact] = field(default_factory=list[Contact])
     ropes: list[Rope] = field(default_factory=list[Rope])
     springs: list[Spring] = field(default_factory=list[Spring])
+    surfaces: list[Surface] = field(default_factory=list[Surface])
+    halts: list[Halt | TurnHalt] = field(default_factory=list["Halt | TurnHalt"])
+    touching: set[tuple[int, int]] = field(default_factory=set[tuple[int, int]])  # bodies that may touch
     hanging: set[int] = field(default_factory=set[int])  # bodies whose place aside is not stated
 
 
@@ -182,3 +238,12 @@ def hull(points: Array) -> Array:
         return kept[:-1]
 
     return np.array(chain(ordered) + chain(ordered[::-1])) * (size or 1.0)
+
+
+def is_within(corners: Array, point: Pair) -> bool:
+    """Whether a point lies in a convex polygon or on its edge. corners: (n, 2), counter-clockwise or clockwise."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    away = np.array(point) - corners
+    turn = sides[:, 0] * away[:, 1] - sides[:, 1] * away[:, 0]
+    least = 1e-9 * float(np.ptp(corners, axis=0).max()) ** 2
+    return bool((turn > -least).all() or (turn < least).all())

@@ -20,6 +20,8 @@ from freebody.present.figures import (
     Node,
     Place,
     Rope,
+    Surface,
+    Tip,
     angles,
     positions,
     turned,
@@ -28,6 +30,7 @@ from freebody.present.scene import Scene
 
 _TO_SYMBOL = 0.02  # size of symbols by that of the picture
 _SHORTEST = 5.0  # a lead, in sizes of symbols
+_FARTHEST = 5.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,8 @@ class _Settling:
             *joints.links,
             *((c.first, c.second) for c in joints.contacts),
         ]
-        if any({a.body, b.body} & members and GROUND in (a.body, b.body) for a, b in ends):
+        pairs = [(a.body, b.body) for a, b in ends] + list(joints.touching)
+        if any({a, b} & members and GROUND in (a, b) for a, b in pairs):
             return False
         rails = [g for g in joints.guides if g.point.body in members and g.along.body == GROUND]
         return not any(g.turns or g.offset for g in rails) and bool(rails or joints.hanging & members)
@@ -157,9 +161,9 @@ def _groups(scene: Scene) -> list[int]:
     pairs = [(p.first, p.second) for p in joints.pins] + joints.links
     pairs += [(c.first, c.second) for c in joints.contacts]
     pairs += [(g.point, Place(g.along.body, 0, 0)) for g in joints.guides if not (g.offset and g.turns)]
-    for a, b in pairs:
-        if GROUND not in (a.body, b.body):
-            low, high = sorted((group[a.body], group[b.body]))
+    for a, b in [*((a.body, b.body) for a, b in pairs), *joints.touching]:
+        if GROUND not in (a, b):
+            low, high = sorted((group[a], group[b]))
             group = [low if g == high else g for g in group]
     return group
 
@@ -191,7 +195,19 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
     corners += [positions(poses, place) for pair in ends for place in pair]
     corners += [positions(poses, node.place) for rope in joints.ropes for node in rope.nodes]
     everything = np.concatenate(corners or [np.zeros((1, 2))])
+    feet = list(_feet(scene, poses, float(np.ptp(everything, axis=0).max())))
+    everything = np.concatenate([everything, *feet])
     return everything.min(axis=0), everything.max(axis=0)
+
+
+def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:
+    """(1, 2) [m] where bodies come nearest to endless surfaces, unless that is far from all that moves."""
+    for surface in scene.joints.surfaces:
+        for tip in surface.tips if surface.is_endless else ():
+            s, gap = along_surface(surface, tip, poses)
+            k = int(np.abs(gap).argmin())
+            if abs(gap[k]) < _FARTHEST * size:
+                yield np.array([surface.through[1:]]) + s[k] * np.array(surface.along[1:])
 
 
 def headings(rope: Rope, poses: Array) -> Array:
@@ -221,17 +237,29 @@ def sweep(arm: float, before: Array | float, after: Array | float) -> Array:
     return sense * np.where(around > 1.8 * np.pi, 0.0, around)
 
 
+def placed_in(poses: Array, body: int, place: Place) -> Array:
+    """(n_times, 2) [m] of a place on the way, by components in a body (from its mass centre)."""
+    at = positions(poses, place)
+    if body == GROUND:
+        return at
+    pose = poses[:, body]
+    c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
+    d = at - pose[:, :2]
+    return np.stack((c * d[:, 0] + s * d[:, 1], -s * d[:, 0] + c * d[:, 1]), axis=-1)
+
+
 def travel(guide: Guide, poses: Array) -> tuple[Array, Array]:
     """(n_times,), (n_times,) [m]: how far a guided point is along its line and to the left of it, by components in the
     body of the line (from its mass centre)."""
-    at = positions(poses, guide.point)
-    if guide.along.body != GROUND:
-        pose = poses[:, guide.along.body]
-        c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
-        d = at - pose[:, :2]
-        at = np.stack((c * d[:, 0] + s * d[:, 1], -s * d[:, 0] + c * d[:, 1]), axis=-1)
+    at = placed_in(poses, guide.along.body, guide.point)
     along = np.array(guide.along[1:])
     return at @ along, at @ np.array([-along[1], along[0]])
+
+
+def along_surface(surface: Surface, tip: Tip, poses: Array) -> tuple[Array, Array]:
+    """(n_times,), (n_times,) [m]: how far a tip is along a surface, and the gap between them."""
+    away = placed_in(poses, surface.through.body, tip.place) - np.array(surface.through[1:])
+    return away @ np.array(surface.along[1:]), away @ np.array(surface.along.normal()[1:]) - tip.radius
 
 
 def extent_across(figure: Figure, guide: Guide, poses: Array) -> tuple[float, float]:

@@ -9,11 +9,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from freebody.present.figures import GROUND, Array, Figure, Guide, Heading, Place, Spring, positions, turned
+from freebody.present.figures import GROUND, Array, Figure, Guide, Heading, Place, Spring, is_within, positions, turned
 from freebody.present.layout import Layout, extent_across, headings, travel
 from freebody.present.scene import Scene
 from freebody.present.strokes import Label, Path, Strand, Stretch, Stroke
-from freebody.present.symbols import DASHPOT, ZIGZAG, aside, box, capsule, circle, hatched, support
+from freebody.present.surfaces import surplus
+from freebody.present.symbols import DASHPOT, ZIGZAG, aside, box, capsule, circle, hatched, hatched_ring, support
 
 
 class Pen:
@@ -70,6 +71,8 @@ class Pen:
         if not is_surface:
             below, above = extent_across(figure, guide, self.poses) if figure else (0.0, 0.0)
             level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
+        if is_surface and self._is_drawn(guide, level):
+            return
         yield self._on_line(guide, level, ends, "surface")
         if body == GROUND:
             yield self._on_line(guide, level, hatched(low, high, side * self.u, self.u), "hatch")
@@ -79,6 +82,15 @@ class Pen:
         angle, body = guide.along.angle, guide.along.body
         start = turned(angle + np.pi / 2, 1.0, 0.0) * level
         return Path(Place(body, *map(float, start)), body, turned(angle, *points.T), style, is_closed)
+
+    def _is_drawn(self, guide: Guide, level: float) -> bool:
+        """Whether a line is a surface for others too, which is drawn at full length."""
+        for surface in self.joints.surfaces:
+            turn = guide.along.x * surface.along.y - guide.along.y * surface.along.x
+            height = surface.through.y * guide.along.x - surface.through.x * guide.along.y
+            if surface.along.body == guide.along.body and max(abs(turn), abs(height - level)) < 1e-6:
+                return True
+        return False
 
     def _half_length(self, figure: Figure | None, guide: Guide) -> float:
         if figure is None or figure.is_particle:
@@ -150,41 +162,78 @@ class Pen:
         if size < 1e-9:
             yield self._dot(figure, fill)
         elif len(outline) == 2:
-            points = capsule(tuple(outline[0]), tuple(outline[1]), min(0.6 * self.u, 0.15 * size))
+            points = capsule(tuple(outline[0]), tuple(outline[1]), surplus(figure, self.u))
             yield Path(rest, turn, points, fill, True, color)
         else:
             yield Path(rest, turn, outline, fill, True, color)
+            yield from self._arms(figure)
         if figure.has_mass and turn != GROUND and size > 4 * self.u:
             yield Path(figure.mass_center, turn, circle(0.22 * self.u), "mass center", True, color)
+
+    def _arms(self, figure: Figure) -> Iterator[Path]:
+        """A line from the mass centre to what is joined to a body outside its edges."""
+        joints, center = self.joints, figure.mass_center
+        pairs = [*((p.first, p.second) for p in joints.pins), *joints.links]
+        pairs += [(s.first, s.second) for s in joints.springs]
+        used = {place for pair in pairs for place in pair} | {n.place for rope in self.ropes for n in rope.nodes}
+        for place in used & set(figure.points.values()):
+            if not is_within(figure.outline, (place.x, place.y)):
+                points = np.array([(0.0, 0.0), (place.x - center.x, place.y - center.y)])
+                yield Path(center, figure.turn, points, "rim", False, figure.number)
 
     def _dot(self, figure: Figure, fill: str) -> Path:
         """A point mass as a dot, a sliding one as a box along its rail."""
         rail = next((g for g in self.joints.guides if g.point.body == figure.turn != GROUND and not g.turns), None)
         if rail is None:
-            radius = 0.7 if figure.is_particle else 1.0
-            return Path(figure.mass_center, figure.turn, circle(radius * self.u), fill, True, figure.number)
+            points = circle(surplus(figure, self.u))
+            return Path(figure.mass_center, figure.turn, points, fill, True, figure.number)
         points = turned(rail.along.angle, *box(1.5 * self.u, 0.8 * self.u).T)
         return Path(figure.mass_center, rail.along.body, points, fill, True, figure.number)
 
     def _wheel(self, figure: Figure, fill: str) -> Iterator[Path]:
-        """A rim and a spoke, so that its turning is seen; a ring has its mass outside the circle it rolls on."""
-        place, turn, color, rim = figure.center, figure.turn, figure.number, figure.radius or 0.0
+        """A rim and a spoke, so that its turning is seen."""
+        place, turn, color = figure.center, figure.turn, figure.number
+        rim = (figure.radius or 0.0) + self._room(figure)
         edge = "rim" if turn != GROUND else "fixed rim"
         if figure.is_hollow:
-            width = min(0.12 * rim, 1.2 * self.u)
+            yield from self._ring(figure, rim, fill, edge)
+        else:
+            yield Path(place, turn, circle(rim, 24), fill, True, color)
+            if turn != GROUND:
+                yield Path(place, turn, np.array([(0.0, 0.0), (rim, 0.0)]), "spoke", False, color)
+        for hub in figure.hubs:
+            yield Path(place, turn, circle(hub, 24), edge, True, color)
+
+    def _ring(self, figure: Figure, rim: float, fill: str, edge: str) -> Iterator[Path]:
+        """A wall on the side of the rim that nothing touches, and a mark on it; hatching round a fixed ring."""
+        place, turn, color = figure.center, figure.turn, figure.number
+        if turn == GROUND and figure.inside and not figure.outside:
+            yield Path(place, turn, hatched_ring(rim, self.u, self.u), "hatch")
+            yield Path(place, turn, circle(rim, 24), "surface", True, color)
+            return
+        width = min(0.12 * rim, 1.2 * self.u) * (1.0 if figure.inside else -1.0)
+        mark = np.array([(rim, 0.0), (rim + width, 0.0)])
+        if figure.inside and figure.outside:
+            yield Path(place, turn, circle(rim, 24), "hoop" if turn != GROUND else edge, True, color)
+            mark = np.array([(rim, 0.0), (rim - width, 0.0)])
+        else:
             outer, inner = circle(rim + width, 24), circle(rim, 24)[::-1]
             seam = np.concatenate((outer, outer[:1], inner, inner[:1]))
             yield Path(place, turn, seam, f"{fill} ring", True, color)
             yield Path(place, turn, outer, edge, True, color)
             yield Path(place, turn, circle(rim, 24), edge, True, color)
-            spoke = np.array([(rim, 0.0), (rim + width, 0.0)])
-        else:
-            yield Path(place, turn, circle(rim, 24), fill, True, color)
-            spoke = np.array([(0.0, 0.0), (rim, 0.0)])
-        for hub in figure.hubs:
-            yield Path(place, turn, circle(hub, 24), edge, True, color)
         if turn != GROUND:
-            yield Path(place, turn, spoke, "spoke", False, color)
+            yield Path(place, turn, mark, "spoke", False, color)
+
+    def _room(self, figure: Figure) -> float:
+        """How much wider or narrower a circle is drawn on which nothing but particles and rods lie, so that they do
+        not sink in."""
+        names = figure.inside or figure.outside
+        if not names or (figure.inside and figure.outside):
+            return 0.0
+        others = [f for f in self.scene.figures if f.name in names]
+        least = min((surplus(f, self.u) for f in others), default=0.0) if len(others) == len(names) else 0.0
+        return least if figure.inside else -min(least, 0.1 * (figure.radius or 0.0))
 
     # -- joints -------------------------------------------------------------------------------
     def _spring(self, spring: Spring) -> Iterator[Stretch]:
@@ -225,6 +274,22 @@ class Pen:
                 options = [(r, r), (r, -r - 0.8), (-r, r), (-r, -r - 0.8)]
             spots = [at + self.u * np.array(o) for o in options]
             free = [min((float(np.abs((s - t) / (6.0, 1.8)).max()) for t in taken), default=9e9) for s in spots]
+            n = len(figure.name)
+            free = [
+                0.0 if self._is_on_surface(spots[k], n if dx > 0 else -n) else free[k]
+                for k, (dx, _dy) in enumerate(options)
+            ]
             k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
             taken.append(spots[k])
             yield Label(figure.mass_center, figure.name, *options[k])
+
+    def _is_on_surface(self, spot: Array, n_letters: int) -> bool:
+        """Whether a name that begins (or ends, for a negative number of letters) at a spot covers a line of the ground
+        or its hatching."""
+        end = spot + np.array([0.6 * self.u * n_letters, 0.0])
+        for surface in self.joints.surfaces:
+            normal = np.array(surface.along.normal()[1:])
+            heights = np.array([spot - surface.through[1:], end - surface.through[1:]]) @ normal
+            if surface.is_endless and heights.min() < 0.8 * self.u and heights.max() > -1.8 * self.u:
+                return True
+        return False

@@ -18,11 +18,11 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RATE, VALUE, Held, Push, RateMeasure, RigidBody
-from freebody.numeric.start import start_pose
-from freebody.present.figures import GROUND, Contact, Figure, Guide, Heading, Joints, Pin, Place, Spring, turned
+from freebody.present.figures import GROUND, Contact, Figure, Guide, Heading, Joints, Pin, Place, Spring
+from freebody.present.places import Places
 from freebody.present.ropes import is_rope, rope
+from freebody.present.touching import Touching
 from freebody.system.system import System
 
 _THIN = 0.95  # a wheel whose inertia is more than this times m R^2 has its mass in its rim
@@ -50,25 +50,12 @@ class _Reader:
     """Turns expressions and names into numbers and indices."""
 
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
+        places = Places(system, number)
         self.system = system
         self.number = number
-        self.index = {body.name: k for k, body in enumerate(system.moving)}
-        self.fixed = {b.name: start_pose(b, number) for b in system.bodies.values() if b.fixed}
-
-    def place(self, point: Point) -> Place:
-        x, y = map(self.number, point.offset)
-        if point.body in self.index:
-            return Place(self.index[point.body], x, y)
-        cx, cy, angle = self.fixed[point.body]
-        dx, dy = turned(angle, x, y)
-        return Place(GROUND, float(cx + dx), float(cy + dy))
-
-    def heading(self, direction: Direction) -> Heading:
-        x, y = map(self.number, direction.components)
-        if direction.body in self.index:
-            return Heading(self.index[direction.body], x, y)
-        dx, dy = turned(self.fixed[direction.body][2], x, y)
-        return Heading(GROUND, float(dx), float(dy))
+        self.index = places.index
+        self.place, self.heading = places.place, places.heading
+        self.touching = Touching(system, places)
 
     # -- joints -------------------------------------------------------------------------------
     def joints(self) -> Joints:
@@ -77,6 +64,10 @@ class _Reader:
             self._connection(list(group), found)
         for push in self.system.pushes:
             self._load(push, found)
+        touching = self.touching
+        found.surfaces.extend(touching.surfaces())
+        found.halts.extend(touching.halts())
+        found.touching.update(touching.pairs())
         return found
 
     def _connection(self, rows: Sequence[Held], found: Joints) -> None:
@@ -160,15 +151,19 @@ class _Reader:
             is_particle=not body.turns,
             has_mass=body.mass != ZERO,
             has_place=body.start.at is not None,
+            corners=tuple(points[name] for name in body.corners),
+            outside=self.touching.outside(body.name),
+            inside=self.touching.inside(body.name),
         )
         if body.radius is None:
             return plain
         rim, mass = self.number(body.radius), self.number(body.mass)
         arms = {round(abs(arm), 12) for arm in _arms_about(center, joints)}
         hubs = tuple(sorted((arm for arm in arms if arm and not math.isclose(arm, rim)), reverse=True))
-        is_outside = any(c.radii[1] < 0 < sum(c.radii) and _is_near(c.first, center) for c in joints.contacts)
+        rolling = [c for c in joints.contacts if c.radii[1] < 0 < sum(c.radii) and _is_near(c.first, center)]
+        inside = plain.inside + tuple(name for c in rolling for name, k in self.index.items() if k == c.second.body)
         is_thin = not hubs and self.number(body.inertia) > _THIN * mass * rim**2 > 0
-        return replace(plain, radius=rim, hubs=hubs, is_hollow=is_outside or is_thin)
+        return replace(plain, radius=rim, hubs=hubs, is_hollow=bool(inside) or is_thin or body.is_ring, inside=inside)
 
 
 def _arms_about(center: Place, joints: Joints) -> Iterable[float]:

@@ -30,7 +30,7 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
         f"  energy        change minus work of loads: {summary['energy_error']:.1e} J, "
         f"{summary['energy_error_relative']:.1e} of what was exchanged"
     )
-    non_unique = [r.name for k, r in enumerate(result.system.rows) if not course.unique[:, k].all()]
+    non_unique = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
     if non_unique:
         yield f"  not unique    {', '.join(non_unique)}: connections hold the same thing more than once"
     if course.contact is not None:

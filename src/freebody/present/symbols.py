@@ -42,6 +42,16 @@ def hatched(low: float, high: float, depth: float, step: float) -> Array:
     return np.stack((strokes, np.broadcast_to((0.0, depth, 0.0), strokes.shape)), axis=-1).reshape(-1, 2)
 
 
+def hatched_ring(radius: float, depth: float, step: float) -> Array:
+    """(n, 2) slanted strokes outside a circle about the origin, in one line that goes on along the circle."""
+    n = min(200, max(48, round(2 * np.pi * radius / step)))
+    feet = np.linspace(0.0, 2 * np.pi, n + 1)
+    tips = feet - min(0.5, depth / radius)
+    at = np.stack((feet, tips, feet), axis=1)
+    r = radius + np.broadcast_to((0.0, depth, 0.0), at.shape)
+    return np.stack((r * np.cos(at), r * np.sin(at)), axis=-1).reshape(-1, 2)
+
+
 def support(size: float, *, upside_down: bool = False) -> Iterator[tuple[Array, str, bool]]:
     """(points, style, whether closed) of a triangle on hatched ground below the origin, or above it."""
     flip = (1.0, -1.0 if upside_down else 1.0)

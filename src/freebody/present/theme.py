@@ -27,6 +27,7 @@ STYLES: dict[str, Style] = {
     "fixed body ring": Style("", 0.0, "muted", 0.25),
     "dot": Style("body", 1.0, "body"),
     "rim": Style("body", 1.3),
+    "hoop": Style("body", 2.6),
     "fixed rim": Style("muted", 1.3),
     "spoke": Style("body", 1.6),
     "mass center": Style("body", 0.8, "body"),
@@ -38,6 +39,9 @@ STYLES: dict[str, Style] = {
     "link": Style("ink", 2.2),
     "string": Style("ink", 1.5),
     "spring": Style("ink", 1.2),
+    "sticks": Style("ink", 1.2, "ink"),
+    "slips": Style("ink", 1.2, "paper"),
+    "presses": Style("muted", 1.0, "muted"),
     "pull": Style("muted", 1.2, dashes=(4.0, 3.0)),
 }
 

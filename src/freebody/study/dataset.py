@@ -17,6 +17,7 @@ A reaction that is not unique, because connections hold the same thing more than
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,7 +25,7 @@ import xarray
 
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, Held, Push, RateMeasure
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.study.observed import observed
@@ -63,7 +64,8 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
     if result.course.contact is not None:
         from freebody.study.contact_series import contact_series
 
-        data |= contact_series(result, dict(zip((r.name for r in system.rows), reaction_names(system), strict=True)))
+        names = reaction_names(system.rows)
+        data |= contact_series(result, dict(zip((r.name for r in system.rows), names, strict=True)))
     energy = result.energy
     for name, values, what in (
         ("kinetic_energy", energy.kinetic, "kinetic energy"),
@@ -95,13 +97,13 @@ def _named(unit: str, long_name: str) -> dict[str, str]:
     return {"units": unit, "long_name": long_name}
 
 
-def reaction_names(system: System) -> list[str]:
+def reaction_names(rows: Sequence[Held]) -> list[str]:
     """What the reaction of each held row is called: `rope.tension`, `contact.normal_force` by its name, or `A.x` by its
     component where a connection has several of the same name."""
-    called = [(row.connection, row.reaction) for row in system.rows]
+    called = [(row.connection, row.reaction) for row in rows]
     return [
         f"{row.connection}.{row.reaction}".replace(" ", "_") if called.count(pair) == 1 else row.name.replace(" ", "_")
-        for row, pair in zip(system.rows, called, strict=True)
+        for row, pair in zip(rows, called, strict=True)
     ]
 
 
@@ -109,7 +111,7 @@ def series_names(system: System) -> list[str]:
     """What a dataset of the system has over time alone: measures, reactions, loads and energies."""
     of_measures = [f"{name}{suffix}" for name in system.measures for suffix in ("", "_rate", "_acceleration")]
     of_loads = [f"{push.load}.force" for push in _single(system)]
-    return [*of_measures, *reaction_names(system), *of_loads, "kinetic_energy", "potential_energy", "work"]
+    return [*of_measures, *reaction_names(system.rows), *of_loads, "kinetic_energy", "potential_energy", "work"]
 
 
 def _single(system: System) -> list[Push]:
@@ -119,8 +121,8 @@ def _single(system: System) -> list[Push]:
 
 def _reactions(result: Simulation) -> dict[str, Any]:
     data: dict[str, Any] = {}
-    names = reaction_names(result.system)
-    for k, row in enumerate(result.system.rows):
+    names = reaction_names(result.rows)
+    for k, row in enumerate(result.rows):
         unique = result.course.unique[:, k]
         values = np.where(unique, row.sign * result.course.multipliers[:, k], np.nan)
         unit = "N" if row.measure.dimension == LENGTH else "N m" if row.measure.dimension == DIMENSIONLESS else "SI"

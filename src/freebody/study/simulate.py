@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,12 +14,13 @@ import numpy as np
 from freebody.errors import InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
+from freebody.model.elements import Held
 from freebody.model.names import did_you_mean
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid, Options
 from freebody.numeric.contact.impacts import Law
-from freebody.numeric.contact.start import assembled_touching
+from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import Engine, Watch
@@ -32,8 +33,11 @@ from freebody.system.system import System
 if TYPE_CHECKING:
     import xarray
 
+    from freebody.numeric.timestepping.run import Stepped
+
 Progress = Callable[[float, int], None]
 N_OUTPUTS = 1001
+STEPPING = "moreau"
 MOST_OUTPUTS = 2_000_000
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
 
@@ -41,21 +45,28 @@ PARTED = 1e-3  # two runs have parted where they differ by this part of the syst
 class Simulator:
     """A system with a number for every parameter, assembled at its start and packed for the engine."""
 
-    def __init__(self, system: System, values: Mapping[str, float] | None = None, events: Sequence[str] = ()) -> None:
+    def __init__(
+        self,
+        system: System,
+        values: Mapping[str, float] | None = None,
+        events: Sequence[str] = (),
+        *,
+        by_steps: bool = False,
+    ) -> None:
         """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
         "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
-        the motion. Raises CannotAnswer naming parameters without a
-        value, or what contradicts itself at the start."""
+        the motion. by_steps: for time stepping, which does not follow single contacts. Raises CannotAnswer naming
+        parameters without a value, or what contradicts itself at the start."""
         self.system = system
         for name, value in (values or {}).items():
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
                 raise InputError(f"{name} = {value:g} is not positive; the model says that it is")
         self.reference = Reference(system, values)
         q = assembled_touching(self.reference)
-        v = self.reference.velocities(q)
+        v = start_velocities(self.reference, q)
         self.numbers = self.reference.numbers()
         watches, tracked = _watches(self, events), list(system.measures.values())
-        self.bounded = Bounded(self.numbers, watches, tracked) if has_phases(system) else None
+        self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
         self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
@@ -129,6 +140,7 @@ class Simulation:
     course: Course
     tolerance: float
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
+    steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
 
     def __repr__(self) -> str:
         from freebody.present.simulation import simulation_lines
@@ -144,6 +156,12 @@ class Simulation:
         self.plot().savefig(picture, format="svg")
         svg = picture.getvalue()
         return f"<pre>{escape(repr(self))}</pre>{svg[svg.index('<svg') :]}"
+
+    @property
+    def rows(self) -> tuple[Held, ...]:
+        """The rows whose multipliers the course has: what is held, and what is bounded or rubs where single contacts
+        are followed."""
+        return self.system.held if self.simulator.bounded is None else self.system.rows
 
     @property
     def status(self) -> Status:
@@ -250,11 +268,16 @@ class Simulation:
     def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
         """Writes an animation: a player (.html), .gif or .mp4."""
         from freebody.present.animation import write_animation
+        from freebody.present.marks import ContactTrack
         from freebody.present.scene import Scene
 
-        scene = Scene.of(self.system, self.simulator.reference.number)
+        number = self.simulator.reference.number
+        scene = Scene.of(self.system, number)
         poses = self.course.poses[:, :-1]
-        write_animation(scene, self.course.times, poses, Path(path), title=self.system.title, speed=speed)
+        contacts = ContactTrack.of(self.system, number, self.course.contact)
+        write_animation(
+            scene, self.course.times, poses, Path(path), title=self.system.title, speed=speed, contacts=contacts
+        )
         return Path(path)
 
 
@@ -278,8 +301,9 @@ def simulate(
     """The motion of a system from its start to the time `until` [s].
 
     tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of
-    order 8, an implicit one where the motion is stiff), or one of `METHODS`. step: of a method without error control
-    [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
+    order 8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts
+    and dry friction, of first order in the `step`, which does not locate events. step: of a method without error
+    control [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
     the whole if nothing is said. impact: the law of impact, "newton", "poisson"
     or "keller". jams: where no contact force is consistent (Painleve), go on with an impulse that ends the slip.
     verify: a second run, a hundred times as exact, tells from when on they part.
@@ -289,7 +313,10 @@ def simulate(
     """
     _check(until, tolerance, method, step, every, max_seconds)
     law = _law_of_impact(impact)
-    simulator = Simulator(system, values, events) if from_result is None else from_result.simulator
+    by_steps = method == STEPPING
+    if by_steps and (events or verify):
+        raise InputError("time stepping does not locate events, and has no tolerance to verify; compare two steps")
+    simulator = Simulator(system, values, events, by_steps=by_steps) if from_result is None else from_result.simulator
     start = 0.0 if from_result is None else from_result.t_end
     state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
     if simulator.degrees_of_freedom == 0 and not _is_driven(system):
@@ -297,12 +324,10 @@ def simulate(
         course = simulator.run(1e-9, tolerance=tolerance, outputs=np.array([0.0]))
         course = replace(_first_instant(course), message=message)
         return Simulation(system, simulator, course, tolerance)
-    span = until - start
-    n = N_OUTPUTS if every is None else max(2, round(span / every) + 1)
-    outputs = (
-        np.linspace(start, until, n) if every is None else np.unique(np.append(start + every * np.arange(n), until))
-    )
-    outputs = outputs[outputs <= until]
+    outputs = _output_times(start, until, every)
+    if method == STEPPING:
+        assert step is not None
+        return stepped(simulator, until, step, tolerance, outputs, max_seconds, progress, from_result)
     course = simulator.run(
         until,
         tolerance=tolerance,
@@ -326,6 +351,43 @@ def simulate(
     return Simulation(system, simulator, course, tolerance, trusted)
 
 
+def _output_times(start: float, until: float, every: float | None) -> Array:
+    n = N_OUTPUTS if every is None else max(2, round((until - start) / every) + 1)
+    times = np.linspace(start, until, n) if every is None else np.append(start + every * np.arange(n), until)
+    times = np.unique(times)
+    return times[times <= until]
+
+
+def stepped(
+    simulator: Simulator,
+    until: float,
+    step: float,
+    tolerance: float,
+    outputs: Array,
+    max_seconds: float,
+    progress: Progress | None,
+    before: Simulation | None,
+) -> Simulation:
+    """A motion by Moreau-Jean time stepping."""
+    from freebody.numeric.timestepping.run import run_moreau
+
+    y = simulator.start if before is None else _last_state(before)
+    q, v = simulator.engine.parts(y)
+    found = run_moreau(
+        simulator.numbers,
+        q[:-1].copy(),
+        v[:-1].copy(),
+        until,
+        step,
+        start=0.0 if before is None else before.t_end,
+        outputs=outputs,
+        max_seconds=max_seconds,
+        progress=progress,
+        value=simulator.value_at_start,
+    )
+    return Simulation(simulator.system, simulator, found.course, tolerance, steps=found)
+
+
 def _check(
     until: float, tolerance: float, method: str, step: float | None, every: float | None, max_seconds: float
 ) -> None:
@@ -333,13 +395,17 @@ def _check(
         raise InputError(f"the motion must last for a positive time, not {until:g} s")
     if not 1e-14 <= tolerance <= 1e-1:
         raise InputError(f"the tolerance must be between 1e-14 and 0.1, not {tolerance:g}")
-    if method not in ("auto", *METHODS):
-        raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}")
+    if method not in ("auto", STEPPING, *METHODS):
+        raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}, {STEPPING}")
+    if method == STEPPING and step is None:
+        raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
     for name, value in (("step", step), ("every", every), ("max_seconds", max_seconds)):
         if value is not None and not value > 0.0:
             raise InputError(f"{name} must be positive, not {value:g} s")
-    if step is not None and method != "rk4":
-        raise InputError(f"a step of {step:g} s is for the method rk4; {method} chooses its steps by the tolerance")
+    if step is not None and method not in ("rk4", STEPPING):
+        raise InputError(
+            f"a step of {step:g} s is for the methods rk4 and moreau; {method} chooses its steps by the tolerance"
+        )
     if every is not None and until / every > MOST_OUTPUTS:
         raise InputError(f"every {every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
 

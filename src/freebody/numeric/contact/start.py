@@ -15,15 +15,19 @@ from freebody.measures.base import Measure
 from freebody.model.elements import Bound, RateMeasure
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
+from freebody.system.system import System
 
 PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 N_ROUNDS = 12
+MOST_PAIRS = 2000
 
 Extra = list[tuple[Measure | RateMeasure, float]]
 
 
 def assembled_touching(reference: Reference) -> Array:
     """The pose at the start (q); what is to touch does. Raises CannotAnswer naming what is inside what, how deep."""
+    if is_crowd(reference.system):
+        return reference.assemble()
     bounds = reference.system.bounds
     closing = {b.family for b in bounds if b.starts_closed and b.family}
     if not closing:
@@ -54,6 +58,24 @@ def _placed(reference: Reference, closed: Mapping[str, Bound], turning: dict[str
         with suppress(CannotAnswer):
             return reference.assemble(extra + upright)
     return reference.assemble(extra)
+
+
+def start_velocities(reference: Reference, q: Array) -> Array:
+    """The velocities at the start (v): of least kinetic energy with all given rates; contacts that start touching stay
+    so, unless the given rates contradict that."""
+    closing = [] if is_crowd(reference.system) else [b for b in reference.system.bounds if b.starts_closed]
+    if closing:
+        g = reference.geometry(q, np.zeros_like(q), 0.0)
+        size = PENETRATION * reference.sizes.length
+        touching = [b for b in closing if abs(gap_of(reference, g, b)) <= size and _exists(reference, g, b)]
+        with suppress(CannotAnswer):
+            return reference.velocities(q, [(b.row.measure, 0.0) for b in touching])
+    return reference.velocities(q)
+
+
+def is_crowd(system: System) -> bool:
+    """Whether so many outlines may touch that places are not looked at one by one."""
+    return len(system.contacts) > MOST_PAIRS
 
 
 def _extra(reference: Reference, closed: Mapping[str, Bound]) -> Extra:
