@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from freebody.study.simulate import Progress, Simulation
 
+N_FIRST, N_LAST = 12, 5  # events that are listed, if there are more
 N_LISTED = 8  # contacts; more are counted
 PATIENCE = 0.5  # seconds before a bar appears
 
@@ -44,8 +45,13 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
         )
     if result.events:
         yield "  events"
-        for event in result.events:
-            yield f"    {event.time:<14.9g} s  {event.name} ({event.kind})"
+        n, events = len(result.events), result.events
+        left_out = range(N_FIRST, n - N_LAST) if n > N_FIRST + N_LAST + 1 else range(0)
+        for k, event in enumerate(events):
+            if k not in left_out:
+                yield f"    {event.time:<14.9g} s  {event.name} ({event.kind})"
+            elif k == left_out[0]:
+                yield f"    ... {len(left_out)} more"
     final = summary["final"]["measures"]
     if final:
         from freebody.language.units import unit_of
