@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from freebody.language.notation import to_text
 from freebody.present.terminal import wrapped
 
+LONGEST, SHOWN = 500, 120  # characters of a formula
+
 if TYPE_CHECKING:
     from freebody.study.answer import Answer
     from freebody.study.phases.result import Case, PhaseResult, Phases, Regions
@@ -31,7 +33,12 @@ def phase_lines(phases: Phases) -> Iterator[str]:
 
 
 def _conditions(texts: tuple[str, ...]) -> str:
-    return ", ".join(texts)
+    return ", ".join(map(_short, texts))
+
+
+def _short(text: str) -> str:
+    """A formula that nobody would read is left to the JSON document."""
+    return text if len(text) <= LONGEST else f"{text[:SHOWN]} ... ({len(text)} characters; --json has all of it)"
 
 
 def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
@@ -45,14 +52,14 @@ def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
         states = ", ".join(f"{name} {state}" for name, state in phase.states.items())
         yield from wrapped("first" if not k else "then", states or phase.what)
         if phase.requires:
-            yield from wrapped("", f"needs {', '.join(phase.requires)}")
+            yield from wrapped("", f"needs {_conditions(phase.requires)}")
         if is_known:
             yield from wrapped("", "moves as above")
         else:
             for left, right in (*phase.equations, *phase.motion):
-                yield from wrapped("", f"{to_text(left)} = {to_text(right)}")
+                yield from wrapped("", f"{to_text(left)} = {_short(to_text(right))}")
             for name, force in phase.forces:
-                yield from wrapped("", f"{name} = {to_text(force)}")
+                yield from wrapped("", f"{name} = {_short(to_text(force))}")
         yield from _end(phase, is_last=k + 1 == len(case.phases))
 
 
@@ -63,7 +70,7 @@ def _end(phase: PhaseResult, *, is_last: bool) -> Iterator[str]:
             when = f" after t = {to_text(phase.duration)}"
         elif phase.place is not None:
             when = f" at {to_text(phase.place[0])} = {to_text(phase.place[1])}"
-        first = f", if {', '.join(phase.happens_if)}" if phase.happens_if else ""
+        first = f", if {_conditions(phase.happens_if)}" if phase.happens_if else ""
         yield from wrapped("until", f"{phase.event}{when}{first}; no other event comes before")
     if phase.reason:
         yield from wrapped("", phase.reason)

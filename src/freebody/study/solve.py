@@ -133,10 +133,13 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     from freebody.study.phases.ask import answer
     from freebody.study.phases.result import phases_of
     from freebody.study.phases.tree import Tree
+    from freebody.study.settled import start_mode
 
     if len(system.bounds) > MOST_PLACES:
         return _too_many_places(system, questions)
     try:
+        if system.has_values:
+            start_mode(system)  # refuses bodies that are inside others
         tree = Tree(system)
     except CannotAnswer as error:
         raise ModelError([Problem((), str(error))], system.file) from error

@@ -29,6 +29,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.model.elements import Held, Line, Parameter, RateMeasure, RigidBody
 from freebody.model.names import Names
+from freebody.system.modes import sticking_row
 from freebody.system.reader import Reader
 from freebody.system.system import System
 from freebody.system.unspecified import Unspecified
@@ -153,7 +154,7 @@ class _GenericReader(Reader):
         self._bodies()
         names.connections = connections = self._specs("connections", Connection.kinds)
         measures = self._measures()
-        rows = self._rows(connections)
+        rows = [*self._rows(connections), *self._bounded_rows(connections)]
         if names.problems:
             raise ModelError([self.document.locate(p) for p in names.problems], self.file)
         wanted = {row.name for row in self.like.held}
@@ -176,6 +177,18 @@ class _GenericReader(Reader):
             loads={},
         )
         return GenericModel(system, names.data, assembled)
+
+    def _bounded_rows(self, connections: Mapping[str, Connection]) -> list[Held]:
+        """Rows of contacts, stops and dry friction that the system holds, as in one of its modes."""
+        wanted = {row.name for row in self.like.held}
+        contacts, limits, brakes = self._bounds(connections)
+        bounds, rubs = list(limits), list(brakes)
+        for pair in contacts:
+            more_bounds, more_rubs = pair.elements()
+            bounds += more_bounds
+            rubs += more_rubs
+        rows = [bound.row for bound in bounds] + [sticking_row(rub) for rub in rubs]
+        return [row for row in rows if row.name in wanted]
 
     # -- bodies -------------------------------------------------------------------------------
     def _ground(self) -> None:

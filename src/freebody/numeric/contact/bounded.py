@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
+from freebody.measures.distance import Distance
 from freebody.model.elements import Bound, Held, RateMeasure
 from freebody.model.elements import Rub as RubElement
 from freebody.numeric.contact.problem import ContactProblem, Rub
@@ -22,6 +24,7 @@ from freebody.numeric.numbers import Numbers
 
 LENT = 1e-4  # part of the mass lent to massless bodies that they keep in contact problems
 MOST_BOUNDS = 6000
+TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a foot may be beyond the end of its edge
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,7 @@ class Barrier:
     bound: Bound
     is_ideal: bool = False
     grips: tuple[int, ...] = ()  # places of rows that are held with it
+    radius: float = np.nan  # of a gap that is a distance without it
 
 
 @dataclass(frozen=True)
@@ -155,7 +159,7 @@ class Bounded:
         if kind == "contact" and is_ideal:
             bodies = list(dict.fromkeys(row.measure.bodies()))
             ends = (bodies[0], bodies[1] if len(bodies) > 1 else row.connection)
-        tolerance = 1e-9 * self.numbers.length
+        tolerance = TOUCHING * self.numbers.length
         return Barrier(
             bound.name,
             ends,
@@ -177,6 +181,7 @@ class Bounded:
             bound,
             is_ideal,
             grips,
+            number(row.target) if kind == "contact" and isinstance(row.measure, Distance) and row.target else np.nan,
         )
 
     @property
@@ -242,7 +247,9 @@ class Bounded:
         stepping.visit(e.layout, e.room, e.idle, -1.0, y.copy(), t, np.zeros(e.n_y), 1)
         n = 3 * (e.n_bodies + 1)
         rows = [self.written.row_of_held(k) for k in range(len(self.rows))]
-        gradients = np.array([e.gradient_of(row) for row in rows]).reshape(len(rows), n)
+        gradients = np.zeros((len(rows), n))
+        at, entries = self._entries
+        np.add.at(gradients.ravel(), at, e.room.gradient[entries])
         table = e.room.rows
         v = y[n : 2 * n]
         drifts = table[rows, dynamics.DRIFT] if rows else np.zeros(0)
@@ -256,6 +263,20 @@ class Bounded:
             (table[rows, dynamics.BIAS].copy() if rows else np.zeros(0)) - goals[:, 2],
             e.room.force.copy(),
         )
+
+    @cached_property
+    def _entries(self) -> tuple[Any, Any]:
+        """Where the entries of the rows stand in the matrix of their gradients, and in the engine's room."""
+        layout = self.free.layout
+        n = 3 * (self.free.n_bodies + 1)
+        at: list[int] = []
+        entries: list[int] = []
+        for k in range(len(self.rows)):
+            row = self.written.row_of_held(k)
+            for body, o in layout.slots[layout.slot_ptr[row] : layout.slot_ptr[row + 1]].tolist():
+                at += [n * k + 3 * body + j for j in range(3)]
+                entries += [o + j for j in range(3)]
+        return np.array(at, dtype=np.intp), np.array(entries, dtype=np.intp)
 
     def _goals(self, t: float) -> Floats:
         """(n_rows, 3) targets of the bilateral rows that move, and their rates, as of the instant looked at."""
@@ -364,6 +385,6 @@ class Problem:
         return replace(self, matrices=replace(self.matrices, b=b))
 
 
-def within(barrier: Barrier, rows: Floats) -> bool:
+def within(barrier: Barrier, rows: Floats, slack: float = 0.0) -> bool:
     """Whether a barrier exists, by the rows of an engine at the instant that it looked at last."""
-    return all(low <= rows[row, dynamics.VALUE] <= high for row, low, high in barrier.within)
+    return all(low - slack <= rows[row, dynamics.VALUE] <= high + slack for row, low, high in barrier.within)

@@ -27,6 +27,7 @@ from freebody.numeric.contact.modes import (
     n_modes,
     rub_states,
     solve_mode,
+    worst_changed,
 )
 from freebody.numeric.contact.problem import (
     SLIPPING,
@@ -37,11 +38,13 @@ from freebody.numeric.contact.problem import (
     State,
     Status,
 )
+from freebody.numeric.contact.parts import Part, separate
 from freebody.numeric.contact.reduction import Reduced, reduced
 from freebody.numeric.contact.sieve import plausible
 from freebody.numeric.contact.uniqueness import is_certainly_unique
 
 MOST_MODES = 4096
+MOST_CHANGES = 100  # of a mode, one after another, where there are too many to try them all
 _SAME = 1e-8  # accelerations that differ by less, relative to their terms, are one outcome
 
 
@@ -51,24 +54,75 @@ def contact_forces(
     forbidden: Iterable[Choice] = (),
     *,
     check_others: bool = True,
+    most_others: int = MOST_MODES,
 ) -> ForceOutcome:
     """The consistent forces of a contact problem; see `ForceOutcome` for shapes.
 
     `previous`: the mode to try first, and to keep if several are consistent. `forbidden`: states a row must not have,
     for instants where two are consistent to rounding; the conditions of such a row are met to 1e-8, all others to 1e-11
-    of the terms of the row. Without `check_others` the first consistent mode is taken, and not
-    proven to be the only one. Never raises for lack of a solution: see `status`. Held rows that contradict each other
-    have none.
+    of the terms of the row. Without `check_others`, or with more modes than `most_others`, the first consistent mode is
+    taken, and not proven to be the only one. Never raises for lack of a solution: see `status`. Held rows that contradict each other
+    have none. Parts of a problem that have nothing to do with each other are solved one by one.
     """
+    parts = separate(problem)
+    forbidden = tuple(forbidden)
+    if len(parts) < 2:
+        return _together(problem, previous, forbidden, most_others if check_others else 0)
+    outcomes: list[ForceOutcome] = []
+    for part in parts:
+        place = {row: k for k, row in enumerate(part.rows)}
+        own = None if previous is None else tuple(previous[row] for row in part.rows)
+        banned = tuple((place[row], state) for row, state in forbidden if row in place)
+        outcomes.append(_together(part.problem, own, banned, most_others if check_others else 0))
+    return _joined(problem, parts, outcomes)
+
+
+def is_admissible(problem: ContactProblem, mode: Mode) -> bool:
+    """Whether some forces meet every condition of a mode, unique or not."""
+    rules = Rules()
+    for part in separate(problem):
+        system = reduced(part.problem)
+        own = tuple(mode[part.rows[row]] for row in part.problem.free_rows)
+        if not system.is_consistent or solve_mode(system, own, rules) is None:
+            return False
+    return True
+
+
+def _joined(problem: ContactProblem, parts: list[Part], outcomes: list[ForceOutcome]) -> ForceOutcome:
+    """The outcome of all parts together; an alternative of one part goes with the chosen modes of all others."""
+    is_proven = all(o.is_proven for o in outcomes)
+    for status in (Status.NONE, Status.NOT_FOUND):
+        if any(o.status is status for o in outcomes):
+            return _nothing(problem, status, is_proven=any(o.status is status and o.is_proven for o in outcomes))
+    mode = [State.HELD] * problem.n
+    forces, accelerations = np.zeros(problem.n), np.zeros(problem.n)
+    for part, outcome in zip(parts, outcomes, strict=True):
+        forces[list(part.rows)], accelerations[list(part.rows)] = outcome.forces, outcome.accelerations
+        for row, state in zip(part.rows, outcome.mode, strict=True):
+            mode[row] = state
+    others: list[Mode] = []
+    for part, outcome in zip(parts, outcomes, strict=True):
+        for other in outcome.alternatives:
+            changed = mode.copy()
+            for row, state in zip(part.rows, other, strict=True):
+                changed[row] = state
+            others.append(tuple(changed))
+    status = Status.SEVERAL if any(o.status is Status.SEVERAL for o in outcomes) else Status.UNIQUE
+    return ForceOutcome(status, tuple(mode), forces, accelerations, tuple(others), is_proven)
+
+
+def _together(
+    problem: ContactProblem, previous: Mode | None, forbidden: Iterable[Choice], most_others: int
+) -> ForceOutcome:
     system = reduced(problem)
     if not system.is_consistent:
         return _nothing(problem, Status.NONE, is_proven=True)
     rules = _starting_rules(system, forbidden)
     guess = tuple(previous[row] for row in problem.free_rows) if previous is not None else None
     first = _search_one(system, rules, guess)
-    if first is not None and (not check_others or is_certainly_unique(system)):
-        return _outcome(system, [first], is_proven=check_others)
-    if n_modes(system) > MOST_MODES:
+    if first is not None and most_others and is_certainly_unique(system):
+        return _outcome(system, [first], is_proven=True)
+    if n_modes(system) > (MOST_MODES if first is None else most_others):
         return _outcome(system, [first] if first is not None else [], is_proven=False)
     found = _search_all(system, rules) or _without_breaking_away(system, rules)
     if first is not None and not any(_is_same(system, first, other) for other in found):
@@ -111,11 +165,29 @@ def _first(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None
         if found is not None:
             return _lasting(system, rules, found)
     proposed = lemke_guess(system, rules)
-    if proposed is None:
-        return None
-    x, mode = proposed
-    found = solve_mode(system, mode, rules) or checked(system, mode, rules, x)
+    found = None
+    if proposed is not None:
+        x, mode = proposed
+        found = solve_mode(system, mode, rules) or checked(system, mode, rules, x)
+    if found is None and n_modes(system) > MOST_MODES:
+        found = _walked(system, rules, guess)
     return _lasting(system, rules, found) if found is not None else None
+
+
+def _walked(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None:
+    """A consistent mode found by changing, one after another, the row that breaks its condition the most."""
+    starts = (guess, lasting_mode(system, rules))
+    for start in starts:
+        mode = _fitted(system, rules, start) if start is not None else None
+        seen: set[Mode] = set()
+        while mode is not None and mode not in seen and len(seen) < MOST_CHANGES:
+            seen.add(mode)
+            found = solve_mode(system, mode, rules)
+            if found is not None:
+                return found
+            changed = [m for m in worst_changed(system, mode, rules) if m not in seen]
+            mode = _fitted(system, rules, changed[0]) if changed else None
+    return None
 
 
 def lasting_mode(system: Reduced, rules: Rules) -> Mode:

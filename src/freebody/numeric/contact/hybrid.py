@@ -13,6 +13,7 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
 from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.problem import Status as Outcome
 from freebody.numeric.contact.record import Phase, merged
 from freebody.numeric.contact.transition import After, Choice, Transition
 from freebody.numeric.contact.words import events_between
@@ -20,6 +21,7 @@ from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Course, Happening, Status
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 
 MOST_AT_ONCE = 40  # phases without progress
@@ -60,6 +62,7 @@ class Hybrid:
         t, mode = start, None
         result = self.transition.after(y, t, near, None)
         self._note(None, result, t)
+        asleep = result.behind
         forbidden: list[Choice] = []
         n_at_once = 0
         status, message = Status.FINISHED, ""
@@ -99,8 +102,13 @@ class Hybrid:
                 outputs=np.concatenate(([t], outputs[outputs > t])),
                 max_seconds=left,
                 progress=progress,
-                guarded=(sizes, partial(self._is_valid, engine, about)),
-                lasts=partial(self._lasts, mode) if is_soft else None,
+                guarded=Guarding(
+                    sizes,
+                    partial(self._is_valid, engine, about),
+                    [g for g, (what, k) in enumerate(about) if what == "gap" and k in asleep],
+                    np.array([self.bounded.barriers[k].radius if what == "gap" else np.nan for what, k in about]),
+                    partial(self._lasts, mode) if is_soft else None,
+                ),
             )
             self.phases.append(Phase(course, engine, mode))
             near = course.near
@@ -125,11 +133,13 @@ class Hybrid:
                 y,
                 t,
                 near,
-                self._without(mode, what, k),
+                mode,
                 touched=(k,) if what == "gap" else (),
-                stopped=(k,) if what == "slip" else (),
+                stopped=(k,) if what == "slip" and is_progress else (),
+                left=k if what == "foot" else None,
                 forbidden=forbidden,
             )
+            asleep = result.behind | ({k} if what == "foot" else set()) | (set() if is_progress else asleep)
             self._note(mode, result, t)
         return self._course(status, message, time.perf_counter() - began)
 
@@ -144,9 +154,6 @@ class Hybrid:
             return [("drag", k, 0)]
         return [] if is_progress else [("drag", k, mode.drags[k])]
 
-    def _without(self, mode: ModeOf, what: str, k: int) -> ModeOf:
-        return replace(mode, closed=mode.closed - {k}) if what == "foot" else mode
-
     def _keep(self, mode: ModeOf, now: Instant) -> None:
         """What sticks is kept where it is now."""
         for k, state in enumerate(mode.drags):
@@ -154,13 +161,11 @@ class Hybrid:
                 self.bounded.keep(k, now)
 
     def _lasts(self, mode: ModeOf, y: Floats, t: float, near: Floats) -> bool:
-        """Whether a mode whose forces are not unique can go on in a state: some distribution of them is admissible."""
-        found = self.transition.after(y, t, near, mode)
-        return not found.impacts and found.mode is not None and found.mode.is_as(mode)
+        return self.transition.lasts(y, t, near, mode)
 
-    def _is_valid(self, engine: Engine, about: list[tuple[str, int]], guard: int) -> bool:
+    def _is_valid(self, engine: Engine, about: list[tuple[str, int]], guard: int, slack: float) -> bool:
         what, k = about[guard]
-        return what != "gap" or within(self.bounded.barriers[k], engine.room.rows)
+        return what != "gap" or within(self.bounded.barriers[k], engine.room.rows, slack * self.bounded.numbers.length)
 
     def _sizes(self, engine: Engine, guards: Any, y: Floats, t: float) -> Floats:
         """What counts as large of each guard: lengths, speeds and forces of the system now."""
@@ -195,6 +200,8 @@ class Hybrid:
         self.events += events_between(self.bounded, before, result, t)
 
     def _contradiction(self, result: After, t: float) -> str:
+        if result.status is Outcome.NOT_FOUND:
+            return f"at t = {t:.9g} s no force was found that is consistent with {result.why}; {ADVICE}"
         return (
             f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither "
             "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "
@@ -219,6 +226,9 @@ class Hybrid:
                 f"the law of impact made energy at t = {grew[0].time:.6g} s (Newton's may with friction; Poisson's "
                 "does not)"
             )
+            message = f"{message}; {said}" if message else said
+        if self.transition.is_replaced:
+            said = "Newton's law of impact had no solution where several contacts were hit at once; Poisson's took its place"
             message = f"{message}; {said}" if message else said
         return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
 

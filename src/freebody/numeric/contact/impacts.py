@@ -21,7 +21,7 @@ from enum import Enum
 
 import numpy as np
 
-from freebody.numeric.contact.forces import contact_forces
+from freebody.numeric.contact.forces import MOST_MODES, contact_forces
 from freebody.numeric.contact.problem import Array, ContactProblem, Mode, Rub, Status
 
 _GREW = 1e-11
@@ -56,11 +56,17 @@ class ImpactOutcome:
         return self.status in (Status.UNIQUE, Status.SEVERAL)
 
 
-def impact(problem: ContactProblem, restitution: Mapping[int, float], law: Law = Law.NEWTON) -> ImpactOutcome:
+def impact(
+    problem: ContactProblem,
+    restitution: Mapping[int, float],
+    law: Law = Law.NEWTON,
+    *,
+    most_others: int = MOST_MODES,
+) -> ImpactOutcome:
     """The impulses of all touching contacts at once.
 
     `problem.b`: velocities of all rows before (held ones must vanish after); rubs as for forces, `sliding` is not used.
-    `restitution`: e in [0, 1] of each normal row, 0 where none is given. Raises ValueError if e is out of range, and
+    `restitution`: e in [0, 1] of each normal row, 0 where none is given. `most_others`: see `contact_forces`. Raises ValueError if e is out of range, and
     for Keller's law unless there is one normal with one rub at most.
     """
     if any(not 0.0 <= e <= 1.0 for e in restitution.values()):
@@ -71,11 +77,11 @@ def impact(problem: ContactProblem, restitution: Mapping[int, float], law: Law =
         return impact_without_collision(problem, max(restitution.values(), default=0.0), Restitution.POISSON)
     smooth = replace(problem, rubs=impulsive(problem))
     if law is Law.POISSON:
-        return _poisson(smooth, restitution)
+        return _poisson(smooth, restitution, most_others)
     target = problem.b.copy()
     for row in problem.normals:
         target[row] += restitution.get(row, 0.0) * min(float(problem.b[row]), 0.0)
-    found = contact_forces(replace(smooth, b=target))
+    found = contact_forces(replace(smooth, b=target), most_others=most_others)
     return judged(problem, found.status, found.mode, found.forces, is_proven=found.is_proven)
 
 
@@ -84,8 +90,8 @@ def impulsive(problem: ContactProblem) -> tuple[Rub, ...]:
     return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.rubs)
 
 
-def _poisson(problem: ContactProblem, restitution: Mapping[int, float]) -> ImpactOutcome:
-    compression = contact_forces(problem)
+def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_others: int) -> ImpactOutcome:
+    compression = contact_forces(problem, most_others=most_others)
     if not compression.is_found:
         return judged(problem, compression.status, compression.mode, compression.forces, compression.is_proven)
     released = np.zeros(problem.n)
@@ -95,7 +101,8 @@ def _poisson(problem: ContactProblem, restitution: Mapping[int, float]) -> Impac
     held = list(problem.held_rows)
     velocities = compression.accelerations.copy()
     velocities[held] = 0.0
-    expansion = contact_forces(replace(problem, b=velocities + problem.A @ released, rubs=rubs))
+    expanding = replace(problem, b=velocities + problem.A @ released, rubs=rubs)
+    expansion = contact_forces(expanding, most_others=most_others)
     status = expansion.status if compression.status is Status.UNIQUE else Status.SEVERAL
     status = status if expansion.is_found else expansion.status
     impulses = compression.forces + released + expansion.forces

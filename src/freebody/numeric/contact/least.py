@@ -36,7 +36,7 @@ def least_within(G: Array, h: Array) -> Array | None:
     except RuntimeError:  # too many iterations
         return None
     r = E @ u - f
-    if float(np.linalg.norm(r)) < 1e-7:
+    if float(np.linalg.norm(r)) < 1e-7 or r[-1] == 0.0:
         return None
     y = -r[:-1] / r[-1]
     # the inequalities that hold y back are met exactly

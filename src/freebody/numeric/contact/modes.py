@@ -83,6 +83,33 @@ def solve_mode(reduced: Reduced, mode: Mode, rules: Rules, turned: float = 1.0) 
     return None
 
 
+def worst_changed(reduced: Reduced, mode: Mode, rules: Rules) -> list[Mode]:
+    """Modes in which one row is changed that breaks its condition in the given one, the worst first."""
+    G, r = _equations(reduced, mode, rules, np.zeros(len(mode)), 1.0)
+    x, null_space = _solved(G, r, reduced.is_regular)
+    if x is None:
+        return []
+    _clear(mode, x, null_space)
+    a = reduced.A @ x + reduced.b
+    sizes = reduced.magnitude @ np.abs(x) + reduced.size
+    wanted: list[tuple[float, int, State]] = []
+    for i in range(reduced.n_normals):
+        other = State.OPEN if mode[i] is State.CLOSED else State.CLOSED
+        wanted.append((-float(x[i] if mode[i] is State.CLOSED else a[i]), i, other))
+    for friction in reduced.frictions:
+        i, state = friction.row, mode[friction.row]
+        if state is State.STICKING:
+            load, T = max(0.0, friction.load(x.tolist(), x)), float(x[i])
+            forward, backward = friction.rub.static
+            wanted.append((T - backward * load, i, State.BACKWARD))
+            wanted.append((-T - forward * load, i, State.FORWARD))
+        elif state in SLIPPING and not friction.rub.sliding:
+            wanted.append((-float(a[i]) if state is State.FORWARD else float(a[i]), i, State.STICKING))
+    tolerance = (TOLERANCE * sizes).tolist()
+    broken = sorted(((w, i, s) for w, i, s in wanted if w > tolerance[i] and rules.allows(i, s)), reverse=True)
+    return [(*mode[:i], state, *mode[i + 1 :]) for _w, i, state in broken]
+
+
 def _equations(reduced: Reduced, mode: Mode, rules: Rules, x: Array, turned: float) -> tuple[Array, Array]:
     G, r = reduced.A.copy(), -reduced.b
     for i in range(reduced.n_normals):

@@ -1,9 +1,9 @@
 """What happens at an instant: impacts, then the mode in which the motion goes on.
 
 1. Barriers at gap zero that approach collide: the impulses of all touching ones are found at once.
-2. A rebound that would not come higher than `REST` of the system's size ends the sequence of rebounds: the contact
-   stays, and its time is the limit of the geometric series, t + 2 u / (a (1 - e)), with u the speed of the rebound and
-   a the acceleration with which it is pressed back.
+2. A gap that opens, but would not come wider than `REST` of the system's size, stays closed. After an impact this ends
+   the sequence of rebounds; its time is the limit of the geometric series, t + 2 u / (a (1 - e)), with u the speed of
+   the rebound and a the acceleration with which it is pressed back.
 3. Of the barriers at gap zero and rate zero, and of friction at rest, the contact problem in accelerations says what
    stays closed and what sticks.
 """
@@ -15,17 +15,17 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, Problem
-from freebody.numeric.contact.forces import contact_forces
+from freebody.numeric.contact.bounded import TOUCHING, Bounded, Instant, ModeOf, Problem
+from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.impacts import ImpactOutcome, Law, impact
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, State, Status
 from freebody.numeric.engine.layout import Floats
 
-TOUCHING = 1e-10  # gaps below this part of the system's size are none
 STILL = 1e-9  # rates below this part of the system's speed are none
-REST = 1e-10  # rebounds below this part of the system's size are none
+REST = 1e-10  # gaps that do not come wider than this part of the system's size are none
 N_IMPACTS = 50
+MOST_OTHERS = 300  # modes that are tried to find out whether there is another outcome: those of three contacts
 
 Choice = tuple[str, int, int | None]  # ("closed", barrier, None), ("open", barrier, None), ("drag", drag, state)
 
@@ -54,6 +54,8 @@ class After:
     status: Status = Status.UNIQUE
     why: str = ""
     jammed: int | None = None  # the barrier that took an impulse without a collision
+    behind: set[int] = field(default_factory=set[int])  # far sides of what touches: passed through, not met
+    handed: set[int] = field(default_factory=set[int])  # a place that ends and those of the same outlines that go on
 
 
 class Transition:
@@ -64,6 +66,7 @@ class Transition:
         self.bounded, self.law, self.jams = bounded, law, jams
         self.length = bounded.numbers.length
         self.fastest = 0.0  # met so far: by it rates count as none
+        self.is_replaced = False  # whether an impact did not obey the law, and another one took its place
 
     def after(
         self,
@@ -73,18 +76,28 @@ class Transition:
         mode: ModeOf | None,
         touched: Iterable[int] = (),
         stopped: Iterable[int] = (),
+        left: int | None = None,
         forbidden: Iterable[Choice] = (),
     ) -> After:
         """What follows on a state. mode: the one before. touched: barriers whose gap has just closed; stopped: drags
-        whose slip has just ended. forbidden: states that the motion has shown to be impossible."""
-        self.stopped = set(stopped)
+        whose slip has just ended; left: a barrier of which the end of the edge has just been passed. forbidden: states
+        that the motion has shown to be impossible."""
         b = self.bounded
+        self.stopped = set(stopped)
+        if left is not None and mode is not None:  # what stuck to the edge sticks to what follows on it
+            stuck = any(b.drags[k].of == left and state == 0 for k, state in enumerate(mode.drags))
+            family = b.barriers[left].family
+            self.stopped |= {
+                k for k, d in enumerate(b.drags) if stuck and d.of >= 0 and b.barriers[d.of].family == family
+            }
         y = y.copy()
         forbidden = tuple(forbidden)
         result = After(y, None)
-        before = frozenset[int]() if mode is None else mode.closed
+        before = frozenset[int]() if mode is None else mode.closed - {left}
         now = b.instant(y, t, near)
-        touching = self._touching(now, before, touched)
+        touching = [k for k in self._touching(now, before, touched) if k != left]
+        result.behind = self._far_sides(now, touching, before.union(touched))
+        touching = [k for k in touching if k not in result.behind]
         for _ in range(N_IMPACTS):
             now = b.instant(y, t, near)
             speed = self._speed(y, touching, now)
@@ -96,8 +109,8 @@ class Transition:
                 result.status, result.why = Status.NONE, "the impact"
                 return result
             outcome, problem = collision
-            self._push(y, problem, outcome.impulses)
-            result.impacts.append(self._impact(t, problem, outcome, rates))
+            change = self._push(y, problem.weighted, outcome.impulses)
+            result.impacts.append(self._impact(t, problem, outcome, rates, change))
         self._settle(result, now, touching, near)
         now = b.instant(y, t, near)
         outcome = self._decide(result, now, touching, mode, forbidden)
@@ -105,6 +118,10 @@ class Transition:
             now = b.instant(y, t, near)
             outcome = self._decide(result, now, touching, None, forbidden)
         result.status = outcome.status
+        if left is not None and result.mode is not None and not result.impacts:
+            family = b.barriers[left].family
+            taken = {k for k in result.mode.closed - before if b.barriers[k].family == family}
+            result.handed = taken | {left} if taken else set()
         return result
 
     def _jam(self, result: After, now: Instant, touching: list[int]) -> bool:
@@ -124,8 +141,8 @@ class Transition:
         if not outcome.is_found or not np.abs(outcome.impulses).max() > 0.0:
             return False
         rates = {touching[0]: b.barriers[touching[0]].sign * float(now.rates[b.barriers[touching[0]].place])}
-        self._push(result.y, problem, outcome.impulses)
-        result.impacts.append(self._impact(now.t, problem, outcome, rates))
+        change = self._push(result.y, problem.weighted, outcome.impulses)
+        result.impacts.append(self._impact(now.t, problem, outcome, rates, change))
         result.jammed = touching[0]
         return True
 
@@ -141,6 +158,32 @@ class Transition:
             size = 1.0 if b.is_angle(barrier.bound.row) else self.length
             if k in touched or k in before or abs(gap) <= TOUCHING * size:
                 found.append(k)
+        return found
+
+    def _far_sides(self, now: Instant, touching: list[int], known: frozenset[int]) -> set[int]:
+        """Of an edge with two sides, a rod, the side that a thing which touches it is not on: not the one at which it
+        was, else that with the narrower gap or, between equal ones, that which moves away."""
+        b = self.bounded
+        found: set[int] = set()
+        for n, j in enumerate(touching):
+            for k in touching[n + 1 :]:
+                one, other = b.barriers[j], b.barriers[k]
+                if not one.obstacle or one.obstacle != other.obstacle:
+                    continue
+                g, h = (x.sign * now.gradients[x.place] for x in (one, other))
+                if np.abs(g + h).max() > 1e-9 * np.abs(g).max():
+                    continue
+                free = b.inverse_mass * now.force
+
+                def order(i: int, g: Floats = g, free: Floats = free) -> tuple[bool, float, float, float]:
+                    x = b.barriers[i]
+                    gap = round(x.sign * float(now.values[x.place]) / (1e-13 * self.length))
+                    rate = float(now.rates[x.place])
+                    speed = STILL * self._speed(now.y, touching, now)
+                    falls = float(now.gradients[x.place] @ free + now.biases[x.place])
+                    return i not in known, -gap, x.sign * rate if abs(rate) > speed else 0.0, x.sign * falls
+
+                found.add(max(j, k, key=order))
         return found
 
     def _speed(self, y: Floats, touching: list[int], now: Instant) -> float:
@@ -162,9 +205,12 @@ class Transition:
             problem = b.problem(now, closed, drags, of_rates=True)
             restitution = {problem.row_of_barrier(k): b.barriers[k].restitution for k in closed}
             law = self.law if self.law is not Law.KELLER or len(closed) == 1 else Law.POISSON
-            outcome = impact(problem.matrices, restitution, law)
+            outcome = impact(problem.matrices, restitution, law, most_others=MOST_OTHERS)
+            if not outcome.is_found and law is Law.NEWTON:
+                outcome = impact(problem.matrices, restitution, Law.POISSON, most_others=MOST_OTHERS)
+                self.is_replaced = outcome.is_found
             if not outcome.is_found:
-                return None
+                return self._alone(now, closed, drags, rates)
             # an ideal contact that takes no impulse does not grip either
             loose = [
                 k
@@ -175,11 +221,32 @@ class Transition:
                 return outcome, problem
             closed = [k for k in closed if k not in loose]
 
-    def _push(self, y: Floats, problem: Problem, impulses: Floats) -> None:
-        n = 3 * (self.bounded.n_bodies + 1)
-        y[n : 2 * n] += problem.weighted.T @ impulses
+    def _alone(
+        self, now: Instant, closed: list[int], drags: dict[int, int], rates: dict[int, float]
+    ) -> tuple[ImpactOutcome, Problem] | None:
+        """Where no impulses of all contacts at once obey the law: that of the fastest one alone; what it does to the
+        others is a collision of its own."""
+        b = self.bounded
+        hit = min(closed, key=lambda k: rates[k])
+        own = {k: s for k, s in drags.items() if b.drags[k].of == hit}
+        problem = b.problem(now, [hit], own, of_rates=True)
+        outcome = impact(problem.matrices, {problem.row_of_barrier(hit): b.barriers[hit].restitution}, Law.POISSON)
+        self.is_replaced = self.is_replaced or outcome.is_found
+        return (outcome, problem) if outcome.is_found else None
 
-    def _impact(self, t: float, problem: Problem, outcome: ImpactOutcome, rates: dict[int, float]) -> Impact:
+    def _push(self, y: Floats, weighted: Floats, impulses: Floats) -> float:
+        """Gives impulses to a state; what they change of the kinetic energy, dv.M (v + dv/2), with what is driven."""
+        n = 3 * (self.bounded.n_bodies + 1)
+        inverse = self.bounded.inverse_mass
+        dv = weighted.T @ impulses
+        momentum = np.divide(dv, inverse, out=np.zeros_like(dv), where=inverse > 0.0)
+        change = float(momentum @ (y[n : 2 * n] + 0.5 * dv))
+        y[n : 2 * n] += dv
+        return change
+
+    def _impact(
+        self, t: float, problem: Problem, outcome: ImpactOutcome, rates: dict[int, float], change: float
+    ) -> Impact:
         rows = {k: problem.row_of_barrier(k) for k in problem.closed}
         return Impact(
             t,
@@ -187,20 +254,19 @@ class Transition:
             {k: float(outcome.impulses[problem.row_of_drag(k)]) for k in problem.drags},
             {k: rates[k] for k in rows},
             {k: float(outcome.velocities[row]) for k, row in rows.items()},
-            outcome.energy_change,
+            change,
             outcome.energy_grew,
         )
 
     # -- the end of rebounds ------------------------------------------------------------------
     def _settle(self, result: After, now: Instant, touching: list[int], near: Floats) -> None:
-        """Contacts that would rebound by less than can be seen stay closed."""
+        """Contacts that would open by less than can be seen stay closed."""
         b = self.bounded
-        if not result.impacts:
-            return
+        hit = {k for impact in result.impacts for k, rate in impact.before.items() if rate < 0.0}
         now = b.instant(result.y, now.t, near)
         speed = self._speed(result.y, touching, now)
         rates = {k: b.barriers[k].sign * float(now.rates[b.barriers[k].place]) for k in touching}
-        rising = [k for k in touching if rates[k] > STILL * speed and b.barriers[k].restitution < 1.0]
+        rising = [k for k in touching if rates[k] > STILL * speed and (k not in hit or b.barriers[k].restitution < 1.0)]
         if not rising:
             return
         accelerations = self._accelerations(now, touching, rising, rates, speed)
@@ -212,7 +278,8 @@ class Transition:
             size = 1.0 if b.is_angle(b.barriers[k].bound.row) else self.length
             if a > 0.0 and u * u < 2.0 * a * REST * size:
                 settled.append(k)
-                result.resting[k] = now.t + 2.0 * u / (a * (1.0 - e)) if result.impacts[-1].before[k] < 0.0 else now.t
+                if k in hit:
+                    result.resting[k] = now.t + 2.0 * u / (a * (1.0 - e))
         if settled:
             self._hold(result, now, touching, settled, rates, speed)
 
@@ -248,9 +315,8 @@ class Transition:
         places = [*b.bilateral, *(b.barriers[k].place for k in kept)]
         J = now.gradients[places]
         weighted = J * b.inverse_mass
-        n = 3 * (b.n_bodies + 1)
         impulse = np.linalg.lstsq(weighted @ J.T, -now.rates[places], rcond=1e-12)[0]
-        result.y[n : 2 * n] += weighted.T @ impulse
+        result.y[-1] += self._push(result.y, weighted, impulse)
 
     # -- what stays ---------------------------------------------------------------------------
     def _drags_on(self, now: Instant, closed: Iterable[int], speed: float) -> dict[int, int]:
@@ -281,9 +347,9 @@ class Transition:
             problem = b.problem(now, closed, drags, of_rates=False)
             previous = self._previous(problem, mode)
             banned = self._banned(problem, forbidden)
-            outcome = contact_forces(problem.matrices, previous, banned)
+            outcome = contact_forces(problem.matrices, previous, banned, most_others=MOST_OTHERS)
             if not outcome.is_found and banned:
-                outcome = contact_forces(problem.matrices, previous)
+                outcome = contact_forces(problem.matrices, previous, most_others=MOST_OTHERS)
             if not outcome.is_found:
                 result.status = outcome.status
                 names = ", ".join(b.barriers[k].name for k in closed)
@@ -304,6 +370,14 @@ class Transition:
                 states[k] = drags[k] or 1  # nothing presses it: it slides without force
         result.mode = ModeOf(frozenset(still), tuple(states))
         return outcome
+
+    def lasts(self, y: Floats, t: float, near: Floats, mode: ModeOf) -> bool:
+        """Whether a mode can go on in a state: some distribution of its forces, if they are not unique, is admissible."""
+        now = self.bounded.instant(y, t, near)
+        drags = {k: state for k, state in enumerate(mode.drags) if state is not None}
+        problem = self.bounded.problem(now, sorted(mode.closed), drags, of_rates=False)
+        states = self._previous(problem, mode)
+        return states is not None and is_admissible(problem.matrices, states)
 
     def _previous(self, problem: Problem, mode: ModeOf | None) -> tuple[State, ...] | None:
         if mode is None:

@@ -19,6 +19,8 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
     was = frozenset[int]() if before is None else before.closed
     hit = {k for impact in after.impacts for k, rate in impact.before.items() if rate < 0.0}
     for k, barrier in enumerate(bounded.barriers):
+        if k in after.handed:
+            continue
         is_now = k in mode.closed
         if before is None and k not in hit:
             if barrier.is_ideal and not is_now:

@@ -19,6 +19,7 @@ from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.motion import Motion, Progress
+from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.stepping import Run
@@ -288,17 +289,15 @@ class Engine(Packed):
         max_seconds: float = math.inf,
         max_steps: int = 10_000_000,
         progress: Progress | None = None,
-        guarded: tuple[Floats, Callable[[int], bool]] | None = None,
-        lasts: Callable[[Floats, float, Floats], bool] | None = None,
+        guarded: Guarding | None = None,
     ) -> Course:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. tolerance: the error
         allowed in a step, relative to the size of the system (`stepping`). step: the first step, or the only one of a
         method without error control. outputs: times at which the motion is wanted, besides its events and its end.
-        guarded: sizes of the guards of the mode, and whether a violation means something: the first one is the end.
-        lasts: whether a mode with forces that are not unique can go on in a state."""
+        guarded: what is known of the guards of the mode, of which the first violation is the end."""
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
         motion = Motion(self, y, start, until, tolerance, method, step, longest, wanted)
         if guarded is not None:
-            motion.guard(*guarded, lasts)
+            motion.guard(guarded)
         return motion.course(began, max_seconds, max_steps, progress)

@@ -15,7 +15,7 @@ from freebody.numeric.engine.course import Course, Happening, Status, Tracks
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.patrol import Lasts, Patrol, Violation
+from freebody.numeric.engine.patrol import Guarding, Patrol, Violation
 from freebody.numeric.engine.tableaus import METHODS
 
 if TYPE_CHECKING:
@@ -56,9 +56,9 @@ class Motion:
         self.patrol: Patrol | None = None
         self.violation: Violation | None = None
 
-    def guard(self, sizes: Floats, is_valid: Callable[[int], bool], lasts: Lasts | None) -> None:
+    def guard(self, guarding: Guarding) -> None:
         """The first violation of a guard of the layout ends the motion; see `Patrol`."""
-        self.patrol = Patrol(self, sizes, is_valid, lasts)
+        self.patrol = Patrol(self, guarding)
         self.run.count[stepping.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------

@@ -1,13 +1,18 @@
 """What a mode needs to be positive, watched along the steps: gaps, pressing forces, slip rates, reserves of friction.
 
 A guard is violated where it falls below zero; the first violation ends the motion there. A guard may begin at zero (a
-contact that has just opened): then it is violated at the start if it falls at once. One that is below zero when the
-step begins, without having crossed (the far side of an edge that ends), says nothing.
+contact that has just opened): then it is violated at the start if it falls at once. A gap below zero (the far side of
+an edge that ends) says nothing until it has been above; but one that is just below when the motion begins, because
+things that touch elsewhere have been put where they do, is counted from there. Nor does one that begins at zero and is asleep: the far side of
+a rod on which something lies, an edge whose end has just been passed.
+
+A step is looked at in parts, so short that nothing turns by more than `TURN` in one. In a part the values and rates of
+a gap at both ends make a cubic; where that comes near zero, the gap itself is searched.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -22,13 +27,38 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.motion import Motion
 
 _optimize: Any = scipy.optimize
-PARTS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+QUARTERS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+TURN = 0.1  # [rad]
+MOST_PARTS = 4000
 ZERO = 1e-12  # by the size of what is guarded
 N_MENDED = 3
+LOOSE = 0.05  # by the size of the system: a foot that is so far beside its edge will not be on it
+SLACK = 1e-9  # by the size of a gap: so far below zero it may begin
 NEAR_ZERO = 0.3  # a dip that does not come below this part of the largest value is not looked into
-
+MARGIN = 0.02  # of the cubic, by what a gap changes in a part
+PLACES = np.arange(1, 8) / 8.0
+HERMITE = np.array(  # value, rate, value, rate at the ends: at the places between
+    [
+        [(1 + 2 * u) * (1 - u) ** 2, u * (1 - u) ** 2, u * u * (3 - 2 * u), u * u * (u - 1)]
+        for u in PLACES.tolist()
+    ]
+)
 
 Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the bearings from which turns are counted
+
+
+@dataclass(frozen=True)
+class Guarding:
+    """What is known of the guards of a mode. sizes: what counts as large of each. is_valid: whether a violation means
+    something at the instant that the engine looked at last, up to a part of the system's size. asleep: guards that count only once they have been above
+    zero. distances: of gaps that are a distance without a constant, that constant; else NaN. lasts: whether the mode
+    can go on in a state, where forces are not unique."""
+
+    sizes: Floats
+    is_valid: Callable[[int, float], bool]
+    asleep: Collection[int]
+    distances: Floats
+    lasts: Lasts | None = None
 
 
 @dataclass(frozen=True)
@@ -44,41 +74,86 @@ class Violation:
 class Patrol:
     """The guards of one motion."""
 
-    def __init__(
-        self, motion: Motion, sizes: Floats, is_valid: Callable[[int], bool], lasts: Lasts | None = None
-    ) -> None:
-        """sizes: what counts as large of each guard. is_valid: whether a violation means something at the instant that
-        the engine looked at last. lasts: whether the mode can go on in a state, where forces are not unique."""
-        self.motion, self.sizes, self.is_valid, self.lasts = motion, sizes, is_valid, lasts
+    def __init__(self, motion: Motion, guarding: Guarding) -> None:
+        self.motion, self.guarding = motion, guarding
+        self.sizes, self.is_valid, self.lasts = guarding.sizes, guarding.is_valid, guarding.lasts
         n = len(motion.engine.layout.guard)
-        self._values, self._rates, self._own = (np.zeros((len(PARTS), n)) for _ in range(3))
-        self._one = tuple(np.zeros((1, n)) for _ in range(3))
+        self._kinds = motion.engine.layout.guard[:, 0]
+        self._is_gap = self._kinds == dynamics.GUARD_VALUE
+        self._asleep = np.zeros(n, dtype=bool)
+        self._asleep[list(guarding.asleep)] = True
+        self._floor: Floats | None = None
+        self._signs = motion.engine.layout.guard_factor[:, 0]
+        self._parts = QUARTERS
+        self._values, self._rates, self._own = self._room(len(QUARTERS))
+        self._one = self._room(1)
         self._y = np.zeros(motion.engine.n_y)
+
+    def _room(self, n_parts: int) -> tuple[Floats, Floats, Floats]:
+        a, b, c = (np.zeros((n_parts, len(self._kinds))) for _ in range(3))
+        return a, b, c
+
+    def _divided(self) -> None:
+        """Divides the last step into parts."""
+        m, states = self.motion, self.motion.run.states
+        n_bodies = m.engine.n_bodies
+        turned = states[0] - states[stepping.OLD]
+        n = 3 * (n_bodies + 1)
+        largest = float(np.abs(turned[2:n:3]).max(initial=0.0))
+        n_parts = max(4, min(MOST_PARTS, int(largest / TURN) + 1))
+        if n_parts + 1 != len(self._parts):
+            self._parts = np.linspace(0.0, 1.0, n_parts + 1)
+            self._values, self._rates, self._own = self._room(n_parts + 1)
 
     def violation(self) -> Violation | None:
         """The first violation in the last step."""
         m, run = self.motion, self.motion.run
-        stepping.patrol(m.engine.layout, m.engine.room, run, PARTS, 0.0, self._y, self._values, self._rates, self._own)
-        zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
+        self._divided()
         values = self._values
-        kinds = m.engine.layout.guard[:, 0]
-        of_force = (kinds == dynamics.GUARD_MULTIPLIER) | (kinds == dynamics.GUARD_RESERVE)
-        hard = np.ones(len(kinds), dtype=bool) if self.lasts is None else ~of_force
-        begins = (values[0] >= -zero) | (kinds != dynamics.GUARD_VALUE)
-        suspects = np.flatnonzero(hard & begins & (values.min(axis=0) < NEAR_ZERO * values.max(axis=0)))
-        found = [(s, g) for g in suspects if (s := self._first(int(g), float(zero[g]))) is not None]
+        stepping.patrol(
+            m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own
+        )
+        zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
+        if self._floor is None:
+            is_low = self._is_gap & ~self._asleep & (values[0] < 0.0) & (values[0] >= -SLACK * self.sizes)
+            self._floor = np.where(is_low, values[0], 0.0)
+        self._floor[values[0] > 0.0] = 0.0
+        values -= self._floor
+        self._asleep &= values[0] <= zero
+        of_force = (self._kinds == dynamics.GUARD_MULTIPLIER) | (self._kinds == dynamics.GUARD_RESERVE)
+        self._search_gaps(zero)
+        self._soft = np.zeros(len(of_force), dtype=bool) if self.lasts is None else of_force
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
-        for s, g in sorted(found):
-            self._at(s)
-            if not self.is_valid(int(g)):
-                continue
-            if s == 0.0:
-                return Violation(int(g), t0, run.states[stepping.OLD].copy(), at_start=True)
-            if self.lasts is not None and (soft := self._end_of_forces(of_force, zero, s)) is not None:
-                return soft
-            t, state = self._mended(int(g), t0, s, h)
-            return Violation(int(g), t, state)
+        for j in range(1, len(self._parts)):
+            for s, g in sorted(self._found_in(j, zero)):
+                self._at(s)
+                if not self.is_valid(g, 0.0):
+                    continue
+                if s == 0.0:
+                    return Violation(g, t0, run.states[stepping.OLD].copy(), at_start=True)
+                if self.lasts is not None and (soft := self._end_of_forces(of_force, zero, s)) is not None:
+                    return soft
+                t, state = self._mended(g, t0, s, h)
+                return Violation(g, t, state)
         return None if self.lasts is None else self._end_of_forces(of_force, zero, 1.0)
+
+    def _search_gaps(self, zero: Floats) -> None:
+        """In which parts a gap that is above zero at both ends may fall below, or one below may rise above, and where in
+        a part it may be least. A distance has a kink where two points pass near each other; its square is smooth:
+        +-(d^2 - R^2) for +-(d - R)."""
+        v, h = self._values, float(self.motion.run.clock[stepping.DONE_STEP])
+        rates = self._rates * (h * float(self._parts[1]))
+        k = np.flatnonzero(~np.isnan(self.guarding.distances))
+        if len(k):
+            d = v[:, k] + self._signs[k] * self.guarding.distances[k]  # +-d
+            v, rates = v.copy(), rates.copy()
+            v[:, k] *= np.abs(d) + self.guarding.distances[k]
+            rates[:, k] *= 2.0 * np.abs(d)
+        between = np.tensordot(HERMITE, np.stack([v[:-1], rates[:-1], v[1:], rates[1:]]), axes=1)
+        margin = MARGIN * (np.abs(v[1:] - v[:-1]) + np.abs(rates[1:]) + np.abs(rates[:-1]))
+        self._least = PLACES[between.argmin(axis=0)]
+        self._dips = self._is_gap & (np.minimum(v[:-1], v[1:]) > zero) & (between.min(axis=0) < margin)
+        self._bumps = self._is_gap & (np.maximum(v[:-1], v[1:]) < -zero) & (between.max(axis=0) > -margin)
 
     def _end_of_forces(self, of_force: Any, zero: Floats, until: float) -> Violation | None:
         """Where in the last step the forces of the mode cease to be admissible, though they are not unique: one of them
@@ -94,7 +169,7 @@ class Patrol:
             return self.lasts(self._y.copy(), t0 + s * h, self.motion.engine.near())
 
         good = 0.0
-        for s in PARTS[1:]:
+        for s in QUARTERS[1:]:
             part = min(float(s), until)
             if not holds(part):
                 bad = part
@@ -117,47 +192,107 @@ class Patrol:
         """Values of the guards at a part of the last step."""
         m = self.motion
         stepping.patrol(m.engine.layout, m.engine.room, m.run, np.array([s]), 0.0, self._y, *self._one)
+        if self._floor is not None:
+            self._one[0][0] -= self._floor
         return self._one[0][0]
 
     def _value(self, g: int, s: float) -> float:
         return float(self._at(s)[g])
 
-    def _first(self, g: int, zero: float) -> float | None:
-        """Where in the last step a guard first falls below zero."""
-        v, rates = self._values[:, g], self._rates[:, g]
-        value = partial(self._value, g)
-        below = np.flatnonzero(v < -zero)
-        for j in range(1, len(PARTS)):
-            low, high = float(PARTS[j - 1]), float(PARTS[j])
-            is_below = len(below) > 0 and below[0] == j
-            if v[j - 1] > zero and not is_below:
-                if not self._may_dip(g, j):
-                    continue
-                least = _optimize.minimize_scalar(value, bounds=(low, high), method="bounded", options={"xatol": 1e-9})
-                if least.fun < -zero:
-                    return _root(value, low, float(least.x))
-                continue
-            if not is_below:
-                continue
-            if v[j - 1] > zero:
-                return _root(value, low, high)
-            # it begins at zero: does it rise first?
-            peak = _peak(value, low, high, zero, rises=rates[j - 1] > 0.0)
-            return low if peak is None else _root(value, peak, high)
-        return None
+    def _rate(self, g: int, s: float) -> float:
+        self._at(s)
+        return float(self._one[1][0, g])
 
-    def _may_dip(self, g: int, j: int) -> bool:
-        """Whether a guard may fall below zero between two points at which it is above: by its rates where it has any,
-        else if it is least there."""
-        v, rates = self._values[:, g], self._rates[:, g]
-        if self.motion.engine.layout.guard[g, 0] == dynamics.GUARD_VALUE:
-            if not (rates[j - 1] < 0.0 < rates[j]):
-                return False
-            h = 0.25 * float(self.motion.run.clock[stepping.DONE_STEP])
-            # the tangents at both ends bound a curve that bends one way
-            return min(v[j - 1] + rates[j - 1] * h, v[j] - rates[j] * h) < 0.0
+    def _found_in(self, j: int, zero: Floats) -> Iterator[tuple[float, int]]:
+        """Places in a part at which a guard falls below zero."""
+        a, b = self._values[j - 1], self._values[j]
+        is_asleep = self._asleep if j == 1 else np.zeros_like(self._asleep)
+        is_silent = self._is_gap & ((a < -zero) | ((a <= zero) & is_asleep))
+        falls = ~is_silent & (b < -zero)
+        least = ~self._is_gap & (a > zero) & (b >= -zero) & (np.minimum(a, b) < NEAR_ZERO * self._values.max(axis=0))
+        below = ~self._is_gap & (a < -zero)
+        suspects = ~self._soft & (falls | self._dips[j - 1] | self._bumps[j - 1] | least | below)
+        for g in np.flatnonzero(suspects).tolist():
+            s = self._first(g, j, float(zero[g]))
+            if s is not None:
+                yield s, g
+
+    def _first(self, g: int, j: int, zero: float) -> float | None:
+        """Where in a part a guard first falls below zero."""
+        v = self._values[:, g]
+        low, high, a, b = float(self._parts[j - 1]), float(self._parts[j]), float(v[j - 1]), float(v[j])
+        value = partial(self._value, g)
+        if not self._is_gap[g]:
+            if a < -zero:
+                return low
+            if a > zero and b < -zero:
+                return _root(value, low, high)
+            if b < -zero:
+                peak = _peak(value, low, high, zero, rises=False)
+                return low if peak is None else _root(value, peak, high)
+            if not self._may_dip(v, j):
+                return None
+            least = _optimize.minimize_scalar(value, bounds=(low, high), method="bounded", options={"xatol": 1e-9})
+            return _root(value, low, float(least.x)) if least.fun < -zero else None
+        if self._bumps[j - 1, g]:
+            top = self._turn(g, j, high=True)
+            return self._crossed(g, top, high) if self._value(g, top) > zero else None
+        if self._dips[j - 1, g]:
+            bottom = self._turn(g, j, high=False)
+            return self._crossed(g, low, bottom) if self._value(g, bottom) < -zero else None
+        if a > zero:
+            return self._crossed(g, low, high)
+        self._at(low)
+        if not self.is_valid(g, LOOSE):
+            return None
+        # it begins at zero: does it rise first?
+        part = (high - low) * float(self.motion.run.clock[stepping.DONE_STEP])
+        rise = float(self._rates[j - 1, g]) * part
+        peak = None if rise < -zero else _peak(value, low, high, zero, rises=rise > 0.0)
+        return low if peak is None else self._crossed(g, peak, high)
+
+    def _turn(self, g: int, j: int, *, high: bool) -> float:
+        """The place in a part at which a gap is least, or greatest: where its rate changes sign."""
+        low, end = float(self._parts[j - 1]), float(self._parts[j])
+        before, after = float(self._rates[j - 1, g]), float(self._rates[j, g])
+        sign = -1.0 if high else 1.0
+        if not high:
+            middle = low + (end - low) * float(self._least[j - 1, g])
+            self._at(middle)
+            if not self.is_valid(g, LOOSE):
+                return low
+        if sign * before < 0.0 < sign * after:
+            return float(_optimize.brentq(partial(self._rate, g), low, end, xtol=1e-12, rtol=1e-9))
+        found = _optimize.minimize_scalar(
+            lambda s: sign * self._value(g, float(s)), bounds=(low, end), method="bounded", options={"xatol": 1e-9}
+        )
+        return float(found.x)
+
+    def _crossed(self, g: int, low: float, high: float) -> float | None:
+        """Where a gap falls through zero between two places, by Newton's method within them; None if it is clear before
+        that it means nothing there."""
+        h = float(self.motion.run.clock[stepping.DONE_STEP])
+        a, b = self._value(g, low), self._value(g, high)
+        s = low + (high - low) * a / (a - b)
+        start, end = low, high
+        for k in range(30):
+            values = self._at(s)
+            if k == 1 and not self.is_valid(g, LOOSE):
+                return None
+            x, slope = float(values[g]), float(self._one[1][0, g]) * h
+            start, end = (s, end) if x > 0.0 else (start, s)
+            after = s - x / slope if slope else end
+            if not start <= after <= end:
+                after = 0.5 * (start + end)
+            if abs(after - s) <= 1e-15 or x == 0.0:
+                return s
+            s = after
+        return s
+
+    def _may_dip(self, v: Floats, j: int) -> bool:
+        """Whether a force may fall below zero between two points at which it is above: if it is least there."""
         k = int(v.argmin())
-        return 0 < k < len(PARTS) - 1 and j in (k, k + 1) and v[k] < NEAR_ZERO * v.max()
+        return 0 < k < len(v) - 1 and j in (k, k + 1) and bool(v[k] < NEAR_ZERO * v.max())
 
     def _mended(self, g: int, t0: float, s: float, h: float) -> tuple[float, Floats]:
         """Time and state of a violation, by steps of their own from the start of the last step."""
@@ -171,7 +306,8 @@ class Patrol:
                 break
             state = step[0]
             stepping.patrol(m.engine.layout, m.engine.room, m.run, np.array([-1.0]), t0 + at, state.copy(), *self._one)
-            correction = float(self._one[0][0][g]) / slope if slope else 0.0
+            assert self._floor is not None
+            correction = float(self._one[0][0][g] - self._floor[g]) / slope if slope else 0.0
             if not abs(correction) < 1e-3 * h or abs(correction) <= 2e-16 * max(abs(t0 + at), h):
                 break
             at -= correction

@@ -101,7 +101,7 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
         expected = piece.first.watch
         event = seen[-1].event
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
-        if event is None or event[:2] != (expected.kind, expected.name):
+        if all(other[:2] != (expected.kind, expected.name) for other in seen[-1].together):
             found = "nothing" if event is None else f"{event[1]} {event[0]}"
             raise RoutesDisagree(
                 f"'{question.text}': the closed form says that {expected.name} {expected.kind}, the numeric route that "

@@ -46,6 +46,7 @@ class Seen:
     q: Array
     v: Array
     begin: Snapshot  # the start of the phase
+    together: tuple[tuple[str, str, int], ...] = ()  # all events at that instant
 
     def snapshot(self) -> Snapshot:
         return self.mode.snapshot(self.q, self.v, self.time)
@@ -196,9 +197,11 @@ class NumericMode:
             if len(fallen):
                 roots = [(_root(watches[int(k)][1], state, n, a, b), int(k)) for k in fallen]
                 first = min(root for root, _k in roots)
-                time, k = max((r for r in roots if r[0] <= first + 1e-9 * abs(first)), key=lambda r: r[1])
+                at_once = [r for r in roots if r[0] <= first + 1e-9 * abs(first)]
+                time, k = max(at_once, key=lambda r: r[1])
                 y = state(time)
-                return Seen(watches[k][0], time, self, y[:n], y[n:], begin)
+                together = tuple(watches[other][0] for _time, other in at_once)
+                return Seen(watches[k][0], time, self, y[:n], y[n:], begin, together)
             armed |= now > _STILL
             q, v = y[:n], y[n:]
         return Seen(None, until, self, q, v, begin)

@@ -1,0 +1,55 @@
+"""Parts of a contact problem that have nothing to do with each other: things that lie on the ground side by side.
+
+Rows act on each other if their entry of A is not zero, and a rub goes with all rows in its load. Modes of parts are
+chosen one by one, so that their numbers add up where those of the whole would multiply.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse.csgraph import connected_components
+
+from freebody.numeric.contact.problem import ContactProblem
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A problem of its own, and which rows of the whole its rows are."""
+
+    problem: ContactProblem
+    rows: tuple[int, ...]
+
+
+def separate(problem: ContactProblem) -> list[Part]:
+    """The parts, in the order of their first rows; the problem as it is if it has one only."""
+    joined = problem.A != 0.0
+    for rub in problem.rubs:
+        for row in (*rub.normals, *(row for group in rub.magnitudes for row in group)):
+            joined[rub.row, row] = True
+    n_parts, labels = connected_components(joined, directed=False)
+    if n_parts < 2:
+        return [Part(problem, tuple(range(problem.n)))]
+    parts: list[Part] = []
+    for label in range(n_parts):
+        rows = tuple(np.flatnonzero(labels == label).tolist())
+        place = {row: k for k, row in enumerate(rows)}
+        rubs = tuple(
+            replace(
+                rub,
+                row=place[rub.row],
+                normals=tuple(place[row] for row in rub.normals),
+                magnitudes=tuple(tuple(place[row] for row in group) for group in rub.magnitudes),
+            )
+            for rub in problem.rubs
+            if rub.row in place
+        )
+        own = ContactProblem(
+            problem.A[np.ix_(rows, rows)],
+            problem.b[list(rows)],
+            tuple(place[row] for row in problem.normals if row in place),
+            rubs,
+        )
+        parts.append(Part(own, rows))
+    return parts
