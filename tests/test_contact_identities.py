@@ -41,9 +41,7 @@ def test_impulses_and_forces_of_contacts_make_up_the_change_of_momentum() -> Non
     slips = [k for k, n in enumerate(names) if n in course.contact.rubs]
     # forces jump at events only, where the course has the state after it: left sums
     widths = np.diff(course.times)
-    up, along = (
-        float((course.multipliers[:-1, places].sum(axis=1) * widths).sum()) for places in (normals, slips)
-    )
+    up, along = (float((course.multipliers[:-1, places].sum(axis=1) * widths).sum()) for places in (normals, slips))
     hit_up = sum(sum(c.impulses.values()) for c in course.contact.collisions)
     hit_along = sum(sum(c.friction.values()) for c in course.contact.collisions)
     v0, v1 = course.velocities[0, 0], course.velocities[-1, 0]
@@ -98,7 +96,8 @@ def test_a_scene_on_a_cart_that_moves_steadily_moves_alike() -> None:
         return model(f"""
 bodies:
   cart: {{body: {{mass: 5 kg, inertia: 1 kg m^2}}, lines: {{deck: {{along: right}}}}, at: [0, 0]}}
-  b: {{rectangle: {{mass: 1 kg, width: 0.4 m, height: 0.2 m}}, at: [0, 0.5 m], angle: 10 deg, velocity: [{1 + v} m/s, 0]}}
+  b: {{rectangle: {{mass: 1 kg, width: 0.4 m, height: 0.2 m}}, at: [0, 0.5 m], angle: 10 deg,
+      velocity: [{1 + v} m/s, 0]}}
 connections:
   guide: {{slider: {{body: cart, along: right}}}}
   drive: {{driver: {{measure: x of cart, follows: v*t}}}}
@@ -121,8 +120,8 @@ def test_units_of_mass_and_length_do_not_matter(length: float, mass: float) -> N
         t = math.sqrt(k)
         return model(f"""{FLOOR}{WEIGHT}
 bodies:
-  b: {{rectangle: {{mass: {m!r} kg, width: {0.4 * k!r} m, height: {0.2 * k!r} m}}, at: [0, {0.6 * k!r} m], angle: 20 deg,
-      velocity: [{2 * t!r} m/s, 0]}}
+  b: {{rectangle: {{mass: {m!r} kg, width: {0.4 * k!r} m, height: {0.2 * k!r} m}}, at: [0, {0.6 * k!r} m],
+      angle: 20 deg, velocity: [{2 * t!r} m/s, 0]}}
 connections: {{c: {{contact: {{between: [b, floor], friction: 0.3, restitution: 0.3}}}}}}
 """).simulate(1.5 * t, tolerance=1e-11)
 
@@ -228,7 +227,8 @@ def test_a_ball_rolls_over_the_edge_of_a_table() -> None:
     result = model(f"""
 bodies:
   table: {{rectangle: {{width: 2 m, height: 1 m}}, at: [-1 m, -0.5 m], angle: 0, fixed: true}}
-  ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: [-0.5 m, 0.1 m], velocity: [0.3 m/s, 0], angular_velocity: -3 rad/s}}
+  ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: [-0.5 m, 0.1 m], velocity: [0.3 m/s, 0],
+         angular_velocity: -3 rad/s}}
 connections: {{c: {{contact: {{between: [ball, table], friction: 2}}}}}}
 measures: {{a: angle of line from table.top_right to ball from up clockwise}}
 {WEIGHT}""").simulate(2.3, tolerance=1e-12)
@@ -268,7 +268,9 @@ connections:
     # 3/4 m v^2 (1 - 2 h/(3 R))^2 = m g h
     critical = math.sqrt(G * 0.1 / 0.75) / (1 - 2 * 0.1 / 1.5)
     for v, climbs in ((critical * 1.01, True), (critical * 0.99, False)):
-        result = model(text.replace("V m", f"{v!r} m").replace("W rad", f"{v / 0.5!r} rad")).simulate(3.0, tolerance=1e-11)
+        result = model(text.replace("V m", f"{v!r} m").replace("W rad", f"{v / 0.5!r} rad")).simulate(
+            3.0, tolerance=1e-11
+        )
         hit = result.course.contact.collisions[0]
         k = int(np.argmin(np.abs(result.course.times - hit.time)))
         place = [b.name for b in result.system.moving].index("wheel")
@@ -282,7 +284,8 @@ def test_a_ball_rolls_from_a_line_onto_a_circle() -> None:
 bodies:
   bench: {{rectangle: {{width: 1 m, height: 0.2 m}}, at: [-0.5 m, -0.1 m], angle: 0, fixed: true}}
   drum: {{disk: {{radius: 1 m}}, at: [0, -1 m], fixed: true}}
-  ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: [-0.4 m, 0.1 m], velocity: [0.4 m/s, 0], angular_velocity: -4 rad/s}}
+  ball: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: [-0.4 m, 0.1 m], velocity: [0.4 m/s, 0],
+         angular_velocity: -4 rad/s}}
 connections: {{c: {{contact: {{among: all, friction: 1}}}}}}
 measures: {{a: angle of line from drum to ball from up clockwise}}
 {WEIGHT}""").simulate(2.5, tolerance=1e-11)
@@ -348,7 +351,9 @@ connections: {{c: {{rolling: {{body: w, on: floor}}}}}}
 measures: {{x: x of w, y: y of w}}
 start: {{x: 0, rate(x): 1 m/s}}
 parameters: {{F: 20 N, T: 0.5 s}}
-loads: {{weight: {{gravity: 9.81 m/s^2}}, pull: {{force: {{at: w, along: up, magnitude: "F*(sign(t - T) - sign(t - 1.2*T))/2"}}}}}}
+loads:
+  weight: {{gravity: 9.81 m/s^2}}
+  pull: {{force: {{at: w, along: up, magnitude: "F*(sign(t - T) - sign(t - 1.2*T))/2"}}}}
 """).simulate(2.0, tolerance=1e-10)
     assert result.status is Status.FINISHED
     assert kinds(result)[:2] == ["parts", "touches"]
@@ -371,7 +376,9 @@ def test_a_driven_platform_throws_a_block_at_the_acceleration_of_gravity() -> No
     """y = A sin(w t): the block leaves when A w^2 sin = g."""
     result = model(f"""
 parameters: {{A: 0.05 m, w: 20 rad/s}}
-bodies: {{deck: {{body: {{mass: 1 kg, inertia: 1 kg m^2}}, lines: {{top: {{along: right}}}}}}, b: {{particle: {{mass: 1 kg}}}}}}
+bodies:
+  deck: {{body: {{mass: 1 kg, inertia: 1 kg m^2}}, lines: {{top: {{along: right}}}}}}
+  b: {{particle: {{mass: 1 kg}}}}
 connections:
   guide: {{slider: {{body: deck, along: up}}}}
   drive: {{driver: {{measure: y of deck, follows: A*sin(w*t)}}}}
@@ -393,6 +400,7 @@ def test_a_long_rest_is_one_phase() -> None:
     assert np.abs(result.course.velocities[-1]).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_ten_boxes_dropped_into_a_box_come_to_rest() -> None:
     boxes = "\n".join(
         f"  b{k}: {{rectangle: {{mass: 1 kg, width: 0.2 m, height: 0.2 m}}, "
@@ -401,9 +409,12 @@ def test_ten_boxes_dropped_into_a_box_come_to_rest() -> None:
     )
     result = model(f"""
 ground:
-  lines: {{floor: {{along: right}}, left: {{through: [-0.5 m, 0], along: down}}, right: {{through: [0.5 m, 0], along: up}}}}
+  lines:
+    floor: {{along: right}}
+    left: {{through: [-0.5 m, 0], along: down}}
+    right: {{through: [0.5 m, 0], along: up}}
 bodies:
 {boxes}
 connections: {{c: {{contact: {{among: all, friction: 0.4}}}}}}
-{WEIGHT}""").simulate(1.0, every=0.01, max_seconds=60.0)
-    assert result.status in (Status.FINISHED, Status.TOO_LONG)
+{WEIGHT}""").simulate(1.0, every=0.01, max_seconds=120.0)
+    assert result.status is Status.FINISHED

@@ -139,8 +139,9 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             if not sites(a, b):
                 if self.between is not None:
                     names.problem(
-                        f"there is no contact of {a.label} with {b.label}: both are points, or straight lines, or hollow, "
-                        f"or one a line and one hollow. A contact takes two of {KINDS}; one must be a circle, a point or a polygon",
+                        f"there is no contact of {a.label} with {b.label}: both are points, or straight lines, or "
+                        f"hollow, or one a line and one hollow. A contact takes two of {KINDS}; one must be a circle, "
+                        "a point or a polygon",
                         None,
                         "between",
                     )

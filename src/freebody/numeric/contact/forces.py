@@ -29,6 +29,7 @@ from freebody.numeric.contact.modes import (
     solve_mode,
     worst_changed,
 )
+from freebody.numeric.contact.parts import Part, separate
 from freebody.numeric.contact.problem import (
     SLIPPING,
     Choice,
@@ -38,7 +39,6 @@ from freebody.numeric.contact.problem import (
     State,
     Status,
 )
-from freebody.numeric.contact.parts import Part, separate
 from freebody.numeric.contact.reduction import Reduced, reduced
 from freebody.numeric.contact.sieve import plausible
 from freebody.numeric.contact.uniqueness import is_certainly_unique
@@ -61,8 +61,8 @@ def contact_forces(
     `previous`: the mode to try first, and to keep if several are consistent. `forbidden`: states a row must not have,
     for instants where two are consistent to rounding; the conditions of such a row are met to 1e-8, all others to 1e-11
     of the terms of the row. Without `check_others`, or with more modes than `most_others`, the first consistent mode is
-    taken, and not proven to be the only one. Never raises for lack of a solution: see `status`. Held rows that contradict each other
-    have none. Parts of a problem that have nothing to do with each other are solved one by one.
+    taken, and not proven to be the only one. Never raises for lack of a solution: see `status`. Held rows that
+    contradict each other have none. Parts of a problem that have nothing to do with each other are solved one by one.
     """
     parts = separate(problem)
     forbidden = tuple(forbidden)

@@ -107,6 +107,7 @@ class Hybrid:
                     partial(self._is_valid, engine, about),
                     [g for g, (what, k) in enumerate(about) if what == "gap" and k in asleep],
                     np.array([self.bounded.barriers[k].radius if what == "gap" else np.nan for what, k in about]),
+                    self.bounded.turning,
                     partial(self._lasts, mode) if is_soft else None,
                 ),
             )
@@ -139,7 +140,8 @@ class Hybrid:
                 left=k if what == "foot" else None,
                 forbidden=forbidden,
             )
-            asleep = result.behind | ({k} if what == "foot" else set()) | (set() if is_progress else asleep)
+            passed = {k} if what == "foot" else set[int]()
+            asleep = result.behind | passed | (set[int]() if is_progress else asleep)
             self._note(mode, result, t)
         return self._course(status, message, time.perf_counter() - began)
 
@@ -228,7 +230,7 @@ class Hybrid:
             )
             message = f"{message}; {said}" if message else said
         if self.transition.is_replaced:
-            said = "Newton's law of impact had no solution where several contacts were hit at once; Poisson's took its place"
+            said = "Newton's law of impact had no solution where several contacts were hit at once; Poisson's took over"
             message = f"{message}; {said}" if message else said
         return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
 

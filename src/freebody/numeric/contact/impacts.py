@@ -66,8 +66,8 @@ def impact(
     """The impulses of all touching contacts at once.
 
     `problem.b`: velocities of all rows before (held ones must vanish after); rubs as for forces, `sliding` is not used.
-    `restitution`: e in [0, 1] of each normal row, 0 where none is given. `most_others`: see `contact_forces`. Raises ValueError if e is out of range, and
-    for Keller's law unless there is one normal with one rub at most.
+    `restitution`: e in [0, 1] of each normal row, 0 where none is given. `most_others`: see `contact_forces`. Raises
+    ValueError if e is out of range, and for Keller's law unless there is one normal with one rub at most.
     """
     if any(not 0.0 <= e <= 1.0 for e in restitution.values()):
         raise ValueError("restitution must lie in [0, 1]")

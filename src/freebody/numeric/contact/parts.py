@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
+from numpy.typing import NDArray
 
 from freebody.numeric.contact.problem import ContactProblem
 
@@ -28,12 +28,11 @@ def separate(problem: ContactProblem) -> list[Part]:
     for rub in problem.rubs:
         for row in (*rub.normals, *(row for group in rub.magnitudes for row in group)):
             joined[rub.row, row] = True
-    n_parts, labels = connected_components(joined, directed=False)
-    if n_parts < 2:
+    groups = _connected(joined | joined.T)
+    if len(groups) < 2:
         return [Part(problem, tuple(range(problem.n)))]
     parts: list[Part] = []
-    for label in range(n_parts):
-        rows = tuple(np.flatnonzero(labels == label).tolist())
+    for rows in groups:
         place = {row: k for k, row in enumerate(rows)}
         rubs = tuple(
             replace(
@@ -53,3 +52,21 @@ def separate(problem: ContactProblem) -> list[Part]:
         )
         parts.append(Part(own, rows))
     return parts
+
+
+def _connected(joined: NDArray[np.bool_]) -> list[tuple[int, ...]]:
+    """The rows of every connected part of a symmetric relation."""
+    left = np.ones(len(joined), dtype=bool)
+    found: list[tuple[int, ...]] = []
+    for row in range(len(joined)):
+        if not left[row]:
+            continue
+        part = np.zeros(len(joined), dtype=bool)
+        part[row] = True
+        before = 0
+        while before < (size := int(part.sum())):
+            part |= joined[part].any(axis=0)
+            before = size
+        left &= ~part
+        found.append(tuple(int(k) for k in np.flatnonzero(part)))
+    return found

@@ -173,7 +173,8 @@ def _exists(reference: Reference, g: JetGeometry, bound: Bound) -> bool:
 
 def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...]) -> None:
     """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then
-    the least deep of them counts."""
+    the least deep of them counts. Two polygons overlap if no edge of either has all of the other before it, which they
+    may without a corner inside."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     faced: dict[str, list[tuple[float, Bound]]] = {}
     found: list[str] = []
@@ -187,11 +188,34 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...
         gap, bound = max(places, key=lambda place: place[0])
         if gap < -PENETRATION * reference.sizes.length and _exists(reference, g, bound):
             found.append(_said(bound, -gap))
+    if not found:
+        found = _overlaps(reference, g, bounds)
     if found:
         raise CannotAnswer(
             f"at the start {'; '.join(found)}. Move them apart, or let the assembly do it: touching: true in the "
             "contact"
         )
+
+
+def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[Bound, ...]) -> list[str]:
+    """Polygons that overlap: by the separating axis theorem the widest of the narrowest gaps of all edges is
+    negative."""
+    bodies = reference.system.bodies
+    edges: dict[str, dict[str, float]] = {}
+    pairs: dict[str, tuple[str, str]] = {}
+    for bound in bounds:
+        ends = bound.row.ends
+        if not bound.obstacle or len(ends) < 4 or any(len(bodies[name].corners) < 2 for name in ends[2:4]):
+            continue
+        of = edges.setdefault(bound.family, {})
+        of[ends[1]] = min(of.get(ends[1], math.inf), gap_of(reference, g, bound))
+        pairs[bound.family] = ends[2], ends[3]
+    found: list[str] = []
+    for family, gaps in edges.items():
+        apart = max(gaps.values())
+        if apart < -PENETRATION * reference.sizes.length:
+            found.append(f"{pairs[family][0]} is {-apart:.6g} m inside {pairs[family][1]} ({family.partition(':')[0]})")
+    return found
 
 
 def _said(bound: Bound, depth: float) -> str:

@@ -315,7 +315,7 @@ class Transition:
         places = [*b.bilateral, *(b.barriers[k].place for k in kept)]
         J = now.gradients[places]
         weighted = J * b.inverse_mass
-        impulse = np.linalg.lstsq(weighted @ J.T, -now.rates[places], rcond=1e-12)[0]
+        impulse = np.asarray(np.linalg.lstsq(weighted @ J.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
         result.y[-1] += self._push(result.y, weighted, impulse)
 
     # -- what stays ---------------------------------------------------------------------------
@@ -372,7 +372,7 @@ class Transition:
         return outcome
 
     def lasts(self, y: Floats, t: float, near: Floats, mode: ModeOf) -> bool:
-        """Whether a mode can go on in a state: some distribution of its forces, if they are not unique, is admissible."""
+        """Whether a mode can go on in a state: some distribution of its forces, unique or not, is admissible."""
         now = self.bounded.instant(y, t, near)
         drags = {k: state for k, state in enumerate(mode.drags) if state is not None}
         problem = self.bounded.problem(now, sorted(mode.closed), drags, of_rates=False)

@@ -19,9 +19,9 @@ from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.motion import Motion, Progress
-from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
+from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.stepping import Run
 from freebody.numeric.engine.tableaus import DOP853, Tableau
 from freebody.numeric.engine.tape import play

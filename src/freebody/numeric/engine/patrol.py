@@ -3,16 +3,16 @@
 A guard is violated where it falls below zero; the first violation ends the motion there. A guard may begin at zero (a
 contact that has just opened): then it is violated at the start if it falls at once. A gap below zero (the far side of
 an edge that ends) says nothing until it has been above; but one that is just below when the motion begins, because
-things that touch elsewhere have been put where they do, is counted from there. Nor does one that begins at zero and is asleep: the far side of
-a rod on which something lies, an edge whose end has just been passed.
+things that touch elsewhere have been put where they do, is counted from there. One that begins at zero and is asleep
+says nothing either: the far side of a rod on which something lies, an edge whose end has just been passed.
 
-A step is looked at in parts, so short that nothing turns by more than `TURN` in one. In a part the values and rates of
-a gap at both ends make a cubic; where that comes near zero, the gap itself is searched.
+A step is looked at in parts, so short that nothing with corners turns by more than `TURN` in one. In a part the values
+and rates of a gap at both ends make a cubic; where that comes near zero, the gap itself is searched.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -38,10 +38,7 @@ NEAR_ZERO = 0.3  # a dip that does not come below this part of the largest value
 MARGIN = 0.02  # of the cubic, by what a gap changes in a part
 PLACES = np.arange(1, 8) / 8.0
 HERMITE = np.array(  # value, rate, value, rate at the ends: at the places between
-    [
-        [(1 + 2 * u) * (1 - u) ** 2, u * (1 - u) ** 2, u * u * (3 - 2 * u), u * u * (u - 1)]
-        for u in PLACES.tolist()
-    ]
+    [[(1 + 2 * u) * (1 - u) ** 2, u * (1 - u) ** 2, u * u * (3 - 2 * u), u * u * (u - 1)] for u in PLACES.tolist()]
 )
 
 Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the bearings from which turns are counted
@@ -50,14 +47,16 @@ Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the
 @dataclass(frozen=True)
 class Guarding:
     """What is known of the guards of a mode. sizes: what counts as large of each. is_valid: whether a violation means
-    something at the instant that the engine looked at last, up to a part of the system's size. asleep: guards that count only once they have been above
-    zero. distances: of gaps that are a distance without a constant, that constant; else NaN. lasts: whether the mode
-    can go on in a state, where forces are not unique."""
+    something at the instant that the engine looked at last, up to a part of the system's size. asleep: guards that
+    count only once they have been above zero. distances: of gaps that are a distance without a constant, that constant;
+    else NaN. turning: bodies whose turning moves a gap. lasts: whether the mode can go on in a state, where forces are
+    not unique."""
 
     sizes: Floats
     is_valid: Callable[[int, float], bool]
     asleep: Collection[int]
     distances: Floats
+    turning: Sequence[int]
     lasts: Lasts | None = None
 
 
@@ -95,11 +94,10 @@ class Patrol:
 
     def _divided(self) -> None:
         """Divides the last step into parts."""
-        m, states = self.motion, self.motion.run.states
-        n_bodies = m.engine.n_bodies
-        turned = states[0] - states[stepping.OLD]
-        n = 3 * (n_bodies + 1)
-        largest = float(np.abs(turned[2:n:3]).max(initial=0.0))
+        states = self.motion.run.states
+        at = [3 * k + 2 for k in self.guarding.turning]
+        turned = states[stepping.Y, at] - states[stepping.OLD, at]
+        largest = float(np.abs(turned).max(initial=0.0))
         n_parts = max(4, min(MOST_PARTS, int(largest / TURN) + 1))
         if n_parts + 1 != len(self._parts):
             self._parts = np.linspace(0.0, 1.0, n_parts + 1)
@@ -110,9 +108,7 @@ class Patrol:
         m, run = self.motion, self.motion.run
         self._divided()
         values = self._values
-        stepping.patrol(
-            m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own
-        )
+        stepping.patrol(m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own)
         zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
         if self._floor is None:
             is_low = self._is_gap & ~self._asleep & (values[0] < 0.0) & (values[0] >= -SLACK * self.sizes)
@@ -138,8 +134,8 @@ class Patrol:
         return None if self.lasts is None else self._end_of_forces(of_force, zero, 1.0)
 
     def _search_gaps(self, zero: Floats) -> None:
-        """In which parts a gap that is above zero at both ends may fall below, or one below may rise above, and where in
-        a part it may be least. A distance has a kink where two points pass near each other; its square is smooth:
+        """In which parts a gap that is above zero at both ends may fall below, or one below may rise above, and where
+        in a part it may be least. A distance has a kink where two points pass near each other; its square is smooth:
         +-(d^2 - R^2) for +-(d - R)."""
         v, h = self._values, float(self.motion.run.clock[stepping.DONE_STEP])
         rates = self._rates * (h * float(self._parts[1]))
@@ -199,6 +195,9 @@ class Patrol:
     def _value(self, g: int, s: float) -> float:
         return float(self._at(s)[g])
 
+    def _signed(self, g: int, sign: float, s: float) -> float:
+        return sign * self._value(g, float(s))
+
     def _rate(self, g: int, s: float) -> float:
         self._at(s)
         return float(self._one[1][0, g])
@@ -241,7 +240,7 @@ class Patrol:
             bottom = self._turn(g, j, high=False)
             return self._crossed(g, low, bottom) if self._value(g, bottom) < -zero else None
         if a > zero:
-            return self._crossed(g, low, high)
+            return self._crossed(g, low, high, a, b)
         self._at(low)
         if not self.is_valid(g, LOOSE):
             return None
@@ -264,15 +263,16 @@ class Patrol:
         if sign * before < 0.0 < sign * after:
             return float(_optimize.brentq(partial(self._rate, g), low, end, xtol=1e-12, rtol=1e-9))
         found = _optimize.minimize_scalar(
-            lambda s: sign * self._value(g, float(s)), bounds=(low, end), method="bounded", options={"xatol": 1e-9}
+            partial(self._signed, g, sign), bounds=(low, end), method="bounded", options={"xatol": 1e-9}
         )
         return float(found.x)
 
-    def _crossed(self, g: int, low: float, high: float) -> float | None:
-        """Where a gap falls through zero between two places, by Newton's method within them; None if it is clear before
-        that it means nothing there."""
+    def _crossed(self, g: int, low: float, high: float, a: float | None = None, b: float | None = None) -> float | None:
+        """Where a gap falls through zero between two places (with the values there), by Newton's method within them;
+        None if it is clear before that it means nothing there."""
         h = float(self.motion.run.clock[stepping.DONE_STEP])
-        a, b = self._value(g, low), self._value(g, high)
+        a = self._value(g, low) if a is None else a
+        b = self._value(g, high) if b is None else b
         s = low + (high - low) * a / (a - b)
         start, end = low, high
         for k in range(30):

@@ -35,7 +35,6 @@ def plain(system: System) -> System:
     return replace(system, pushes=tuple(p for p in system.pushes if p.load in system.loads))
 
 
-
 def _is_contact(name: str, base: System) -> bool:
     return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.rubs)))
 
