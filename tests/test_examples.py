@@ -318,7 +318,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     },
     # Rao, Mechanical Vibrations, sec. 5.3
     "two_masses_three_springs": {"frequencies": ["sqrt(k/m)", "sqrt(3*k/m)"], "a1": "(k*(x2 - x1) - k*x1)/m"},
-    # BJ Statics, sec. 8.10: moments about the hinge, the band pulls with F L/a; round the drum it is e^(mu pi) less, or more
+    # BJ Statics, sec. 8.10: moments about the hinge, the band pulls with F L/a; round the drum e^(mu pi) less, or more
     "band_brake": {
         "torque": ["-R*F*L/a*(exp(mu*pi) - 1)", "R*F*L/a*(1 - exp(-mu*pi))"],
         "force": "T*a/(R*L*(1 - exp(-mu*pi)))",

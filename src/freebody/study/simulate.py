@@ -303,10 +303,10 @@ def simulate(
     tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of
     order 8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts
     and dry friction, of first order in the `step`, which does not locate events. step: of a method without error
-    control [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a thousandth of
-    the whole if nothing is said. impact: the law of impact, "newton", "poisson"
-    or "keller". jams: where no contact force is consistent (Painleve), go on with an impulse that ends the slip.
-    verify: a second run, a hundred times as exact, tells from when on they part.
+    control [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a
+    thousandth of the whole if nothing is said. impact: the law of impact, "newton", "poisson" or "keller". jams: where
+    no contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred
+    times as exact, tells from when on they part.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.

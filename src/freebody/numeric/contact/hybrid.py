@@ -24,6 +24,7 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 
+FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
 ADVICE = "use time stepping (method moreau, with a step), which does not follow single events"
@@ -97,7 +98,7 @@ class Hybrid:
                 start=t,
                 tolerance=self.options.tolerance,
                 method=self.options.method,
-                step=self.options.step,
+                step=self.options.step or (FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0),
                 longest=self.options.longest,
                 outputs=np.concatenate(([t], outputs[outputs > t])),
                 max_seconds=left,

@@ -3,7 +3,7 @@
 A guard is violated where it falls below zero; the first violation ends the motion there. A guard may begin at zero (a
 contact that has just opened): then it is violated at the start if it falls at once. A gap below zero (the far side of
 an edge that ends) says nothing until it has been above; but one that is just below when the motion begins, because
-things that touch elsewhere have been put where they do, is counted from there. One that begins at zero and is asleep
+things that touch elsewhere have been put where they do, is counted from there, as is a slip rate. One that begins at zero and is asleep
 says nothing either: the far side of a rod on which something lies, an edge whose end has just been passed.
 
 A step is looked at in parts, so short that nothing with corners turns by more than `TURN` in one. In a part the values
@@ -33,7 +33,7 @@ MOST_PARTS = 4000
 ZERO = 1e-12  # by the size of what is guarded
 N_MENDED = 3
 LOOSE = 0.05  # by the size of the system: a foot that is so far beside its edge will not be on it
-SLACK = 1e-9  # by the size of a gap: so far below zero it may begin
+SLACK = 1e-9  # by the size of a gap or a slip rate: so far below zero it may begin
 NEAR_ZERO = 0.3  # a dip that does not come below this part of the largest value is not looked into
 MARGIN = 0.02  # of the cubic, by what a gap changes in a part
 PLACES = np.arange(1, 8) / 8.0
@@ -111,7 +111,8 @@ class Patrol:
         stepping.patrol(m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own)
         zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
         if self._floor is None:
-            is_low = self._is_gap & ~self._asleep & (values[0] < 0.0) & (values[0] >= -SLACK * self.sizes)
+            is_counted = (self._is_gap & ~self._asleep) | (self._kinds == dynamics.GUARD_RATE)
+            is_low = is_counted & (values[0] < 0.0) & (values[0] >= -SLACK * self.sizes)
             self._floor = np.where(is_low, values[0], 0.0)
         self._floor[values[0] > 0.0] = 0.0
         values -= self._floor
