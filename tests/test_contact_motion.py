@@ -683,3 +683,18 @@ def test_the_dataset_has_contact_states_and_the_used_part_of_friction() -> None:
     needed = (2 / 7) * math.tan(math.radians(20)) / 0.3
     assert data["contact.used_friction"].values[[0, -1]] == pytest.approx([1.0, needed], rel=1e-9)
     assert data["contact.friction_force"].values[0] == pytest.approx(-0.3 * G * math.cos(math.radians(20)), rel=1e-12)
+
+
+def test_a_block_held_by_nothing_but_the_walls_may_stay_or_fall_and_says_so() -> None:
+    wedged = model(
+        WEIGHT
+        + """
+ground: {lines: {left: {through: [0, 0], along: down}, right: {through: [0.4 m, 0], along: up}}}
+bodies: {b: {rectangle: {mass: 2 kg, width: 0.4 m, height: 0.4 m}, at: [0.2 m, 0], angle: 0}}
+connections:
+  l: {contact: {between: [b, left], friction: 0.5}}
+  r: {contact: {between: [b, right], friction: 0.5}}
+"""
+    ).simulate(0.2)
+    assert "several outcomes" in wedged.message
+    assert np.abs(wedged.course.velocities).max() < 1e-12

@@ -66,6 +66,25 @@ def test_four_things_thrown_at_each_other(seed: int) -> None:
     assert checked(random_scene(seed, 4), seed, 1.5) is Status.FINISHED
 
 
+@pytest.mark.parametrize(
+    ("n", "seed", "what"),
+    [
+        (2, 22, "a ball leaves the end of an edge"),
+        (2, 37, "a corner rises by less than can be seen and falls again"),
+        (2, 43, "a turning polygon cuts through an edge between two looks"),
+        (3, 559, "a particle against a corner"),
+        (3, 1042, "a slip rate of round-off with the wrong sign"),
+        (4, 101, "a particle on a rod, which has two sides"),
+        (4, 135, "a ball passes near a corner within one step"),
+        (6, 204, "a gap is pushed below zero where another one is closed"),
+        (6, 215, "more modes than can be tried"),
+    ],
+)
+def test_scenes_that_are_hard_for_a_reason(n: int, seed: int, what: str) -> None:
+    print(what)
+    assert checked(random_scene(seed, n), seed, 2.0, 60.0) is Status.FINISHED
+
+
 @pytest.mark.parametrize("seed", range(10))
 def test_eight_discs_in_a_box_of_lines(seed: int) -> None:
     assert checked(random_scene(300 + seed, 8, "disk sphere"), 300 + seed, 1.0) is Status.FINISHED

@@ -13,6 +13,7 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
 from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.problem import Status as Consistency
 from freebody.numeric.contact.problem import Status as Outcome
 from freebody.numeric.contact.record import Phase, merged
 from freebody.numeric.contact.transition import After, Choice, Transition
@@ -54,6 +55,7 @@ class Hybrid:
         self.phases: list[Phase] = []
         self.events: list[Happening] = []
         self.collisions: list[Collision] = []
+        self.several: float | None = None  # when first several outcomes were consistent
 
     def run(
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
@@ -187,6 +189,8 @@ class Hybrid:
     # -- words --------------------------------------------------------------------------------
     def _note(self, before: ModeOf | None, result: After, t: float) -> None:
         names = [b.name for b in self.bounded.barriers]
+        if result.status is Consistency.SEVERAL and self.several is None:
+            self.several = t
         for impact in result.impacts:
             self.collisions.append(
                 Collision(
@@ -228,6 +232,12 @@ class Hybrid:
             said = (
                 f"the law of impact made energy at t = {grew[0].time:.6g} s (Newton's may with friction; Poisson's "
                 "does not)"
+            )
+            message = f"{message}; {said}" if message else said
+        if self.several is not None:
+            said = (
+                f"at t = {self.several:.6g} s friction leaves several outcomes consistent; the one that keeps contact "
+                "was taken"
             )
             message = f"{message}; {said}" if message else said
         if self.transition.is_replaced:

@@ -97,7 +97,7 @@ def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_oth
     released = np.zeros(problem.n)
     for row in problem.normals:
         released[row] = restitution.get(row, 0.0) * compression.forces[row]
-    rubs = tuple(replace(rub, constant=float(sum(released[j] for j in rub.normals))) for rub in problem.rubs)
+    rubs = tuple(replace(rub, constant=max(0.0, float(sum(released[j] for j in rub.normals)))) for rub in problem.rubs)
     held = list(problem.held_rows)
     velocities = compression.accelerations.copy()
     velocities[held] = 0.0

@@ -3,8 +3,9 @@
 A guard is violated where it falls below zero; the first violation ends the motion there. A guard may begin at zero (a
 contact that has just opened): then it is violated at the start if it falls at once. A gap below zero (the far side of
 an edge that ends) says nothing until it has been above; but one that is just below when the motion begins, because
-things that touch elsewhere have been put where they do, is counted from there, as is a slip rate. One that begins at zero and is asleep
-says nothing either: the far side of a rod on which something lies, an edge whose end has just been passed.
+things that touch elsewhere have been put where they do, is counted from there, as is a slip rate. One that begins at
+zero and is asleep says nothing either: the far side of a rod on which something lies, an edge whose end has just been
+passed.
 
 A step is looked at in parts, so short that nothing with corners turns by more than `TURN` in one. In a part the values
 and rates of a gap at both ends make a cubic; where that comes near zero, the gap itself is searched.
