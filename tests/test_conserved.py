@@ -383,6 +383,8 @@ def test_every_example_is_searched_within_seconds(name: str, within: Within) -> 
             conserved(system)
         return
     within(4.0, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
+    if system.rows != system.held:
+        return  # with contacts it is the search of a system in one mode
     if name != "body_on_driven_roller":
         within(4.0, lambda: conserved(system))
 
