@@ -698,3 +698,41 @@ connections:
     ).simulate(0.2)
     assert "several outcomes" in wedged.message
     assert np.abs(wedged.course.velocities).max() < 1e-12
+
+
+def test_kellers_law_gives_way_where_it_has_more_than_one_friction_to_follow_and_says_so() -> None:
+    text = f"""{FLOOR}{WEIGHT}
+bodies: {{b: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, at: [0, 1 m], velocity: [2 m/s, 0]}}}}
+connections: {{c: {{contact: {{between: [b, floor], friction: 0.4, restitution: 0.5, rolling_resistance: 0.01 m}}}}}}
+"""
+    result = model(text).simulate(1.0, impact="keller")
+    assert result.status is Status.FINISHED
+    assert "Poisson's took over" in result.message
+    alone = model(text.replace(", rolling_resistance: 0.01 m", "")).simulate(1.0, impact="keller")
+    assert alone.message == ""
+
+
+def test_rolling_resistance_brings_a_ball_to_rest() -> None:
+    """(m + I/r^2) x'' = -f m g/r: x'' = -5 f g/(7 r)."""
+    result = model(
+        f"""{FLOOR}{WEIGHT}
+bodies: {{b: {{sphere: {{mass: 1 kg, radius: 0.1 m}}, angular_velocity: -14 rad/s}}}}
+connections: {{c: {{contact: {{between: [b, floor], friction: 0.5, rolling_resistance: 0.01 m}}}}}}
+measures: {{x: x of b}}
+start: {{x: 0, rate(x): 1.4 m/s}}
+"""
+    ).simulate(4.0, tolerance=1e-11)
+    a = 5 * 0.01 * G / 0.7
+    assert [(e.name, e.time) for e in result.events] == [("b stops rolling on floor", pytest.approx(1.4 / a, rel=1e-9))]
+    assert result.series["x"][0][-1] == pytest.approx(1.4**2 / (2 * a), rel=1e-9)
+
+
+def test_what_cannot_touch_is_named() -> None:
+    with pytest.raises(CannotAnswer, match=r"r\.contact is off by|l\.contact is off by"):
+        model(
+            """
+ground: {lines: {left: {along: down}, right: {through: [3 m, 0], along: up}}}
+bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {l: {contact: {between: [rod.start, left]}}, r: {contact: {between: [rod.end, right]}}}
+"""
+        ).simulate(1.0)

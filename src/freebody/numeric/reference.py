@@ -250,8 +250,11 @@ class Reference:
 
     def name_of(self, measure: Measure | RateMeasure) -> str:
         """What the user calls a measure."""
-        names = (name for name, known in self.system.measures.items() if known == measure)
-        return next(names, "the measure")
+        names = [name for name, known in self.system.measures.items() if known == measure]
+        if not names and not self.system.contacts:
+            return "the measure"
+        names += [row.name for row in self.system.rows if row.measure == measure]
+        return next(iter(names), "the measure")
 
     def most_moved(self, motion: Array) -> str:
         """The body that moves most, by the size of the system."""

@@ -241,7 +241,10 @@ class Hybrid:
             )
             message = f"{message}; {said}" if message else said
         if self.transition.is_replaced:
-            said = "Newton's law of impact had no solution where several contacts were hit at once; Poisson's took over"
+            said = (
+                f"the law of impact, {self.options.law.value}, has no solution where several contacts or frictions are "
+                "hit at once; Poisson's took over"
+            )
             message = f"{message}; {said}" if message else said
         return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
 

@@ -204,11 +204,11 @@ class Transition:
         while True:
             problem = b.problem(now, closed, drags, of_rates=True)
             restitution = {problem.row_of_barrier(k): b.barriers[k].restitution for k in closed}
-            law = self.law if self.law is not Law.KELLER or len(closed) == 1 else Law.POISSON
+            law = self._law(closed, drags)
             outcome = impact(problem.matrices, restitution, law, most_others=MOST_OTHERS)
             if not outcome.is_found and law is Law.NEWTON:
                 outcome = impact(problem.matrices, restitution, Law.POISSON, most_others=MOST_OTHERS)
-                self.is_replaced = outcome.is_found
+                self.is_replaced = self.is_replaced or outcome.is_found
             if not outcome.is_found:
                 return self._alone(now, closed, drags, rates)
             # an ideal contact that takes no impulse does not grip either
@@ -220,6 +220,15 @@ class Transition:
             if not loose:
                 return outcome, problem
             closed = [k for k in closed if k not in loose]
+
+    def _law(self, closed: list[int], drags: dict[int, int]) -> Law:
+        """The law of an impact: Keller's follows one contact with the one friction that it loads, Poisson's takes over
+        elsewhere."""
+        is_single = len(closed) == 1 and len(drags) < 2 and all(self.bounded.drags[k].of in closed for k in drags)
+        if self.law is not Law.KELLER or is_single:
+            return self.law
+        self.is_replaced = True
+        return Law.POISSON
 
     def _alone(
         self, now: Instant, closed: list[int], drags: dict[int, int], rates: dict[int, float]

@@ -80,8 +80,11 @@ def _rest(b: Barrier) -> tuple[str, str]:
 
 def _slips(d: Drag, old: int, new: int) -> tuple[str, str]:
     on = f" on {d.words[1]}" if d.words[1] else ""
+    turns = d.rub.row.reaction == "rolling resistance"
     if new == 0:
-        return f"{d.words[0]} stops slipping{on}", "stops slipping"
-    if old == 0:
-        return f"{d.words[0]} starts to slip{on}", "starts to slip"
-    return f"{d.words[0]} slips back{on}", "slips back"
+        what = "stops rolling" if turns else "stops slipping"
+    elif old == 0:
+        what = "starts to roll" if turns else "starts to slip"
+    else:
+        what = "rolls back" if turns else "slips back"
+    return f"{d.words[0]} {what}{on}", what

@@ -37,7 +37,8 @@ class Status(StrEnum):
 class Happening:
     """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
     begins) or "zero" (zero all along, said once); of contacts and friction what happens to them: "touches", "rebounds",
-    "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"."""
+    "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"; "starts to
+    roll", "stops rolling", "rolls back" where rolling is resisted."""
 
     time: float
     name: str

@@ -7,6 +7,7 @@ from freebody.measures.displacement import Displacement
 from freebody.model.elements import Rub
 from freebody.study.phases.phase import Phase, Watch
 
+ROLLING = "rolling resistance"
 _HELD = {"tension": ("taut", "slack"), "stop force": ("at the stop", "free"), "stop torque": ("at the stop", "free")}
 
 
@@ -20,9 +21,12 @@ def states(phase: Phase) -> dict[str, str]:
     for row in phase.base.held:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = "rolls"
+    slipping = {rub.of for rub in phase.base.rubs if rub.row.reaction != ROLLING}
     for rub in phase.base.rubs:
         name = label(rub.of or rub.name)
         state = phase.mode.states.get(rub.name)
+        if rub.row.reaction == ROLLING and rub.of in slipping:
+            continue  # whether the contact rolls or slides is told by its slip
         if state is not None:
             found[name] = verb(phase, rub, state)
     return found
