@@ -712,6 +712,25 @@ connections: {{c: {{contact: {{between: [b, floor], friction: 0.4, restitution: 
     assert alone.message == ""
 
 
+def test_friction_brings_a_crate_to_the_speed_of_a_belt_however_it_bounces() -> None:
+    """The impulses of all normal forces from the release to the rest are m g t, so m v = mu m g t."""
+    result = model(
+        WEIGHT
+        + """
+parameters: {v: 1.5 m/s}
+bodies:
+  belt: {body: {mass: 1 kg, inertia: 1 kg m^2}, lines: {top: {along: right}}}
+  crate: {rectangle: {mass: 5 kg, width: 0.4 m, height: 0.2 m}, at: [0, 0.3 m]}
+connections:
+  guide: {slider: {body: belt, along: right}}
+  motor: {driver: {measure: x of belt, follows: v*t}}
+  c: {contact: {between: [crate, belt.top], friction: 0.4, restitution: 0.2}}
+"""
+    ).simulate(1.0, tolerance=1e-11)
+    times = [e.time for e in result.events if e.kind == "stops slipping"]
+    assert times == pytest.approx([1.5 / (0.4 * G)] * 2, rel=1e-9)
+
+
 def test_rolling_resistance_brings_a_ball_to_rest() -> None:
     """(m + I/r^2) x'' = -f m g/r: x'' = -5 f g/(7 r)."""
     result = model(

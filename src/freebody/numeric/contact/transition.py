@@ -318,13 +318,22 @@ class Transition:
         rates: dict[int, float],
         speed: float,
     ) -> None:
-        """Takes the rates of the settled gaps away, by the least impulse."""
+        """Takes the rates of the settled gaps away, by the least impulse. Until the rebounds end, contact presses by that
+        impulse less than lasting contact would, and friction that slides takes as much less: it goes with the impulse."""
         b = self.bounded
         kept = [k for k in touching if k in settled or abs(rates[k]) <= STILL * speed]
-        places = [*b.bilateral, *(b.barriers[k].place for k in kept)]
+        drags = {k: slip for k, slip in self._drags_on(now, kept, speed).items() if b.drags[k].of >= 0}
+        held = [*b.bilateral, *(b.drags[k].keeps for k, slip in drags.items() if slip == 0)]
+        places = [*held, *(b.barriers[k].place for k in kept)]
         J = now.gradients[places]
-        weighted = J * b.inverse_mass
-        impulse = np.asarray(np.linalg.lstsq(weighted @ J.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
+        along = J.copy()
+        for k, slip in drags.items():
+            if slip:
+                c = b.numbers.number(b.drags[k].rub.coefficient(slip))
+                row = len(held) + kept.index(b.drags[k].of)
+                along[row] -= slip * c * b.barriers[b.drags[k].of].sign * now.gradients[b.drags[k].keeps]
+        weighted = along * b.inverse_mass
+        impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
         result.y[-1] += self._push(result.y, weighted, impulse)
 
     # -- what stays ---------------------------------------------------------------------------
