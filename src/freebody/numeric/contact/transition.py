@@ -318,8 +318,8 @@ class Transition:
         rates: dict[int, float],
         speed: float,
     ) -> None:
-        """Takes the rates of the settled gaps away, by the least impulse. Until the rebounds end, contact presses by that
-        impulse less than lasting contact would, and friction that slides takes as much less: it goes with the impulse."""
+        """Takes the rates of the settled gaps away, by the least impulse. Until the rebounds end, contact presses by
+        that impulse less than lasting contact would, and friction that slides takes as much less: it goes with it."""
         b = self.bounded
         kept = [k for k in touching if k in settled or abs(rates[k]) <= STILL * speed]
         drags = {k: slip for k, slip in self._drags_on(now, kept, speed).items() if b.drags[k].of >= 0}
