@@ -54,8 +54,7 @@ def own_rows(system: fb.System) -> list[Any]:
 
 def row_of(s: Snapshot, measure: object) -> np.ndarray:
     """The gradient of a measure along all coordinates."""
-    bodies = s.reference.system.moving
-    return np.concatenate([s.gradient(measure, b.name)[: 3 if b.turns else 2] for b in bodies])
+    return s.reference.jet(s.geometry, measure).row(len(s.q))
 
 
 # -- the family -------------------------------------------------------------------------------
@@ -94,7 +93,8 @@ def test_gradient_is_the_finite_difference_of_the_measure(kind: str) -> None:
                 difference = s.reference.snapshot(s.q, unit, s.t, near=s).rate(row.measure)
             else:
                 ahead, behind = (
-                    s.reference.snapshot(s.q + h * unit, s.v, s.t, near=s).value(row.measure) for h in (STEP, -STEP)
+                    s.reference.snapshot(s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(row.measure)
+                    for h in (STEP, -STEP)
                 )
                 difference = (ahead - behind) / (2 * STEP)
             assert exact[k] == pytest.approx(difference, rel=1e-7, abs=1e-8), f"seed {SEED}, {row.name}, {k}"
@@ -106,7 +106,10 @@ def test_acceleration_is_the_finite_difference_of_the_rate_along_the_motion(kind
     for row in own_rows(s.reference.system):
         ahead, behind = (
             s.reference.snapshot(
-                s.q + h * s.v + h * h / 2 * s.accelerations, s.v + h * s.accelerations, s.t + h, near=s
+                s.reference.frame.moved(s.q, h * s.v + h * h / 2 * s.accelerations),
+                s.v + h * s.accelerations,
+                s.t + h,
+                near=s,
             ).rate(row.measure)
             for h in (STEP, -STEP)
         )
@@ -132,14 +135,16 @@ def test_reactions_do_no_work_on_admissible_velocities(kind: str) -> None:
 def test_action_equals_reaction_on_all_bodies_and_the_ground(kind: str) -> None:
     """To move and turn everything together, the ground included, changes no measure that joins bodies."""
     s = somewhere(example(kind))
-    poses = {b.name: s.reference.pose(s.q, b.name) for b in s.reference.system.moving} | {"ground": (0.0, 0.0, 0.0)}
+    n = 3 if s.reference.system.space else 2
+    places = {b.name: s.reference.pose(s.q, b.name)[:n] for b in s.reference.system.moving} | {"ground": (0.0,) * n}
     for row in own_rows(s.reference.system):
-        force, moment = np.zeros(2), 0.0
-        for body, (x, y, _angle) in poses.items():
-            fx, fy, couple = s.gradient(row.measure, body)
-            force += [fx, fy]
-            moment += x * fy - y * fx + couple
-        assert [*force, moment] == pytest.approx([0.0, 0.0, 0.0], abs=1e-9), row.name
+        total = np.zeros(6 if n == 3 else 3)
+        for body, place in places.items():
+            push = np.array(s.gradient(row.measure, body))
+            arm, force = (np.pad(np.array(v), (0, 3 - n)) for v in (place, push[:n]))
+            moment = np.cross(arm, force)[-(len(push) - n) :]
+            total += np.concatenate((push[:n], moment + push[n:]))
+        assert total == pytest.approx(np.zeros(len(total)), abs=1e-9), row.name
 
 
 @kind

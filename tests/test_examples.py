@@ -116,6 +116,95 @@ _LANDAU = "sqrt((m1 + m2)*((m1 + m2)*(L1 + L2)**2 - 4*m1*L1*L2))"
 
 _LIFTED = "(W/((1 - mu**2)*cos(alpha) - 2*mu*sin(alpha)))"  # what the inclined face of a wedge carries
 TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
+    # phi = (left + right)/2, the planet turns by (left - right)/2; Lagrange's equations in left and right
+    "bevel_differential": {
+        "freedom": "2",
+        "mean": "30",
+        "left": "((T - T_left - T_right)/(J_side + J_carrier/2 + m*r**2/8) + (T_right - T_left)/(J_side + m*r**2/4))/2",
+    },
+    # four bars with a/sin(alpha) = b/sin(beta), opposite ones alike (Bennett 1903)
+    "bennett_linkage": {"freedom": "1"},
+    # tan(psi_2) = cos(alpha) tan(psi), differentiated (exercise sheet 7.8)
+    "cardan_joint": {
+        "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
+        "ratio": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
+        "uneven": "0",
+    },
+    # the second joint sees the middle shaft as the first one does
+    "cardan_shaft_with_two_joints": {
+        "middle": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
+        "ratio": "1",
+    },
+    # omega = omega_1 e_y - w (cos(beta) e_x - sin(beta) e_y) with w R = omega_1 (L + L cos(beta) - R sin(beta)),
+    # alpha = omega_1 e_y x omega, v_B = omega_1 e_y x L (1 + cos(beta)) e_x (exercise sheet 7.7)
+    "disk_on_angled_shaft": {
+        "omega": [
+            "-omega_1*(L + L*cos(beta) - R*sin(beta))/R*cos(beta)",
+            "omega_1*(1 + (L + L*cos(beta) - R*sin(beta))/R*sin(beta))",
+            "0",
+        ],
+        "alpha": ["0", "0", "omega_1**2*(L + L*cos(beta) - R*sin(beta))/R*cos(beta)"],
+        "hub": ["0", "0", "-omega_1*L*(1 + cos(beta))"],
+    },
+    # Euler's equations of a block: I_3 alpha_3 = (I_1 - I_2) omega_1 omega_2, 12 I_1 = m (b^2 + c^2) ...
+    "free_asymmetric_body": {
+        "momentum": "0",
+        "energy": "m*(b**2 + c**2)*e**2/24 + m*(a**2 + c**2)*w**2/24",
+        "alpha": ["0", "0", "(b**2 - a**2)*e*w/(a**2 + b**2)"],
+    },
+    # p_psi = (J_outer + B cos^2 + A sin^2) psi' - J_rotor (phi' - psi' sin) sin and phi' - psi' sin are constant,
+    # B = A_rotor + B_inner, A = A_inner about the rotor's axis
+    "gyroscope_in_gimbals": {
+        "precession": "rate(theta)*cos(theta)*(J_rotor*(rate(phi) - rate(psi)*sin(theta))"
+        " + 2*(A_rotor + B_inner - A_inner)*sin(theta)*rate(psi))"
+        "/(J_outer + (A_rotor + B_inner)*cos(theta)**2 + A_inner*sin(theta)**2)",
+        "gimbal": "T/(A_rotor + A_inner)",
+        "spin": "0",
+        "vertical": "0",
+    },
+    # about the contact line of the disk: (I_d + m R^2) theta'' = m g R sin - (I_a + m R^2) psi' cos (phi' - psi' sin)
+    # - I_d psi'^2 sin cos, I_a = m R^2/2 = 2 I_d
+    "rolling_coin": {
+        "freedom": "3",
+        "leaning": "(4*g*sin(theta) - 6*R*rate(psi)*cos(theta)*(rate(phi) - rate(psi)*sin(theta))"
+        " - R*rate(psi)**2*sin(theta)*cos(theta))/(5*R)",
+        "energy": "0",
+    },
+    # omega lies along the line of contact, psi' cot(half angle); T = 3 m h^2 psi'^2 (1 + 5 cos^2)/40 (Landau &
+    # Lifshitz,
+    # Mechanics, sec. 32)
+    "rolling_cone": {
+        "omega": [
+            "-rate(psi)*h/R*h/sqrt(R**2 + h**2)",
+            "rate(psi)*h/sqrt(R**2 + h**2)*sin(phi)",
+            "rate(psi)*h/sqrt(R**2 + h**2)*cos(phi)",
+        ],
+        "spin": "-sqrt(R**2 + h**2)/R",
+        "energy": "3*m*h**2*rate(psi)**2*(1 + 5*h**2/(R**2 + h**2))/40",
+    },
+    # l^2 = (e + r cos)^2 + r^2 sin^2 + s^2, differentiated; the rod may turn about itself
+    "spatial_slider_crank": {"freedom": "2", "speed": "e*r*sin(psi)/s"},
+    "spherical_four_bar": {"freedom": "1"},
+    # Goldstein, Classical Mechanics, sec. 5.7, with the nutation angle theta
+    "spinning_top": {
+        "nodding": "((m*l**2 + A - C)*rate(psi)**2*cos(theta) - C*rate(psi)*rate(phi) + m*g*l)*sin(theta)/(A + m*l**2)",
+        "omega": [
+            "rate(psi)*sin(theta)*sin(phi) + rate(theta)*cos(phi)",
+            "rate(psi)*sin(theta)*cos(phi) - rate(theta)*sin(phi)",
+            "rate(psi)*cos(theta) + rate(phi)",
+        ],
+        "momentum": "(A + m*l**2)*rate(psi)*sin(theta)**2 + C*(rate(phi) + rate(psi)*cos(theta))*cos(theta)",
+        "spin": "0",
+        "vertical": "0",
+        "energy": "0",
+    },
+    # (I_a - I_d) omega^2 sin cos, I_a - I_d = m R^2/4, on bearings 2 b apart
+    "tilted_disk_on_shaft": {
+        "A": ["0", "-m*R**2*omega**2*sin(delta)*cos(delta)/(8*b)", "0"],
+        "B": ["0", "m*R**2*omega**2*sin(delta)*cos(delta)/(8*b)", "0"],
+        "H": ["m*R**2*omega*(1 + cos(delta)**2)/4", "m*R**2*omega*sin(delta)*cos(delta)/4", "0"],
+        "torque": "0",
+    },
     # BJ sec. 16.1 (pulleys with mass): (m1 + m2 + I/R^2) a = (m1 - m2) g, I = M R^2/2; T1 = m1 (g - a)
     "atwood_machine": {
         "acceleration": f"(m1 - m2)*g/{_ATWOOD}",

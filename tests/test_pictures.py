@@ -31,7 +31,11 @@ from freebody.present.strokes import Path as Outline
 from freebody.present.strokes import Strand, Stretch
 from freebody.system.system import System
 
-EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.yaml"))
+EXAMPLES = [
+    p
+    for p in sorted((Path(__file__).parents[1] / "examples").glob("*.yaml"))
+    if "\nspace:" not in p.read_text(encoding="utf-8")
+]
 
 
 def posed(text: str | Path) -> tuple[Scene, Array]:

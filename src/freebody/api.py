@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freebody.system.system import System as Description
@@ -63,6 +64,20 @@ class System(Description):
         from freebody.study.simulate import simulate
 
         return simulate(self, until, tolerance=tolerance, values=values, events=events, **options)
+
+    def draw(
+        self,
+        path: str | Path,
+        *,
+        view: tuple[float, float] = (30.0, 20.0),
+        perspective: bool = False,
+        dark: bool = False,
+    ) -> Path:
+        """Draws the system at its start into a file: .svg, .png or .pdf. view: in space, azimuth and elevation
+        [deg]."""
+        from freebody.study.picture import draw
+
+        return draw(self, path, view=view, perspective=perspective, dark=dark)
 
     def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
         """Its equilibria, from guesses of named measures or from a tour of its poses, with their stability."""

@@ -45,7 +45,7 @@ def solve(
     from freebody.system.system import System
 
     system = System.load(file)
-    with told_compiling():
+    with told_compiling(space=system.space):
         import_module("freebody.study.witness")  # what every answer is checked with
     solution = solve_system(system, question)
     if as_json:
@@ -121,7 +121,7 @@ def simulate(
     if show:
         _check_shown(system, show)
     seconds = _seconds(until, "--until")
-    with told_compiling():
+    with told_compiling(space=system.space):
         from freebody.study.simulate import simulate as run
     with progress_bar(seconds) as progress:
         result = run(
@@ -217,6 +217,29 @@ def _seconds(text: str, option: str) -> float:
     if quantity.dimension != TIME:
         raise InputError(f"{option} {text} is no time; write 10 or 200 ms")
     return float(quantity.value)
+
+
+@app.command()
+def draw(
+    file: ModelFile,
+    out: Annotated[Path, typer.Option("-o", "--out", help="The picture to write: .svg, .png or .pdf.")],
+    view: Annotated[
+        str, typer.Option("--view", help="In space: azimuth and elevation from which one looks, in degrees.")
+    ] = "30,20",
+    perspective: Annotated[bool, typer.Option("--perspective", help="In space: far things are smaller.")] = False,
+    dark: Annotated[bool, typer.Option("--dark", help="For a dark page.")] = False,
+) -> None:
+    """Draw a model at its start."""
+    from freebody.errors import InputError
+    from freebody.study.picture import draw as draw_system
+    from freebody.system.system import System
+
+    try:
+        azimuth, elevation = map(float, view.split(","))
+    except ValueError:
+        raise InputError(f"--view {view}: give azimuth and elevation in degrees, e.g. --view 30,20") from None
+    written = draw_system(System.load(file), out, view=(azimuth, elevation), perspective=perspective, dark=dark)
+    print(f"wrote {written}")
 
 
 @app.command()
@@ -323,7 +346,7 @@ def conserved(
     from freebody.system.system import System
 
     system = System.load(file)
-    with told_compiling():
+    with told_compiling(space=system.space):
         import_module("freebody.study.witness")
     found = judge(system, question)
     if as_json:

@@ -67,9 +67,9 @@ def _parsed(setting: Setting, text: str) -> list[Expr]:
         raise Settled("unreadable", f"cannot be read: {error}") from None
     n_wanted = len(exprs) if setting.answers is None else len(setting.answers)
     if len(exprs) != n_wanted:
-        kinds = {1: "a single number", 2: "a vector [x, y]"}
+        kinds = {1: "a single number", 2: "a vector [x, y]", 3: "a vector [x, y, z]"}
         is_a = kinds.get(len(exprs), f"a list of {len(exprs)}")
-        raise Settled("wrong", f"is {is_a}, the answer is {kinds[n_wanted]}")
+        raise Settled("wrong", f"is {is_a}, the answer is {kinds.get(n_wanted, f'a list of {n_wanted}')}")
     return exprs
 
 

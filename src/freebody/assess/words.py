@@ -10,7 +10,7 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 
 READABLE = 24  # operations in what a reason shows
 NOT_REAL = "not a real number"
-COMPONENTS = ("x component: ", "y component: ")
+COMPONENTS = ("x component: ", "y component: ", "z component: ")
 
 
 def listed(words: Sequence[str]) -> str:
@@ -35,4 +35,4 @@ def unit_behind(dimension: Dimension) -> str:
 
 def places(n_components: int) -> Sequence[str]:
     """What stands before the reason of each component."""
-    return ("",) if n_components == 1 else COMPONENTS
+    return ("",) if n_components == 1 else COMPONENTS[:n_components]

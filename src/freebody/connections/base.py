@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Point
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import Attitude, Bound, Held, Rub
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -26,6 +26,8 @@ class Connection(Spec):
     kinds: ClassVar[dict[str, type[Connection]]] = {}
     # the smallest model that uses it: the rest of the file, for documentation and the conformance tests
     example: ClassVar[str] = ""
+    # in space it joins only bodies that a planar joint keeps in the plane of x and y
+    in_plane: ClassVar[bool] = False
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -37,9 +39,17 @@ class Connection(Spec):
         """The measures it holds."""
         return []
 
+    def is_in_plane(self, names: Names) -> bool:
+        """Whether it is a connection of the plane."""
+        return self.in_plane
+
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         """The measures that it bounds, and those along which it resists by dry friction."""
         return [], []
+
+    def attitude(self, names: Names) -> Attitude | None:
+        """In space: how one of its bodies is turned from the other, where it leaves few angles free."""
+        return None
 
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""

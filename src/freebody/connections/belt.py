@@ -26,6 +26,7 @@ class Belt(Connection, kind="belt"):
     first_radius: Formula | None = None
     second_radius: Formula | None = None
 
+    in_plane = True
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 2 m}, at: [5 m, 0]}}
 ground: {points: {A: [0, 0], B: [5 m, 0]}}

@@ -25,6 +25,7 @@ class Brake(Connection, kind="brake"):
     between: list[str]
     torque: Formula | dict[str, Any]
 
+    in_plane = True
     example = """
 bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}
 connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: 0.1 N m}}}
@@ -49,6 +50,7 @@ class DryFriction(Connection, kind="dry_friction"):
     measure: str | dict[str, Any]
     force: Formula | dict[str, Any]
 
+    in_plane = True
     example = """
 bodies: {block: {particle: {mass: 1 kg}}}
 measures: {x: x of block}

@@ -113,6 +113,7 @@ class Contact(Connection, kind="contact"):
     below: bool = False
 
     spread = ("between",)
+    in_plane = True
     example = """
 ground: {lines: {floor: {along: right}}}
 bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}

@@ -27,6 +27,7 @@ class GearMesh(Connection, kind="gear_mesh"):
     first_radius: Formula | None = None
     second_radius: Formula | None = None
 
+    in_plane = True
     example = """
 bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [2 m, 0]}}
 ground: {points: {A: [0, 0], B: [2 m, 0]}}

@@ -153,7 +153,7 @@ def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
         corners.reverse()
     edges: list[Straight] = []
     for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
-        (px, py), (qx, qy) = body.points[start], body.points[end]
+        (px, py, *_), (qx, qy, *_) = body.points[start], body.points[end]
         dx, dy = px + negate(qx), py + negate(qy)
         length = Call("sqrt", dx * dx + dy * dy)
         label = f"{body.name} {start}-{end}"
@@ -177,7 +177,7 @@ def _turns(names: Names, body: RigidBody, corners: list[str]) -> list[float]:
     numbers are missing, and for a rod."""
     if len(corners) < 3:
         return []
-    numbers = [(names.numeric(x), names.numeric(y)) for x, y in (body.points[c] for c in corners)]
+    numbers = [(names.numeric(x), names.numeric(y)) for x, y, *_ in (body.points[c] for c in corners)]
     points = [(x, y) for x, y in numbers if x is not None and y is not None]
     if len(points) < len(corners):
         return []

@@ -24,6 +24,7 @@ class Pin(Connection, kind="pin"):
     friction: Formula | dict[str, Any] = 0
     radius: Formula | None = None
 
+    in_plane = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {pin: [ground.A, rod.start]}}

@@ -29,6 +29,7 @@ class RackAndPinion(Connection, kind="rack_and_pinion"):
     above: bool = False
     radius: Formula | None = None
 
+    in_plane = True
     example = """
 bodies: {gear: {disk: {mass: 1 kg, radius: 1 m}}, bar: {rectangle: {mass: 1 kg, width: 4 m, height: 1 m}}}
 connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}},

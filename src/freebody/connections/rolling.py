@@ -1,4 +1,4 @@
-"""Rolling without slip of a circle on a line, on a circle, or inside a ring."""
+"""Rolling without slip of a circle on a line, on a circle, or inside a ring; in space on a plane."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import touching
+from freebody.connections.rolling_in_space import rolling_rows
 from freebody.language.expression import Expr, negate
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
@@ -27,7 +28,9 @@ class Rolling(Connection, kind="rolling"):
     for a line that points to the right; `below: true` puts it on the other side. `radius` where it rolls on another
     circle than its rim (the hub of a spool on a rail).
 
-    On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt."""
+    On a line, with s the travel of the centre along it: slip = d(s + R theta)/dt.
+
+    In space: `on` a plane, of the rim of a disk, a sphere or a cone (3 rows; a cone 5)."""
 
     body: str
     on: str | None = None
@@ -41,9 +44,15 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 connections: {it: {rolling: {body: wheel, on: floor}}}
 """
 
+    def is_in_plane(self, names: Names) -> bool:
+        return self.on is None or self.on in names.bodies or names.line(self.on) is not None
+
     def rows(self, names: Names) -> list[Held]:
         body = names.body(self.body, "body")
         own = names.optional(self, "radius", LENGTH)
+        plane = names.plane(self.on, "on") if names.space else None
+        if plane is not None:
+            return rolling_rows(names, body, body.radius if own is None else own, plane)
         radius = names.radius(body.name, "body") if own is None else own
         if (self.on is None) == (self.inside is None):
             names.problem("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring")
@@ -51,21 +60,14 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         line = None if self.on is None else names.line(self.on, "on")
         if line is not None:
             return self._on_line(body, radius, line)
+        if names.space and self.on is not None and self.on not in names.bodies:
+            return self._nothing_there(names)
         other = names.body(str(self.on or self.inside), "on" if self.on else "inside")
         if other.name == body.name:
             names.problem(f"{body.name} cannot roll on itself")
             return []
         if other.radius is None:
-            from freebody.model.names import did_you_mean
-
-            lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
-            names.problem(
-                f"{self.on} is neither a line nor a round body."
-                f"{did_you_mean(str(self.on), lines)} A line: ground: {{lines: {{floor: {{along: right}}}}}}",
-                None,
-                "on",
-            )
-            return []
+            return self._nothing_there(names)
         distance, total, rolled = touching(
             other.center, other.radius, body.center, radius, internal=self.inside is not None
         )
@@ -73,6 +75,20 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             Held("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
             Held("no slip", "friction force", rolled, sign=-1, needs="contact"),
         ]
+
+    def _nothing_there(self, names: Names) -> list[Held]:
+        from freebody.model.names import did_you_mean
+
+        known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
+        example = "a plane: ground: {planes: {floor: {normal: up}}}"
+        names.problem(
+            f"{self.on} is neither a {'plane, a ' if names.space else ''}line nor a round body."
+            f"{did_you_mean(str(self.on), known)} "
+            + (f"For {example}" if names.space else "A line: ground: {lines: {floor: {along: right}}}"),
+            None,
+            "on",
+        )
+        return []
 
     def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[Held]:
         arm = negate(radius) if self.below else radius

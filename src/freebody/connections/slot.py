@@ -29,6 +29,7 @@ class Slot(Connection, kind="slot"):
     through: str | None = None
     friction: Formula | dict[str, Any] = 0
 
+    in_plane = True
     example = """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {slot: {pin: rod.end, along: up}}}

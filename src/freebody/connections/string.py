@@ -12,6 +12,7 @@ from pydantic import ConfigDict, Field
 from freebody.connections.base import Connection
 from freebody.connections.capstan import Passage, drum_name, frictions, rub
 from freebody.connections.pin import Pin
+from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -111,6 +112,7 @@ class String(Connection, kind="string"):
 
     model_config = ConfigDict(populate_by_name=True)
 
+    in_plane = True
     example = """
 bodies: {pulley: {disk: {mass: 1 kg, radius: 1 m}}, a: {particle: {mass: 1 kg}}, b: {particle: {mass: 2 kg}}}
 connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley], to: b}}}
@@ -203,7 +205,9 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if not is_end and found["wound"]:
             names.problem(f"only an end can be wound on a drum, '{text}' is in the middle", None, *field)
         mentioned = any(
-            body.name in other.mentions(names) for other in names.connections.values() if not isinstance(other, String)
+            body.name in other.mentions(names)
+            for other in names.connections.values()
+            if not isinstance(other, (String, Planar))
         )
         given = body.start.at is not None
         hangs = not (given or mentioned or body.fixed or self.swings or body.name == GROUND)
@@ -316,7 +320,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:
                 continue
             others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
-            if all(isinstance(c, Pin) for c in others):
+            if all(isinstance(c, (Pin, Planar)) for c in others):
                 held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
                 rows.append(Held(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True))
         return rows
@@ -368,12 +372,12 @@ def _guide_of(names: Names, body: str) -> Direction | None:
 def _place(names: Names, point: Point) -> tuple[float, float] | None:
     """Where a point is at the start, if the model says so."""
     body = names.known(point.body)
-    offset = [names.numeric(c) for c in point.offset]
+    offset = [names.numeric(c) for c in point.offset[:2]]
     base: list[float | None] = [0.0, 0.0]
     if body.name != GROUND:
         if body.start.at is None:
             return None
-        base = [names.numeric(c) for c in body.start.at[1]]
+        base = [names.numeric(c) for c in body.start.at[1][:2]]
     x, y = (None if a is None or b is None else a + b for a, b in zip(base, offset, strict=True))
     return None if x is None or y is None else (x, y)
 
@@ -383,7 +387,7 @@ def _numbers(names: Names, direction: Direction) -> tuple[float, float]:
     from freebody.language.expression import evaluate
 
     values: dict[str, Any] = {p.name: 0.3 if p.value is None else p.value for p in names.parameters.values()}
-    x, y = (float(evaluate(c, values)) for c in direction.components)
+    x, y, *_ = (float(evaluate(c, values)) for c in direction.components)
     return x, y
 
 

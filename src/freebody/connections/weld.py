@@ -5,11 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection, coincidence
+from freebody.connections.joints import meeting
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
-from freebody.measures.geometry import ONE
-from freebody.model.elements import Held
+from freebody.measures.geometry import ONE, Direction, Point
+from freebody.measures.turn import Alignment
+from freebody.model.chains import read_chain
+from freebody.model.elements import Attitude, Held
+from freebody.model.rotations import UNIT, columns_of
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -17,10 +21,12 @@ if TYPE_CHECKING:
 
 class Weld(Connection, kind="weld"):
     """`weld: [ground.A, beam.start]`. Two points coincide and the angle between the bodies stays as it is at
-    the start (3 rows)."""
+    the start (3 rows). In space the second body is `turned` from the first by known rotations, such as [30 deg about
+    x], and parallel to it without any (6 rows)."""
 
     first: str
     second: str
+    turned: str | list[str] | None = None
 
     example = """
 bodies: {beam: {rod: {mass: 1 kg, length: 1 m}}}
@@ -32,8 +38,35 @@ connections: {it: {weld: [ground.A, beam.start]}}
         if first.body == second.body:
             names.problem(f"welds {first.body} to itself; name points of two bodies")
             return []
+        if names.space:
+            return self._in_space(names, first, second)
+        if self.turned is not None:
+            names.problem("turned is for models in space; in the plane the bodies keep the angle of the start")
         rows = coincidence(first, second)
         if names.known(first.body).turns and names.known(second.body).turns:
             angle = Angle(second.body, first.body)
             rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
         return rows
+
+    def _in_space(self, names: Names, first: Point, second: Point) -> list[Held]:
+        rows = meeting(first, second)
+        if not (names.known(first.body).turns and names.known(second.body).turns):
+            return rows
+        chain = read_chain(names, [] if self.turned is None else self.turned, "turned", named=False)
+        x, y, _z = (Direction(first.body, column) for column in columns_of(chain))
+        own_y, own_z = (Direction(second.body, UNIT[k]) for k in (1, 2))
+        # a multiplier of w . u, w on the second body, is a moment on it along w x u
+        return [
+            *rows,
+            Held("moment x", "moment", Alignment(own_z, y), sign=-1),
+            Held("moment y", "moment", Alignment(own_z, x)),
+            Held("moment z", "moment", Alignment(own_y, x), sign=-1),
+        ]
+
+    def attitude(self, names: Names) -> Attitude | None:
+        if not names.space:
+            return None
+        first, second = names.point(self.first, "first"), names.point(self.second, "second")
+        chain = read_chain(names, [] if self.turned is None else self.turned, "turned", named=False)
+        rows = ("moment x", "moment y", "moment z")
+        return Attitude(first.body, second.body, columns_of(chain), UNIT, (), rows)

@@ -8,12 +8,14 @@ from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction
 from freebody.model.elements import Component, Push, RateMeasure
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
+
+AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 
 
 class Force(Load, kind="force"):
@@ -33,10 +35,11 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         point = names.point(self.at, "at")
         along = names.direction(self.along, "along")
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
-        origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
+        origin = names.ground_origin
         if along.body == GROUND:
             return [Push("", Displacement(point, origin, along), magnitude, used)]
         # a direction that turns with a body: virtual power only, there is no displacement that it pushes
-        x, y = Displacement(point, origin, RIGHT), Displacement(point, origin, UP)
-        follower = RateMeasure(((Component(along, "x"), x), (Component(along, "y"), y)), LENGTH)
+        x, y, z = (Displacement(point, origin, axis) for axis in AXES)
+        parts = [(Component(along, "x"), x), (Component(along, "y"), y)]
+        follower = RateMeasure((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
         return [Push("", follower, magnitude, used)]

@@ -8,7 +8,7 @@ from freebody.language.expression import multiply
 from freebody.language.units import ACCELERATION
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ZERO, Point
+from freebody.measures.geometry import ZERO
 from freebody.model.elements import Push
 from freebody.model.spec import Formula, Heading
 
@@ -31,7 +31,7 @@ loads: {it: {gravity: 9.81 m/s^2}}
     def pushes(self, names: Names) -> list[Push]:
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
-        origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
+        origin = names.ground_origin
         return [
             Push(body.name, Displacement(body.mass_center, origin, along), multiply(body.mass, g))
             for body in names.bodies.values()

@@ -15,11 +15,14 @@ from freebody.language.units import (
 )
 from freebody.loads.base import Load
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import ONE
+from freebody.measures.geometry import ONE, Direction
+from freebody.measures.turn import Turn
 from freebody.model.elements import RATE, VALUE, Push
-from freebody.model.spec import Formula
+from freebody.model.rotations import perpendiculars
+from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -70,14 +73,30 @@ loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
         return [Push("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
 
 
+def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measure:
+    """How far a body has turned against another one; in space about an axis of that one."""
+    of, base = names.body(body, "body"), names.body(on, "on")
+    if not names.space:
+        if about is not None:
+            names.problem("in the plane there is no axis to choose; in space write space: true", None, "about")
+        return Angle(of.name, base.name)
+    if about is None:
+        names.problem("in space it needs an axis, e.g. about: z", None, "about")
+        return Angle(of.name, base.name)
+    axis = names.direction(about, "about", body=base.name)
+    b, c = perpendiculars(axis.components)
+    return Turn(Direction(of.name, b), Direction(base.name, b), Direction(base.name, c))
+
+
 class TorsionalSpring(Load, kind="torsional_spring"):
     """`torsional_spring: {body: rod, stiffness: k, on: ground, angle: 0}`: turns the body back with
-    k (theta - angle)."""
+    k (theta - angle). In space theta is the turn `about` an axis of the body that it is on."""
 
     body: str
     stiffness: Formula
     on: str = "ground"
     angle: Formula = 0
+    about: Heading | None = None
 
     stores_energy = True
     example = """
@@ -86,7 +105,7 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
 """
 
     def pushes(self, names: Names) -> list[Push]:
-        theta = Angle(names.body(self.body, "body").name, names.body(self.on, "on").name)
+        theta = turn_about(names, self.body, self.on, self.about)
         k = names.positive(self, "stiffness", ROTARY_STIFFNESS)
         relaxed = names.formula(self.angle, DIMENSIONLESS, "angle")
         turned = theta if relaxed == ZERO else Composed(Symbol("angle") - relaxed, (("angle", theta),), DIMENSIONLESS)
@@ -94,11 +113,13 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
 
 
 class TorsionalDamper(Load, kind="torsional_damper"):
-    """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt."""
+    """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt. In space
+    theta is the turn `about` an axis of the body that it is on."""
 
     body: str
     damping: Formula
     on: str = "ground"
+    about: Heading | None = None
 
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
@@ -106,6 +127,6 @@ loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}
 """
 
     def pushes(self, names: Names) -> list[Push]:
-        theta = Angle(names.body(self.body, "body").name, names.body(self.on, "on").name)
+        theta = turn_about(names, self.body, self.on, self.about)
         c = names.positive(self, "damping", ROTARY_DAMPING)
         return [Push("", theta, negate(multiply(c, RATE)))]

@@ -10,7 +10,8 @@ from freebody.loads.law import law
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Push
-from freebody.model.spec import Formula
+from freebody.model.spec import Formula, Heading
+from freebody.model.spins import spin
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -18,11 +19,13 @@ if TYPE_CHECKING:
 
 class Torque(Load, kind="torque"):
     """`torque: {on: sun, magnitude: T}`, counter-clockwise positive; `reacts_on: arm` where the motor sits on a
-    body, which feels the opposite torque."""
+    body, which feels the opposite torque. In space `about` says the axis: a direction fixed in the ground, or in a body
+    (`about: rotor.x`)."""
 
     on: str
     magnitude: Formula
     reacts_on: str = GROUND
+    about: Heading | None = None
 
     example = """
 bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
@@ -34,4 +37,12 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
         if not body.turns:
             names.problem(f"{body.name} is a particle and cannot take a torque", None, "on")
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
-        return [Push("", Angle(body.name, other.name), magnitude, used)]
+        if not names.space:
+            if self.about is not None:
+                names.problem("a torque in the plane has no axis; in space write space: true", None, "about")
+            return [Push("", Angle(body.name, other.name), magnitude, used)]
+        if self.about is None:
+            names.problem("in space a torque needs its axis, e.g. about: z, or about: rotor.x", None, "about")
+            return []
+        along = names.direction(self.about, "about")
+        return [Push("", spin(body.name, along, other.name), magnitude, used)]

@@ -8,14 +8,15 @@ from typing import ClassVar, TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.measures.geometry import GROUND, ZERO, Geometry, Scalar
+from freebody.measures.geometry import GROUND, ZERO, Geometry, Pose, Scalar, SpatialPose, Vector
 
 S = TypeVar("S", bound=Scalar)
 
 
 @dataclass(frozen=True)
 class Angle:
-    """theta_of - theta_origin - reference; not reduced to one turn."""
+    """theta_of - theta_origin - reference; not reduced to one turn. In space: of a body that moves in the plane of x
+    and y of the other, the angle between their x axes."""
 
     of: str
     origin: str = GROUND
@@ -28,7 +29,16 @@ class Angle:
         return DIMENSIONLESS
 
     def value(self, g: Geometry[S]) -> S:
-        return g.pose(self.of).angle - g.pose(self.origin).angle - g.scalar(self.reference)
+        return _between(g, g.pose(self.of), g.pose(self.origin)) - g.scalar(self.reference)
 
     def bodies(self) -> Iterator[str]:
         yield from (self.of, self.origin)
+
+
+def _between(g: Geometry[S], of: Pose[S] | SpatialPose[S], origin: Pose[S] | SpatialPose[S]) -> S:
+    if isinstance(of, SpatialPose) and isinstance(origin, SpatialPose):
+        x, (along, across, _) = of.axes[0], origin.axes
+        return g.tangent(Vector(x.dot(along), x.dot(across)), g.scalar(ZERO))[1]
+    assert isinstance(of, Pose)
+    assert isinstance(origin, Pose)
+    return of.angle - origin.angle

@@ -8,7 +8,7 @@ from typing import ClassVar, TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
-from freebody.measures.geometry import GROUND, ZERO, Geometry, Point, Scalar, position
+from freebody.measures.geometry import GROUND, ZERO, Geometry, Point, Scalar, SpatialPose, Vector, position
 
 S = TypeVar("S", bound=Scalar)
 
@@ -27,7 +27,8 @@ class Distance:
         return LENGTH
 
     def value(self, g: Geometry[S]) -> S:
-        return g.tangent(position(g, self.end) - position(g, self.start), g.scalar(ZERO))[0]
+        between = position(g, self.end) - position(g, self.start)
+        return g.tangent(between, g.scalar(ZERO))[0] if between.z is None else g.root(between.dot(between))
 
     def bodies(self) -> Iterator[str]:
         yield from (self.start.body, self.end.body)
@@ -35,7 +36,8 @@ class Distance:
 
 @dataclass(frozen=True)
 class Bearing:
-    """Angle of the line from A to B, counter-clockwise from `reference` on `origin`."""
+    """Angle of the line from A to B, counter-clockwise from `reference` on `origin`; in space that of its picture in
+    the plane of x and y of the origin."""
 
     start: Point
     end: Point
@@ -49,8 +51,11 @@ class Bearing:
         return DIMENSIONLESS
 
     def value(self, g: Geometry[S]) -> S:
-        bearing = g.tangent(position(g, self.end) - position(g, self.start), g.scalar(ZERO))[1]
-        return bearing - g.pose(self.origin).angle - g.scalar(self.reference)
+        between, origin = position(g, self.end) - position(g, self.start), g.pose(self.origin)
+        if isinstance(origin, SpatialPose):
+            seen = Vector(between.dot(origin.axes[0]), between.dot(origin.axes[1]))
+            return g.tangent(seen, g.scalar(ZERO))[1] - g.scalar(self.reference)
+        return g.tangent(between, g.scalar(ZERO))[1] - origin.angle - g.scalar(self.reference)
 
     def bodies(self) -> Iterator[str]:
         yield from (self.start.body, self.end.body, self.origin)

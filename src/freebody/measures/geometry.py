@@ -4,7 +4,8 @@ A statement is written once, over a `Geometry[S]`. The symbolic route supplies o
 elements of a field, the numeric route one whose scalars carry derivatives; so the gradient, the rate and the
 acceleration of every measure follow from the same few lines.
 
-Planar convention: x right, y up, angles counter-clockwise. A pose is that of the body's mass centre.
+Planar convention: x right, y up, angles counter-clockwise. In space z points towards the viewer, rotations are
+right-handed. A pose is that of the body's mass centre.
 """
 
 from __future__ import annotations
@@ -35,30 +36,44 @@ class Scalar(Protocol):
 S = TypeVar("S", bound=Scalar)
 
 
+Components = tuple[Expr, ...]  # two in the plane, three in space
+
+
 @dataclass(frozen=True)
 class Vector(Generic[S]):
-    """A vector in the plane, by its ground components."""
+    """A vector by its ground components; one in the plane has no z."""
 
     x: S
     y: S
+    z: S | None = None
 
     def __add__(self, other: Vector[S]) -> Vector[S]:
-        return Vector(self.x + other.x, self.y + other.y)
+        return Vector(self.x + other.x, self.y + other.y, _sum(self.z, other.z))
 
     def __sub__(self, other: Vector[S]) -> Vector[S]:
-        return Vector(self.x - other.x, self.y - other.y)
+        return Vector(self.x - other.x, self.y - other.y, _sum(self.z, None if other.z is None else -other.z))
+
+    def scaled(self, c: S) -> Vector[S]:
+        return Vector(c * self.x, c * self.y, None if self.z is None else c * self.z)
 
     def dot(self, other: Vector[S]) -> S:
-        return self.x * other.x + self.y * other.y
+        plane = self.x * other.x + self.y * other.y
+        return plane if self.z is None or other.z is None else plane + self.z * other.z
 
     def cross(self, other: Vector[S]) -> S:
         """Out-of-plane component, positive counter-clockwise."""
         return self.x * other.y - self.y * other.x
 
 
+def _sum(a: S | None, b: S | None) -> S | None:
+    if a is None or b is None:
+        return b if a is None else a
+    return a + b
+
+
 @dataclass(frozen=True)
 class Pose(Generic[S]):
-    """Where a body is: its mass centre, its angle, and the cosine and sine of that angle."""
+    """Where a body is in the plane: its mass centre, its angle, and the cosine and sine of that angle."""
 
     x: S
     y: S
@@ -77,11 +92,30 @@ class Pose(Generic[S]):
 
 
 @dataclass(frozen=True)
+class SpatialPose(Generic[S]):
+    """Where a body is in space: its mass centre, and its axes by their ground components (the columns of the rotation
+    matrix)."""
+
+    center: Vector[S]
+    axes: tuple[Vector[S], Vector[S], Vector[S]]
+
+    def turn(self, v: Vector[S]) -> Vector[S]:
+        """Body components to ground components."""
+        ex, ey, ez = self.axes
+        plane = ex.scaled(v.x) + ey.scaled(v.y)
+        return plane if v.z is None else plane + ez.scaled(v.z)
+
+    def place(self, v: Vector[S]) -> Vector[S]:
+        """Ground position of the body point with the given body components."""
+        return self.center + self.turn(v)
+
+
+@dataclass(frozen=True)
 class Point:
     """A point fixed in a body, by its body components from the mass centre [m]."""
 
     body: str
-    offset: tuple[Expr, Expr] = (ZERO, ZERO)
+    offset: Components = (ZERO, ZERO)
     name: str = ""
 
     def __str__(self) -> str:
@@ -93,24 +127,24 @@ class Direction:
     """A unit vector fixed in a body (or the ground), by its components there."""
 
     body: str
-    components: tuple[Expr, Expr]
+    components: Components
     name: str = ""
 
     def normal(self) -> Direction:
-        """The direction a quarter turn counter-clockwise from this one."""
-        x, y = self.components
+        """The direction a quarter turn counter-clockwise from this one, in the plane of x and y."""
+        x, y, *z = self.components
         name = f"normal of {self.name}" if self.name else ""
-        return Direction(self.body, (_negative(y), x), name)
+        return Direction(self.body, (_negative(y), x, *z), name)
 
     def reversed(self) -> Direction:
-        x, y = self.components
-        return Direction(self.body, (_negative(x), _negative(y)), f"against {self.name}")
+        return Direction(self.body, tuple(map(_negative, self.components)), f"against {self.name}")
 
 
 def _negative(e: Expr) -> Expr:
     return Number(-e.value) if isinstance(e, Number) else -e
 
 
+# the plane's; in space they mean the same directions
 RIGHT = Direction(GROUND, (ONE, ZERO), "right")
 UP = Direction(GROUND, (ZERO, ONE), "up")
 LEFT = Direction(GROUND, (number(-1), ZERO), "left")
@@ -125,8 +159,12 @@ class Geometry(Protocol[S]):
         """Value of an expression in the parameters (and time)."""
         ...
 
-    def pose(self, body: str) -> Pose[S]:
+    def pose(self, body: str) -> Pose[S] | SpatialPose[S]:
         """Pose of a body's mass centre; the ground's is zero."""
+        ...
+
+    def root(self, x: S) -> S:
+        """The square root of a sum of squares."""
         ...
 
     def tangent(self, v: Vector[S], offset: S) -> tuple[S, S]:
@@ -140,13 +178,16 @@ class Geometry(Protocol[S]):
         ...
 
 
+def components(g: Geometry[S], exprs: Components) -> Vector[S]:
+    """A vector of the given components."""
+    return Vector(*map(g.scalar, exprs))
+
+
 def position(g: Geometry[S], point: Point) -> Vector[S]:
     """Ground position of a body point."""
-    x, y = point.offset
-    return g.pose(point.body).place(Vector(g.scalar(x), g.scalar(y)))
+    return g.pose(point.body).place(components(g, point.offset))
 
 
 def unit(g: Geometry[S], direction: Direction) -> Vector[S]:
     """Ground components of a direction."""
-    x, y = direction.components
-    return g.pose(direction.body).turn(Vector(g.scalar(x), g.scalar(y)))
+    return g.pose(direction.body).turn(components(g, direction.components))

@@ -18,7 +18,7 @@ from typing import ClassVar, TypeVar
 
 from freebody.language.expression import Expr
 from freebody.language.units import LENGTH, Dimension
-from freebody.measures.geometry import Geometry, Point, Scalar, position
+from freebody.measures.geometry import Geometry, Point, Scalar, Vector, position
 
 S = TypeVar("S", bound=Scalar)
 
@@ -39,7 +39,8 @@ class Lead:
 
     def value(self, g: Geometry[S]) -> S:
         rho = g.scalar(self.rho)
-        length, angle = g.tangent(position(g, self.end) - position(g, self.start), rho)
+        between = position(g, self.end) - position(g, self.start)
+        length, angle = g.tangent(Vector(between.x, between.y), rho)  # strings lie in the plane of x and y
         return length - rho * angle
 
     def bodies(self) -> Iterator[str]:

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import GROUND, Point
+from freebody.measures.geometry import GROUND, Components, Point
 from freebody.model.elements import Held, RateMeasure, RigidBody
 
-Place = tuple[str, tuple[Expr, Expr]]
+Place = tuple[str, Components]
 
 
 def _place(bodies: Mapping[str, RigidBody], point: Point) -> Place:
@@ -24,10 +23,11 @@ def _place(bodies: Mapping[str, RigidBody], point: Point) -> Place:
     if body.name == GROUND or not body.fixed:
         return body.name, point.offset
     at = body.start.at
+    if body.start.turned:
+        return body.name, point.offset
     if at is None:
         return GROUND, point.offset
-    (ax, ay), (rx, ry), (x, y) = at[1], body.points[at[0]], point.offset
-    return GROUND, (ax + x - rx, ay + y - ry)
+    return GROUND, tuple(a + x - r for a, r, x in zip(at[1], body.points[at[0]], point.offset, strict=True))
 
 
 def is_distance_kept(bodies: Mapping[str, RigidBody], rows: Sequence[Held], measure: Measure | RateMeasure) -> bool:

@@ -14,7 +14,7 @@ from typing import Literal, TypeVar
 from freebody.language.expression import Expr, Symbol
 from freebody.language.units import Dimension
 from freebody.measures.base import Measure
-from freebody.measures.geometry import ZERO, Direction, Geometry, Point, Scalar, Vector, unit
+from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Geometry, Point, Scalar, Vector, unit
 
 S = TypeVar("S", bound=Scalar)
 
@@ -50,20 +50,57 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Plane:
+    """A plane fixed in a body: a point on it and the normal on the side where things are."""
+
+    through: Point
+    normal: Direction
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Rotation:
+    """A right-handed turn about an axis of what was turned so far: by a known angle, or by one that is named and
+    free."""
+
+    axis: Components
+    by: Expr
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Attitude:
+    """How a joint lets its second body turn against the first, R_2 = R_1 before turns after^T, and which of its rows
+    hold that: the formulas of space go from body to body along these."""
+
+    first: str
+    second: str
+    before: tuple[Components, Components, Components]
+    after: tuple[Components, Components, Components]
+    turns: tuple[tuple[Components, str, Measure], ...]  # axis, name within the connection, the angle as a measure
+    components: tuple[str, ...]  # the rows of the connection that hold by construction
+    connection: str = ""
+
+
+@dataclass(frozen=True)
 class Start:
     """The pose and motion of one body at the start, as far as the user said them."""
 
-    at: tuple[str, tuple[Expr, Expr]] | None = None  # point of the body, its ground position
+    at: tuple[str, Components] | None = None  # point of the body, its ground position
     angle: Expr | None = None
-    velocity: tuple[Expr, Expr] | None = None  # of the mass centre
+    velocity: Components | None = None  # of the mass centre
     angular_velocity: Expr | None = None
     near: Start | None = None  # a guess for what the connections decide
+    turned: tuple[Rotation, ...] | None = None  # in space: known rotations from the axes of the ground
+    rates: Components | None = None  # in space: the angular velocity
+    rates_in_body: bool = False  # `rates` are components along the body's axes, not the ground's
 
     def with_guess(self) -> Start:
         """The start with the guess put in where nothing is stated."""
         if self.near is None:
             return self
-        return replace(self, at=self.at or self.near.at, angle=self.near.angle if self.angle is None else self.angle)
+        angle = self.near.angle if self.angle is None else self.angle
+        return replace(self, at=self.at or self.near.at, angle=angle, turned=self.turned or self.near.turned)
 
 
 @dataclass(frozen=True)
@@ -73,7 +110,7 @@ class RigidBody:
     name: str
     mass: Expr
     inertia: Expr
-    points: dict[str, tuple[Expr, Expr]]
+    points: dict[str, Components]
     default_point: str
     lines: dict[str, Line] = field(default_factory=dict[str, Line])
     radius: Expr | None = None
@@ -83,6 +120,15 @@ class RigidBody:
     is_placeholder: bool = False  # stands in for a body that could not be read
     corners: tuple[str, ...] = ()  # points on its straight-edged rim, in order
     is_ring: bool = False  # a circle with room inside
+    # in space
+    tensor: Components = ()  # of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
+    round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
+    axis: Components = ()  # of a round body
+    planes: dict[str, Plane] = field(default_factory=dict[str, Plane])
+    chain: tuple[Rotation, ...] = ()  # from the axes of `frame` to its own, where the user named angles
+    frame: str = GROUND
+    solid: str = ""  # its form, for pictures: "box", "cylinder", "cone", "sphere", "disk", "ring", "rod"
+    sizes: Components = ()  # of this form: lengths along x, y, z; radius, length; radius, height; radius; length
 
     def point(self, name: str | None = None) -> Point:
         chosen = name or self.default_point
@@ -104,11 +150,12 @@ class Component:
     """A ground component of a direction, as the coefficient of a velocity."""
 
     direction: Direction
-    axis: Literal["x", "y"]
+    axis: Literal["x", "y", "z"]
 
     def value(self, g: Geometry[S]) -> S:
         vector: Vector[S] = unit(g, self.direction)
-        return vector.x if self.axis == "x" else vector.y
+        z = g.scalar(ZERO) if vector.z is None else vector.z
+        return {"x": vector.x, "y": vector.y, "z": z}[self.axis]
 
     def bodies(self) -> Iterator[str]:
         yield self.direction.body

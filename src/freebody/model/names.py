@@ -19,8 +19,9 @@ from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symb
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
-from freebody.measures.geometry import COMPASS, GROUND, RIGHT, Direction, Point
-from freebody.model.elements import Held, Line, Parameter, RigidBody
+from freebody.measures.geometry import COMPASS, GROUND, ONE, RIGHT, Components, Direction, Point
+from freebody.model.elements import Held, Line, Parameter, Plane, RigidBody
+from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -63,6 +64,29 @@ class Names:
         self.held: list[Held] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
+        self.space = False
+        self.up: Components = (ZERO, ONE)
+        self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
+
+    @property
+    def compass(self) -> dict[str, Direction]:
+        """What directions are called, on the ground."""
+        if not self.space:
+            return COMPASS
+        named = {axis: UNIT[k] for k, axis in enumerate("xyz")}
+        named |= {"right": UNIT[0], "left": tuple(-c for c in UNIT[0])}
+        named |= {"up": self.up, "down": tuple(-c for c in self.up)}
+        named |= {f"-{axis}": tuple(-c for c in UNIT[k]) for k, axis in enumerate("xyz")}
+        return {name: Direction(GROUND, components, name) for name, components in named.items()}
+
+    @property
+    def origin(self) -> Components:
+        """The components of zero."""
+        return (ZERO, ZERO, ZERO) if self.space else (ZERO, ZERO)
+
+    @property
+    def ground_origin(self) -> Point:
+        return Point(GROUND, self.origin, "ground.origin")
 
     # -- problems -----------------------------------------------------------------------------
     @contextmanager
@@ -162,19 +186,24 @@ class Names:
             return None
         return float(result)
 
-    def vector(self, spec: Spec, field: str, dimension: Dimension) -> tuple[Expr, Expr] | None:
+    def vector(self, spec: Spec, field: str, dimension: Dimension) -> Components | None:
         value = getattr(spec, field)
-        return None if value is None else self.pair(value, dimension, field)
+        return None if value is None else self.components(value, dimension, field)
 
-    def pair(self, value: Any, dimension: Dimension, *path: str | int) -> tuple[Expr, Expr]:
-        if not isinstance(value, (list, tuple)) or len(cast("list[Any]", value)) != 2:
-            self.problem(f"expected two components [x, y], found {value!r}", None, *path)
-            return ZERO, ZERO
-        x, y = cast("list[Any]", value)
-        return self.formula(x, dimension, *path, 0), self.formula(y, dimension, *path, 1)
+    def components(self, value: Any, dimension: Dimension, *path: str | int) -> Components:
+        """[x, y], or [x, y, z] in space, where z may be left out."""
+        items = cast("list[Any]", value) if isinstance(value, (list, tuple)) else []
+        if self.space and len(items) == 2:
+            items = [*items, 0]
+        if len(items) != len(self.origin):
+            wanted = "three components [x, y, z]" if self.space else "two components [x, y]"
+            hint = ". For a model in space write space: true" if len(items) == 3 else ""
+            self.problem(f"expected {wanted}, found {value!r}{hint}", None, *path)
+            return self.origin
+        return tuple(self.formula(item, dimension, *path, k) for k, item in enumerate(items))
 
-    def vectors(self, spec: Spec, field: str, dimension: Dimension) -> list[tuple[Expr, Expr]]:
-        return [self.pair(v, dimension, field, k) for k, v in enumerate(getattr(spec, field))]
+    def vectors(self, spec: Spec, field: str, dimension: Dimension) -> list[Components]:
+        return [self.components(v, dimension, field, k) for k, v in enumerate(getattr(spec, field))]
 
     # -- bodies, points, directions -----------------------------------------------------------
     def body(self, name: str, *path: str | int) -> RigidBody:
@@ -206,7 +235,7 @@ class Names:
             return body.point(point_name)
         if body_name == GROUND:
             self.free_ground_points.setdefault(point_name, (*self._path, *path))
-            return Point(GROUND, (ZERO, ZERO), text.strip())
+            return Point(GROUND, self.origin, text.strip())
         self.problem(
             f"{body_name} has no point {point_name}.{did_you_mean(point_name, body.points)}"
             f" Points of your own: {body_name}: {{points: {{{point_name}: [x, y]}}}}",
@@ -225,11 +254,20 @@ class Names:
         body = self.bodies.get(body_name)
         return None if body is None else body.lines.get(line_name)
 
+    def plane(self, text: Any, *path: str | int) -> Plane | None:
+        """`body.plane`; of the ground also plain `plane`."""
+        if not isinstance(text, str):
+            return None
+        owner, _, name = text.strip().rpartition(".")
+        body = self.bodies.get(owner or GROUND)
+        return None if body is None else body.planes.get(name)
+
     def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
-        """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis."""
+        """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis, `frame.x`
+        for that of a frame."""
         if isinstance(value, (list, tuple)):
-            pair = self.pair(cast("list[Any]", value), DIMENSIONLESS, *path)
-            return self.unit_direction(body, pair, *path)
+            along = self.components(cast("list[Any]", value), DIMENSIONLESS, *path)
+            return self.unit_direction(body, along, *path)
         if isinstance(value, str):
             text = value.strip()
             for prefix in ("against ", "opposite to ", "opposite of "):
@@ -239,17 +277,23 @@ class Names:
                 if text.startswith(prefix):
                     return self.direction(text.removeprefix(prefix), *path, body=body).normal()
             text = text.removeprefix("along ")
-            if text in COMPASS:
-                found = COMPASS[text]
-                return found if body == GROUND else Direction(body, found.components, text)
-            line = self.line(text)
+            compass = self.compass
+            if text in compass:
+                return self.fixed_in(body, compass[text].components, text)
+            line, plane = self.line(text), self.plane(text)
             if line is not None:
                 return line.direction
+            if plane is not None:
+                return plane.normal
             owner, _, axis = text.partition(".")
-            if axis in COMPASS and owner in self.bodies:
-                return Direction(owner, COMPASS[axis].components, text)
+            if axis == "axis" and self.axis_of(owner):
+                return Direction(owner, self.axis_of(owner), text)
+            if axis in compass and (owner in self.bodies or owner in self.frames):
+                return self.fixed_in(owner, compass[axis].components, text)
+            if text in self.bodies and self.axis_of(text):
+                return Direction(text, self.axis_of(text), f"{text}.axis")
             if re.fullmatch(r"[A-Za-z_]+(\.[A-Za-z_]\w*)?", text) and text not in self.parameters and text != "pi":
-                known = [*COMPASS, *self.bodies[GROUND].lines]
+                known = [*compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]
                 self.problem(
                     f"{text} is no direction.{did_you_mean(text, known)} Write right, left, up, down, "
@@ -260,15 +304,32 @@ class Names:
                 return RIGHT
         angle = self.formula(value, DIMENSIONLESS, *path)
         shown = str(value)
-        return Direction(body, (Call("cos", angle), Call("sin", angle)), shown)
+        along = (Call("cos", angle), Call("sin", angle), *self.origin[2:])
+        return self.fixed_in(body, along, shown)
 
-    def unit_direction(self, body: str, pair: tuple[Expr, Expr], *path: str | int) -> Direction:
-        x, y = pair
-        if all(isinstance(c, type(ZERO)) and c == ZERO for c in pair):
-            self.problem("a direction must not be [0, 0]", None, *path)
-            return RIGHT
-        size = Call("sqrt", x * x + y * y)
-        return Direction(body, (x / size, y / size), "")
+    def fixed_in(self, owner: str, along: Components, name: str = "") -> Direction:
+        """A direction by components along the axes of a body or of a frame."""
+        if owner in self.frames:
+            body, axes = self.frames[owner]
+            return Direction(body, applied(axes, along), name)
+        return Direction(owner, along, name)
+
+    def axis_of(self, name: str) -> Components:
+        """The axis of a round body in space; empty where there is none."""
+        return self.bodies[name].axis if name in self.bodies else ()
+
+    def unit_direction(self, body: str, along: Components, *path: str | int) -> Direction:
+        numbers = [self.numeric(c) for c in along]
+        if all(n is not None and abs(n) < 1e-300 for n in numbers):
+            self.problem(f"a direction must not be {[0] * len(along)}; it needs a length", None, *path)
+            return self.compass["right"]
+        square: Expr = ZERO
+        for c in along:
+            square = square + c * c
+        if sum(c != ZERO for c in along) == 1 and None not in numbers:
+            return self.fixed_in(body, tuple(number((n > 0) - (n < 0)) for n in numbers if n is not None))
+        size = Call("sqrt", square)
+        return self.fixed_in(body, tuple(c / size for c in along))
 
     def radius(self, name: str, *path: str | int) -> Expr:
         body = self.body(name, *path)

@@ -19,7 +19,9 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import DOWN, GROUND, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.measures.turn import Alignment, Turn
+from freebody.model.rotations import perpendiculars
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -54,22 +56,26 @@ def _phrase(
 
 
 def _origin(names: Names, text: str | None, path: Path) -> Point:
-    return Point(GROUND, (ZERO, ZERO), "ground.origin") if text is None else names.point(text, *path)
+    return names.ground_origin if text is None else names.point(text, *path)
 
 
 @_phrase("drop of POINT [below POINT]", rf"drop of (?P<of>{_POINT})(?: (?:below|from) (?P<origin>{_POINT}))?")
 def _drop(names: Names, found: Found, path: Path) -> Measure:
-    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), DOWN)
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), names.compass["down"])
 
 
 @_phrase("height of POINT [above POINT]", rf"height of (?P<of>{_POINT})(?: (?:above|over) (?P<origin>{_POINT}))?")
 def _height(names: Names, found: Found, path: Path) -> Measure:
-    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), UP)
+    return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), names.compass["up"])
 
 
-@_phrase("x of POINT [from POINT]", rf"(?P<axis>[xy]) of (?P<of>{_POINT})(?: from (?P<origin>{_POINT}))?")
+@_phrase("x of POINT [from POINT]", rf"(?P<axis>[xyz]) of (?P<of>{_POINT})(?: from (?P<origin>{_POINT}))?")
 def _coordinate(names: Names, found: Found, path: Path) -> Measure:
-    axis = RIGHT if found["axis"] == "x" else UP
+    name = found["axis"] or "x"
+    if name not in names.compass:
+        names.problem("there is no z in the plane; for a model in space write space: true", None, *path)
+        name = "x"
+    axis = {"x": RIGHT, "y": UP}.get(name, names.compass[name])
     return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), axis)
 
 
@@ -115,6 +121,40 @@ def _bearing(names: Names, found: Found, path: Path) -> Measure:
     ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
     start, end = names.point(found["start"], *path), names.point(found["end"], *path)
     return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"])
+
+
+@_phrase(
+    "angle of BODY about DIRECTION [relative to BODY]",
+    r"(?:angle|turn) of (?P<of>[A-Za-z_]\w*) about (?P<axis>.+?)(?: (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?",
+)
+def _turn(names: Names, found: Found, path: Path) -> Measure:
+    body, base = names.body(cast("str", found["of"]), *path), names.body(found["rel"] or GROUND, *path)
+    if not names.space:
+        names.problem("an angle about an axis is for models in space: write space: true", None, *path)
+        return Angle(body.name, base.name)
+    axis = names.direction(found["axis"], *path, body=base.name)
+    if axis.body not in (body.name, base.name):
+        names.problem(f"the axis is fixed in {axis.body}; it must be in {base.name} or {body.name}", None, *path)
+    b, c = perpendiculars(axis.components)
+    own, _ = perpendiculars(body.axis) if body.axis else (b, c)
+    return Turn(Direction(body.name, own), Direction(base.name, b), Direction(base.name, c))
+
+
+@_phrase(
+    "angle between DIRECTION and DIRECTION",
+    r"angle between (?P<one>.+?) and (?P<other>.+)",
+)
+def _between(names: Names, found: Found, path: Path) -> Measure:
+    one, other = names.direction(found["one"], *path), names.direction(found["other"], *path)
+    return Composed(Call("acos", Symbol("c")), (("c", Alignment(one, other)),), DIMENSIONLESS)
+
+
+@_phrase(
+    "alignment of DIRECTION and DIRECTION",
+    r"alignment of (?P<one>.+?) (?:and|with) (?P<other>.+)",
+)
+def _alignment(names: Names, found: Found, path: Path) -> Measure:
+    return Alignment(names.direction(found["one"], *path), names.direction(found["other"], *path))
 
 
 @_phrase(

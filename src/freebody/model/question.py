@@ -43,6 +43,8 @@ from freebody.model.elements import Held
 from freebody.model.friction_questions import FRICTION_FORMS, RestQuantity
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
+from freebody.model.rotations import UNIT
+from freebody.model.steady_questions import STEADY_FORMS, SteadyQuantity
 
 Path = tuple[str | int, ...]
 Order = Literal[0, 1, 2]
@@ -61,6 +63,9 @@ class OfMeasure:
         return self.measure.dimension / TIME**self.order
 
 
+Basis = tuple[Direction, Direction, Direction]  # the axes along which a vector of space is wanted
+
+
 @dataclass(frozen=True)
 class OfPoint:
     """Position, velocity or acceleration of a point: a vector, a component, or its size."""
@@ -69,10 +74,27 @@ class OfPoint:
     order: Order
     along: Direction | None = None
     size: bool = False
+    basis: Basis | None = None
 
     @property
     def dimension(self) -> Dimension:
         return LENGTH / TIME**self.order
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Angular velocity (order 1) or acceleration (2) of a body in space: a vector, a component, or its size."""
+
+    body: str
+    order: Literal[1, 2]
+    relative_to: str = GROUND
+    along: Direction | None = None
+    size: bool = False
+    basis: Basis | None = None
+
+    @property
+    def dimension(self) -> Dimension:
+        return DIMENSIONLESS / TIME**self.order
 
 
 @dataclass(frozen=True)
@@ -106,6 +128,7 @@ class Wrench:
     size: bool = False
     moment: bool = False
     about: Point | None = None
+    basis: Basis | None = None
 
     @property
     def dimension(self) -> Dimension:
@@ -151,6 +174,9 @@ class Spin:
     body: Group = None
     about: Point | Literal["mass center"] | None = None
     dimension: Dimension = ANGULAR_MOMENTUM
+    along: Direction | None = None  # in space
+    size: bool = False
+    basis: Basis | None = None
 
 
 @dataclass(frozen=True)
@@ -248,6 +274,7 @@ class Conserved:
 Quantity = (
     OfMeasure
     | OfPoint
+    | Turning
     | InstantCentre
     | Multiplier
     | Wrench
@@ -269,6 +296,7 @@ Quantity = (
     | Turns
     | Change
     | RestQuantity
+    | SteadyQuantity
 )
 
 
@@ -355,6 +383,10 @@ for _text, _pattern, _read in FRICTION_FORMS:
     _form(_text, _pattern)(_read)
 
 
+for _text, _pattern, _read in STEADY_FORMS:
+    _form(_text, _pattern)(_read)
+
+
 @_form("degrees of freedom", r"(?:number of )?degrees of freedom|mobility")
 def _freedom(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     return Freedom()
@@ -403,6 +435,47 @@ def _ratio(names: Names, found: dict[str, str | None], path: Path) -> Quantity |
     return None if top is None or bottom is None else RatioOf(top, bottom)
 
 
+_IN = rf"(?: (?:in|along the axes of) (?:the )?(?:frame |basis )?(?P<basis>{_NAME}))?"
+
+
+def _basis(names: Names, name: str | None, path: Path) -> Basis | None:
+    """The axes of a body or of a frame."""
+    if name is None or name == GROUND:
+        return None
+    if not names.space:
+        names.problem("a basis is for vectors of space: write space: true", None, *path)
+        return None
+    if name not in names.bodies and name not in names.frames:
+        known = [*names.bodies, *names.frames]
+        names.problem(f"there is no body or frame {name}.{did_you_mean(name, known)}", None, *path)
+        return None
+    x, y, z = (names.fixed_in(name, along, f"{name}.{axis}") for along, axis in zip(UNIT, "xyz", strict=True))
+    return x, y, z
+
+
+@_form(
+    "[size of] angular velocity | angular acceleration of BODY [relative to BODY] [along DIRECTION] [in BASIS]",
+    rf"(?P<size>size of |magnitude of )?(?:the )?(?P<what>angular velocity|angular acceleration) of (?P<of>{_NAME})"
+    rf"(?: relative to (?P<rel>{_NAME}))?(?: (?:along|about) (?P<along>.+?))?{_IN}",
+)
+def _turning(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
+    of, order = str(found["of"]), 1 if found["what"] == "angular velocity" else 2
+    is_measure = of in names.measures and of not in names.bodies
+    if not names.space or is_measure:
+        if found["along"] or found["size"] or found["basis"]:
+            names.problem(
+                f"'{of}' turns in the plane and has one angular velocity; leave out the direction", None, *path
+            )
+            return None
+        return _angular(names, found, path)
+    body = names.body(of, *path)
+    if not body.turns:
+        names.problem(f"{of} is a particle and does not turn", None, *path)
+    other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    return Turning(body.name, order, other, along, found["size"] is not None, _basis(names, found["basis"], path))
+
+
 @_form(
     "angle | angular velocity | angular acceleration of BODY [relative to BODY]",
     rf"(?P<what>angle|angular velocity|angular acceleration) of (?P<of>{_NAME})"
@@ -416,13 +489,17 @@ def _angular(names: Names, found: dict[str, str | None], path: Path) -> Quantity
     body = names.body(of, *path)
     if not body.turns:
         names.problem(f"{of} is a particle and has no angle", None, *path)
+    if names.space:
+        names.problem(
+            f"in space a body has no one angle; ask for angle of {of} about z, or name angles with turned", None, *path
+        )
     other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
     return OfMeasure(Angle(body.name, other), order, f"angle of {of}")
 
 
 @_form(
     "position | velocity | acceleration of MEASURE, or of POINT [along DIRECTION]",
-    r"(?P<what>position|velocity|acceleration|value|rate) of (?P<of>.+?)(?: along (?P<along>.+))?",
+    rf"(?P<what>position|velocity|acceleration|value|rate) of (?P<of>.+?)(?: along (?P<along>.+?))?{_IN}",
 )
 def _motion(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     of, order = str(found["of"]), _ORDERS[str(found["what"])]
@@ -438,7 +515,7 @@ def _motion(names: Names, found: dict[str, str | None], path: Path) -> Quantity 
             return None
         point = names.point(of, *path)
         along = None if found["along"] is None else names.direction(found["along"], *path)
-        return OfPoint(point, order, along)
+        return OfPoint(point, order, along, basis=_basis(names, found["basis"], path))
     text = of if found["along"] is None else f"{of} along {found['along']}"
     measure = read_measure(names, text, *path)
     return None if measure is None else OfMeasure(measure, order, text)
@@ -473,7 +550,7 @@ def _instant_centre(names: Names, found: dict[str, str | None], path: Path) -> Q
     "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
     rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
     rf"(?:reaction|force) of (?P<of>{_NAME})"
-    rf"(?: on (?P<on>{_NAME}))?(?: along (?P<along>.+))?",
+    rf"(?: on (?P<on>{_NAME}))?(?: along (?P<along>.+?))?{_IN}",
 )
 def _reaction(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     of = str(found["of"])
@@ -488,12 +565,14 @@ def _reaction(names: Names, found: dict[str, str | None], path: Path) -> Quantit
         along = RIGHT
     if part in ("vertical", "y component of"):
         along = UP
-    return Wrench(of, on, along, size=part in ("size of", "magnitude of"))
+    is_size = part in ("size of", "magnitude of")
+    return Wrench(of, on, along, size=is_size, basis=_basis(names, found["basis"], path))
 
 
 @_form(
-    "moment of CONNECTION [on BODY] [about POINT]",
-    rf"moment of (?P<of>{_NAME})(?: on (?P<on>{_NAME}))?(?: about (?P<about>{_POINT}))?",
+    "moment of CONNECTION [on BODY] [about POINT] [along DIRECTION] [in BASIS]",
+    rf"(?P<size>size of |magnitude of )?(?:the )?moment of (?P<of>{_NAME})(?: on (?P<on>{_NAME}))?"
+    rf"(?: about (?P<about>{_POINT}))?(?: along (?P<along>.+?))?{_IN}",
 )
 def _moment(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     of = str(found["of"])
@@ -501,7 +580,11 @@ def _moment(names: Names, found: dict[str, str | None], path: Path) -> Quantity 
         return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     about = None if found["about"] is None else names.point(found["about"], *path)
-    return Wrench(of, on, moment=True, about=about)
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if not names.space and (along or found["size"]):
+        names.problem("in the plane a moment has no direction; leave it out", None, *path)
+    basis = _basis(names, found["basis"], path)
+    return Wrench(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
 
 
 @_form("force in SPRING", rf"(?:force|torque) (?:in|of) (?P<of>{_NAME})")
@@ -535,16 +618,21 @@ def _momentum(names: Names, found: dict[str, str | None], path: Path) -> Quantit
 
 
 @_form(
-    "angular momentum [of BODY and BODY] [about POINT | about its mass center]",
+    "angular momentum [of BODY and BODY] [about POINT | about its mass center] [along DIRECTION] [in BASIS]",
     rf"angular momentum(?: of (?:the )?(?P<of>{_GROUP}))?"
     rf"(?: about (?:(?P<center>(?:its|their|the) (?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of mass))"
-    rf"|(?P<about>{_POINT})))?",
+    rf"|(?P<about>{_POINT})))?(?: along (?P<along>.+?))?{_IN}",
 )
 def _spin(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     body = _group(names, found["of"], path)
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if along is not None and not names.space:
+        names.problem("in the plane an angular momentum has no direction; leave it out", None, *path)
+    basis = _basis(names, found["basis"], path)
     if found["center"] is not None:
-        return Spin(body, SYSTEM_CENTER)
-    return Spin(body, None if found["about"] is None else names.point(found["about"], *path))
+        return Spin(body, SYSTEM_CENTER, along=along, basis=basis)
+    about = None if found["about"] is None else names.point(found["about"], *path)
+    return Spin(body, about, along=along, basis=basis)
 
 
 def _group(names: Names, text: str | None, path: Path) -> Group:

@@ -28,9 +28,10 @@ class State(Protocol[S_co]):
 
     def acceleration(self, measure: Measure | RateMeasure) -> S_co: ...
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[S_co, S_co, S_co]:
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[S_co, ...]:
         """Derivatives of the measure's rate by the velocity (x, y) and angular velocity of a body: the force
-        and the moment about the mass centre that a unit push of the measure exerts on it."""
+        and the moment about the mass centre that a unit push of the measure exerts on it. In space three of each,
+        along the axes of the ground."""
         ...
 
     def multiplier(self, row: Held) -> S_co:

@@ -2,7 +2,9 @@
 
 With J the gradients of the held measures, M the masses and Q the generalized forces of the loads,
 
-    M a = Q + J^T lambda,        J a = target'' - bias.
+    M a = Q + J^T lambda,        J a = target'' - bias,
+
+in space with -omega x I omega of every body among the forces.
 
 a_p is the smallest solution of the second equation. What the held measures leave free follows, with N a basis
 of the free directions, from  N^T M N z = N^T (Q - M a_p),  a = a_p + N z;  and lambda from the first equation.
@@ -20,6 +22,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols
 from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
 from freebody.numeric.split import RANK_CUT, Split, stack
@@ -44,20 +47,40 @@ def dynamics(reference: Reference, g: JetGeometry, cut: float | None = None) -> 
     gaps = [reference.gap(row, g) for row in reference.system.held]
     J = stack([gap.row(n) for gap in gaps], n)
     b = np.array([-gap.bias for gap in gaps])
-    Q = forces(reference, g)
+    Q = forces(reference, g) + _gyroscopic(reference, g)
     split = Split(J, reference.sizes.small_moves, cut or RANK_CUT)
     a = split.least(b)
     if cut is None:
         _check_consistent(reference, split, J @ a - b, b)
     N = split.null
     if N.shape[1]:
-        inertia = N.T @ (M[:, None] * N)
-        check_inertia(reference, N, inertia)
-        a = a + N @ np.linalg.solve(inertia, N.T @ (Q - M * a))
+        a = a + _free_motion(reference, N, Q - M * a)
     multipliers = split.multipliers(M * a - Q)
     if not (np.isfinite(a).all() and np.isfinite(multipliers).all()):
         raise CannotAnswer(f"the accelerations at t = {g.time.value:.6g} s are not finite")
     return Dynamics(a, multipliers, split)
+
+
+def _gyroscopic(reference: Reference, g: JetGeometry) -> Array:
+    """-omega x I omega of every body in space."""
+    if not reference.system.space:
+        return np.zeros(len(reference.masses))
+    return spatial.gyroscopic(g.v, reference.masses, reference.frame.columns.values())
+
+
+def _free_motion(reference: Reference, N: Array, push: Array) -> Array:
+    """The accelerations along the free directions N. A thin rod may turn about itself without inertia: where no load
+    turns it, it does not begin to."""
+    inertia, force = N.T @ (reference.masses[:, None] * N), N.T @ push
+    if reference.system.space:
+        values, vectors = np.linalg.eigh(inertia)
+        idle = values <= RANK_CUT
+        pushed = np.abs(vectors.T @ force)[idle]
+        if idle.any() and pushed.max() <= RANK_CUT * max(1.0, float(np.linalg.norm(force))):
+            inverse = np.where(idle, 0.0, 1.0 / np.where(idle, 1.0, values))
+            return N @ (vectors @ (inverse * (vectors.T @ force)))
+    check_inertia(reference, N, inertia)
+    return N @ np.linalg.solve(inertia, force)
 
 
 def forces(reference: Reference, g: JetGeometry) -> Array:

@@ -4,7 +4,7 @@ A system stands at the pose q with the velocity v at the time t. A `Jet` follows
 that leaves there without acceleration, s -> (q + v s, t + s), and across it by its gradient:
 
     value     f(q, t)
-    gradient  df/dq, one entry for each absolute coordinate (x, y, theta of every moving body)
+    gradient  df/dq, one entry for each absolute coordinate (x, y, theta of every moving body; see `spatial` for space)
     rate      df/ds    = gradient . v + df/dt
     bias      d2f/ds2  = v . (Hess f) v + 2 v . d(gradient)/dt + d2f/dt2
 
@@ -26,8 +26,10 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Pose, Vector
+from freebody.measures.geometry import Pose, SpatialPose, Vector
 from freebody.model.elements import Component, RateMeasure
+from freebody.numeric import spatial
+from freebody.numeric.rotation import matrix
 
 Array = NDArray[np.float64]
 TIME = "t"
@@ -227,8 +229,10 @@ class Frame:
     the fixed bodies are, and the values of the parameters."""
 
     columns: Mapping[str, tuple[int, ...]]  # x, y and, if the body turns, theta
-    fixed: Mapping[str, tuple[float, float, float]]
+    fixed: Mapping[str, tuple[float, ...]]
     values: Mapping[str, float]
+    space: bool = False  # x, y, z and, if the body turns, a rotation vector; see `spatial`
+    principal: Mapping[str, Array] = field(default_factory=dict[str, Array])  # principal axes in body components
     _constants: dict[int, tuple[Expr, Jet]] = field(default_factory=dict[int, tuple[Expr, Jet]], repr=False)
     _seen: dict[int, tuple[object, int]] = field(default_factory=dict[int, tuple[object, int]], repr=False)
     _numbers: dict[object, int] = field(default_factory=dict[object, int], repr=False)
@@ -240,7 +244,20 @@ class Frame:
     def released(self, body: str) -> Frame:
         """The same frame in which a fixed body may move: its coordinates are the last three."""
         kept = {name: pose for name, pose in self.fixed.items() if name != body}
-        return replace(self, columns={**self.columns, body: (self.n, self.n + 1, self.n + 2)}, fixed=kept)
+        own = tuple(range(self.n, self.n + (6 if self.space else 3)))
+        return replace(self, columns={**self.columns, body: own}, fixed=kept)
+
+    def moved(self, q: Array, step: Array) -> Array:
+        """The pose a small step from q, by the speeds' directions."""
+        return spatial.moved(q, step, self.columns.values()) if self.space else q + step
+
+    def difference(self, q: Array, q0: Array) -> Array:
+        """The step that leads from q0 to q."""
+        return spatial.difference(q, q0, self.columns.values()) if self.space else q - q0
+
+    def slope(self, q: Array, v: Array) -> Array:
+        """dq/dt of the speeds v."""
+        return spatial.slope(q, v, self.columns.values()) if self.space else v
 
     def constant(self, expr: Expr) -> Jet | None:
         """Value of an expression in the parameters; None where time is in it."""
@@ -271,10 +288,10 @@ class JetGeometry:
         self.frame = frame
         self.time = Jet(t, None, 1.0, 0.0)
         self.angles: dict[Branch, float] = dict(near)
-        self.q = q
+        self.q, self.v = q, v
         self._q, self._v = q.tolist(), v.tolist()
         self._unit_rows = np.eye(len(self._q))
-        self._poses: dict[str, Pose[Jet]] = {}
+        self._poses: dict[str, Pose[Jet] | SpatialPose[Jet]] = {}
         self._measure, self._n_tangents = -1, 0
 
     def of(self, measure: Measure | RateMeasure | Component) -> Jet:
@@ -319,11 +336,42 @@ class JetGeometry:
         result = evaluate(expr, names, JET_FUNCTIONS)
         return result if isinstance(result, Jet) else Jet(float(result))
 
-    def pose(self, body: str) -> Pose[Jet]:
+    def pose(self, body: str) -> Pose[Jet] | SpatialPose[Jet]:
         known = self._poses.get(body)
         if known is None:
-            known = self._poses[body] = self._pose(body)
+            known = self._poses[body] = self._in_space(body) if self.frame.space else self._pose(body)
         return known
+
+    def root(self, x: Jet) -> Jet:
+        if x.value <= 0.0:
+            raise CannotAnswer("two points coincide, so the line between them has no direction")
+        return cast("Jet", _call("sqrt", x))
+
+    def _in_space(self, body: str) -> SpatialPose[Jet]:
+        columns, principal = self.frame.columns.get(body), self.frame.principal.get(body, spatial.UNIT)
+        if columns is None:
+            place = self.frame.fixed[body]
+            axes = matrix(np.array(place[3:]))
+            center = Vector(*(Jet(c) for c in place[:3]))
+            x, y, z = (Vector(*(Jet(float(c)) for c in axes[:, j])) for j in range(3))
+            return SpatialPose(center, (x, y, z))
+        center = Vector(*(Jet(self._q[k], self._unit_rows[k], self._v[k]) for k in columns[:3]))
+        own = list(columns[3:])
+        if not own:
+            x, y, z = (Vector(*(Jet(float(c)) for c in row)) for row in spatial.UNIT)
+            return SpatialPose(center, (x, y, z))
+        R, omega = matrix(self.q[own]), np.array([self._v[k] for k in own])
+        axes = [spatial.axis_jets(R, u, omega) for u in principal]  # rows: the body's axes along the principal ones
+        vectors: list[Vector[Jet]] = []
+        for value, slopes, rate, bias in axes:
+            parts: list[Jet] = []
+            for i in range(3):
+                row = np.zeros(len(self._q))
+                row[own] = slopes[i]
+                parts.append(Jet(float(value[i]), row, float(rate[i]), float(bias[i])))
+            vectors.append(Vector(*parts))
+        x, y, z = vectors
+        return SpatialPose(center, (x, y, z))
 
     def _pose(self, body: str) -> Pose[Jet]:
         columns = self.frame.columns.get(body)

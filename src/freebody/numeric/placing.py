@@ -54,7 +54,9 @@ class Equation:
         """The pose has moved from q by so much, seen along a direction."""
         size = float(np.linalg.norm(direction))
         row = direction / size
-        return cls("a direction of motion", "", lambda g: Jet(float(row @ (g.q - q)) - length / size, row))
+        return cls(
+            "a direction of motion", "", lambda g: Jet(float(row @ g.frame.difference(g.q, q)) - length / size, row)
+        )
 
 
 def _unit(dimension: Dimension) -> str:
@@ -121,7 +123,7 @@ class Placing:
                 mu = damping * float(F @ F)
                 step = -D * (A.T @ _damped(A @ A.T, mu, F))
             step = self.sizes.clipped(step, float(np.abs(F).max(initial=0.0)))
-            there = self._gaps(here.q + step, equations, t, here.branches)
+            there = self._gaps(self.frame.moved(here.q, step), equations, t, here.branches)
             if there is not None and np.linalg.norm(there.weights * there.gaps) < np.linalg.norm(F):
                 here, damping = there, max(0.1 * damping, 1e-12)
             elif is_close or damping > 1e12:

@@ -21,12 +21,15 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, evaluate
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, RateMeasure
+from freebody.measures.geometry import SpatialPose
+from freebody.model.elements import Held, RateMeasure, RigidBody
+from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.placing import Equation, Fit, Placing
+from freebody.numeric.rotation import matrix
 from freebody.numeric.sizes import Sizes, typical_length
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
@@ -44,35 +47,57 @@ class Reference:
         self.system = system
         numbers = _numbers(system, values or {})
         columns: dict[str, tuple[int, ...]] = {}
+        n_places, n_turns = (3, 3) if system.space else (2, 1)
         for body in system.moving:
             n = sum(map(len, columns.values()))
-            columns[body.name] = tuple(range(n, n + (3 if body.turns else 2)))
+            columns[body.name] = tuple(range(n, n + n_places + (n_turns if body.turns else 0)))
         self.frame = Frame(columns, {}, numbers)
-        fixed = {body.name: start_pose(body, self.number) for body in system.bodies.values() if body.fixed}
-        self.frame = Frame(columns, fixed, numbers)
-        self.masses = np.array(
-            [
-                self.number(body.mass if k < 2 else body.inertia)
-                for body in system.moving
-                for k in range(len(columns[body.name]))
-            ],
-            dtype=np.float64,
-        )
-        turning = np.array([i == 2 for c in columns.values() for i in range(len(c))], dtype=bool)
+        self._moments = {body.name: self._moments_of(body) for body in system.moving}
+        principal = {name: axes for name, (_moments, axes) in self._moments.items()} if system.space else {}
+        self.frame = Frame(columns, {}, numbers, system.space, principal)
+        fixed = {b.name: tuple(start_pose(system, b, self.number)) for b in system.bodies.values() if b.fixed}
+        self.frame = Frame(columns, fixed, numbers, system.space, principal)
+        inertia = [[self.number(b.mass)] * n_places + list(self._moments[b.name][0]) for b in system.moving]
+        listed = [m for own, b in zip(inertia, system.moving, strict=True) for m in own[: len(columns[b.name])]]
+        self.masses = np.array(listed, dtype=np.float64)
+        turning = np.array([i >= n_places for c in columns.values() for i in range(len(c))], dtype=bool)
         self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number))
         self.placing = Placing(self.frame, self.sizes)
         self._branches: dict[Branch, float] = {}
         self._origins: dict[int, float] | None = None
 
+    def _moments_of(self, body: RigidBody) -> tuple[Array, Array]:
+        """Moments of inertia, in space about the principal axes, and these axes."""
+        if not self.system.space:
+            return np.array([self.number(body.inertia)]), spatial.UNIT
+        return spatial.principal_axes(spatial.tensor_of(body, self.number))
+
     # -- poses and velocities -----------------------------------------------------------------
     def columns(self, body: str) -> tuple[int, ...]:
-        """Where x, y and theta of a moving body stand in q."""
+        """Where the coordinates of a moving body stand in q: x, y and theta; in space x, y, z and a rotation vector."""
         return self.frame.columns[body]
 
-    def pose(self, q: Array, body: str) -> tuple[float, float, float]:
-        """x, y of the mass centre [m] and the angle [rad] of a body."""
+    def pose(self, q: Array, body: str) -> tuple[float, ...]:
+        """x, y of the mass centre [m] and the angle [rad] of a body; in space x, y, z and, row by row, the rotation
+        matrix, whose columns are the body's axes."""
         pose = self.geometry(q, np.zeros_like(q), 0.0).pose(body)
+        if isinstance(pose, SpatialPose):
+            center, R = self.frame_of(q, body)
+            return (*center, *R.ravel())
         return pose.x.value, pose.y.value, pose.angle.value
+
+    def frame_of(self, q: Array, body: str) -> tuple[Array, Array]:
+        """Of a body in space: its mass centre (3,) [m], and its axes, the columns of a rotation (3, 3)."""
+        pose = self.geometry(q, np.zeros_like(q), 0.0).pose(body)
+        assert isinstance(pose, SpatialPose)
+        vectors = (pose.center, *pose.axes)
+        center, *axes = (np.array([v.x.value, v.y.value, 0.0 if v.z is None else v.z.value]) for v in vectors)
+        return center, np.array(axes).T
+
+    def angular_velocity(self, q: Array, v: Array, body: str) -> Array:
+        """(3,) [rad/s] of a body in space, along the axes of the ground."""
+        own = list(self.columns(body)[3:]) if body in self.frame.columns else []
+        return matrix(q[own]) @ v[own] if own else np.zeros(3)
 
     def assemble(self, extra: Sequence[tuple[Measure | RateMeasure, float]] = (), guess: Array | None = None) -> Array:
         """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
@@ -106,7 +131,7 @@ class Reference:
             return step * (size / (float(self.sizes.relative(step).max(initial=0.0)) or 1.0))
 
         step = along(self.split_at(q, self._branches).null, size)
-        here = self.placing.placed(q + step, self.held_where(q, 0.0), t, self._branches).q
+        here = self.placing.placed(self.frame.moved(q, step), self.held_where(q, 0.0), t, self._branches).q
         free = self.split_at(here, self._branches, t).null
         return here, along(free, 1.0) + self.velocities(here, (), t, with_start=False)
 
@@ -224,11 +249,15 @@ class Reference:
     # -- for the engine -----------------------------------------------------------------------
     def numbers(self) -> Numbers:
         """What the engine needs to know."""
-        fixed = {name: (float(p[0]), float(p[1]), float(p[2])) for name, p in self.frame.fixed.items()}
-        return Numbers(self.system, self.frame.values, self.sizes.length, fixed, self.number, self.start_value)
+        fixed = {name: tuple(map(float, p)) for name, p in self.frame.fixed.items()}
+        return Numbers(
+            self.system, self.frame.values, self.sizes.length, fixed, self.number, self.start_value, self._moments
+        )
 
     def by_body(self, q: Array, v: Array) -> tuple[Array, Array]:
-        """(n_bodies, 3) poses and velocities; a body that does not turn keeps its angle."""
+        """(n_bodies, 3) poses and velocities; a body that does not turn keeps its angle. In space (n_bodies, 6)."""
+        if self.system.space:
+            return self._by_body_in_space(q), self._by_body_in_space(v)
         poses = np.zeros((len(self.frame.columns), 3))
         velocities = np.zeros_like(poses)
         for k, (name, columns) in enumerate(self.frame.columns.items()):
@@ -238,8 +267,14 @@ class Reference:
                 poses[k, 2] = self.pose(q, name)[2]
         return poses, velocities
 
+    def _by_body_in_space(self, array: Array) -> Array:
+        full = np.zeros((len(self.frame.columns), 6))
+        for k, columns in enumerate(self.frame.columns.values()):
+            full[k, : len(columns)] = array[list(columns)]
+        return full
+
     def by_column(self, array: Array) -> Array:
-        """The coordinates, from an array (n_bodies, 3) of all bodies."""
+        """The coordinates, from an array (n_bodies, 3) of all bodies; in space (n_bodies, 6)."""
         return np.concatenate([array[k, : len(c)] for k, c in enumerate(self.frame.columns.values())] or [np.zeros(0)])
 
     # -- numbers and names --------------------------------------------------------------------

@@ -60,8 +60,8 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     """How far points are from mass centres and from the origin, and how long held lengths are, at most [m]."""
     lengths = [0.0]
     for body in system.bodies.values():
-        for x, y in [*body.points.values(), *([body.start.at[1]] if body.start.at else [])]:
-            lengths.append(math.hypot(number(x), number(y)))
+        for place in [*body.points.values(), *([body.start.at[1]] if body.start.at else [])]:
+            lengths.append(math.hypot(*map(number, place)))
         if body.radius is not None:
             lengths.append(abs(number(body.radius)))
     for row in system.held:

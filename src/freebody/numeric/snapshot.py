@@ -20,6 +20,7 @@ from freebody.model.elements import Held, Push, RateMeasure
 from freebody.numeric.instant import Dynamics, dynamics, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.potential import potential
+from freebody.numeric.rotation import matrix
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
@@ -69,14 +70,18 @@ class Snapshot:
         jet = self._jet(measure)
         return float(jet.row(len(self.q)) @ self.accelerations) + jet.bias
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[float, float, float]:
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[float, ...]:
         frame, g, q = self.reference.frame, self.geometry, self.q
         if body in frame.fixed:
             # it feels the reaction too: for the derivative it may move
             q = np.append(q, frame.fixed[body])
             frame = frame.released(body)
-            g = JetGeometry(frame, q, np.append(self.v, np.zeros(3)), self.t, self.branches)
+            g = JetGeometry(frame, q, np.append(self.v, np.zeros(len(q) - len(self.v))), self.t, self.branches)
         row = self.reference.jet(g, measure).row(len(q))
+        if frame.space:
+            own = list(frame.columns[body])
+            moment = matrix(q[own[3:]]) @ row[own[3:]] if len(own) == 6 else np.zeros(3)
+            return (*map(float, row[own[:3]]), *map(float, moment))
         x, y, *theta = (float(row[k]) for k in frame.columns[body])
         return x, y, theta[0] if theta else 0.0
 

@@ -15,21 +15,35 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure, RigidBody
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
+from freebody.model.elements import RateMeasure, RigidBody, Start
+from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
+from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.split import Split, stack
+from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 N_STARTS = 16
+MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
+_AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
+
+
+def axes_of(system: System) -> tuple[Direction, ...]:
+    """The axes of the ground."""
+    return _AXES if system.space else _AXES[:2]
 
 
 # -- the pose ---------------------------------------------------------------------------------
-def start_pose(body: RigidBody, number: Callable[[Expr], float]) -> tuple[float, float, float]:
-    """Where a body is by its own `at` and `angle`, or is said to be near, zero where they say nothing."""
+def start_pose(system: System, body: RigidBody, number: Callable[[Expr], float]) -> tuple[float, ...]:
+    """Where a body is by its own `at` and `angle`, or is said to be near, zero where they say nothing: x, y and the
+    angle; in space x, y, z and the rotation vector of its own axes."""
     start = body.start if body.start.near is None else body.start.with_guess()
+    if system.space:
+        return _start_in_space(system, body, start, number)
     theta = 0.0 if start.angle is None else number(start.angle)
     if start.at is None:
         return 0.0, 0.0, theta
@@ -40,13 +54,44 @@ def start_pose(body: RigidBody, number: Callable[[Expr], float]) -> tuple[float,
     return x - (c * px - s * py), y - (s * px + c * py), theta
 
 
+def _start_in_space(
+    system: System, body: RigidBody, start: Start, number: Callable[[Expr], float]
+) -> tuple[float, ...]:
+    R = _start_axes(system, body, start, number)
+    center = np.zeros(3)
+    if start.at is not None:
+        point, place = start.at
+        center = np.array([number(c) for c in place]) - R @ np.array([number(c) for c in body.points[point]])
+    return (*map(float, center), *map(float, rotation_vector(R)))
+
+
+def _start_axes(
+    system: System, body: RigidBody, start: Start, number: Callable[[Expr], float], depth: int = 0
+) -> Array:
+    """The axes of a body in space at the start, as far as it is known: named angles have their start values, or else
+    values where a chain of them is not singular."""
+    if not body.chain:
+        return spatial.turned_by(start.turned or (), {}, number)
+    named = [turn.name for turn in body.chain if turn.name]
+    guess = dict.fromkeys(named, 0.0)
+    if len(named) == 3:
+        guess[named[1]] = MIDDLE_ANGLE
+    guess |= {name: number(system.start[name]) for name in named if name in system.start}
+    frame = spatial.UNIT
+    if body.frame != GROUND and depth < len(system.bodies):
+        base = system.bodies[body.frame]
+        own = base.start if base.start.near is None else base.start.with_guess()
+        frame = _start_axes(system, base, own, number, depth + 1)
+    return frame @ spatial.turned_by(body.chain, guess, number)
+
+
 def assembled(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]], guess: Array | None) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
     guess = _guess(reference) if guess is None else guess
     best: Fit | None = None
-    for q in _starts(guess, reference.sizes.unit_moves):
+    for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved):
         fit = reference.placing.fit(q, equations, 0.0, {})
         if fit is not None and (best is None or fit.error < best.error):
             best = fit
@@ -65,19 +110,22 @@ def assembled(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure,
 def _guess(reference: Reference) -> Array:
     q = np.zeros(len(reference.masses))
     for body in reference.system.moving:
-        pose = start_pose(body, reference.number)
+        pose = start_pose(reference.system, body, reference.number)
+        if reference.system.space:
+            axes = matrix(np.array(pose[3:])) @ reference.frame.principal[body.name]
+            pose = (*pose[:3], *map(float, rotation_vector(axes)))
         for k, value in zip(reference.columns(body.name), pose, strict=False):
             q[k] = value
     return q
 
 
-def _starts(guess: Array, unit_moves: Array) -> Iterator[Array]:
+def _starts(guess: Array, unit_moves: Array, moved: Callable[[Array, Array], Array]) -> Iterator[Array]:
     """The guess, then disturbed ones: first a little, later by the size of the system."""
     yield guess
     n = len(guess)
     for k in range(N_STARTS):
         disturbance = np.random.default_rng(k).standard_normal(n)
-        yield guess + min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance
+        yield moved(guess, min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance)
 
 
 def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]]) -> list[Equation]:
@@ -93,19 +141,36 @@ def _body_equations(reference: Reference) -> list[Equation]:
     """A place or an angle that the model gives to a body at the start."""
     from freebody.measures.angle import Angle
     from freebody.measures.displacement import Displacement
-    from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 
     equations: list[Equation] = []
     for body in reference.system.moving:
         if body.start.at is not None:
             point, place = body.start.at
-            for axis, expr in zip((RIGHT, UP), place, strict=True):
+            for axis, expr in zip(axes_of(reference.system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
                 equations.append(Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
         if body.start.angle is not None and body.turns:
             angle = Jet(reference.number(body.start.angle))
             equations.append(Equation.of(f"angle of {body.name}", Angle(body.name), angle))
+        if body.start.turned is not None and body.turns:
+            equations += _attitude(body.name, spatial.turned_by(body.start.turned, {}, reference.number))
     return equations
+
+
+def _attitude(body: str, R: Array) -> list[Equation]:
+    """The axes of a body are those of R: the axial vector of R^T times them vanishes."""
+
+    def gap(g: JetGeometry, i: int, j: int) -> Jet:
+        pose = g.pose(body)
+        assert isinstance(pose, SpatialPose)
+        one, other = pose.axes[i], pose.axes[j]
+        (ax, ay, az), (bx, by, bz) = R[:, j], R[:, i]
+        assert one.z is not None
+        assert other.z is not None
+        mixed = one.x * ax + one.y * ay + one.z * az - (other.x * bx + other.y * by + other.z * bz)
+        return 0.5 * mixed
+
+    return [Equation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j)) for i, j in ((0, 1), (1, 2), (2, 0))]
 
 
 # -- the velocities ---------------------------------------------------------------------------
@@ -122,7 +187,7 @@ def start_velocities(
     if not b.any():
         return np.zeros(n)
     J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
-    v = _given(reference) if with_start else None
+    v = _given(reference, g.q) if with_start else None
     if v is None or np.abs(J @ v - b).max() > 1e-12 * np.abs(b).max():
         v = Split(J, reference.sizes.small_moves).least(b)
     gaps = np.abs(J @ v - b)
@@ -135,13 +200,17 @@ def start_velocities(
     return v
 
 
-def _given(reference: Reference) -> Array | None:
+def _given(reference: Reference, q: Array) -> Array | None:
     """The velocities, if the model gives those of every body."""
     v = np.zeros(len(reference.masses))
     for body in reference.system.moving:
-        rates, columns = list(_body_rates(reference, body)), reference.columns(body.name)
+        rates, columns = list(_body_rates(reference, body, q)), reference.columns(body.name)
         if len(rates) < len(columns):
             return None
+        if reference.system.space:
+            rows = np.array([jet.row(len(v))[list(columns)] for _name, jet, _rate in rates])
+            v[list(columns)] = rows.T @ np.array([rate for _name, _jet, rate in rates])  # the rows are orthonormal
+            continue
         v[list(columns)] = [rate for _name, _jet, rate in rates]
     return v
 
@@ -163,12 +232,20 @@ def _wanted_rates(
         name = reference.name_of(measure)
         yield f"the rate of {name}", reference.jet(g, measure, name), rate
     for body in system.moving if with_start else ():
-        yield from _body_rates(reference, body)
+        yield from _body_rates(reference, body, g.q)
 
 
-def _body_rates(reference: Reference, body: RigidBody) -> Iterator[_Rate]:
+def _body_rates(reference: Reference, body: RigidBody, q: Array) -> Iterator[_Rate]:
     """A velocity or an angular velocity that the model gives to a body at the start."""
     start, columns = body.start, reference.columns(body.name)
+    if start.rates is not None and body.turns:
+        own = list(columns[3:])
+        P = reference.frame.principal[body.name]
+        axes = P if start.rates_in_body else matrix(q[own])  # of the components, along the principal axes
+        for along, expr in zip(axes, start.rates, strict=True):
+            row = np.zeros(len(reference.masses))
+            row[own] = along
+            yield f"angular_velocity of {body.name}", Jet(0.0, row), reference.number(expr)
 
     def unit_row(k: int) -> Array:
         row = np.zeros(len(reference.masses))

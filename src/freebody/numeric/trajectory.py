@@ -1,6 +1,7 @@
 """A motion along time: steps of order 8, each projected back on positions and velocities that hold what is held.
 
-    (q, v)' = (v, a(q, v, t));    after a step q moves to the nearest pose, and v loses J^+ (J v - target')
+    (q, v)' = (v, a(q, v, t)) (in space q' follows v by the rate of rotation vectors);    after a step q moves to the
+    nearest pose, and v loses J^+ (J v - target')
 
 so that gaps do not drift. Rows that are independent at the start, if only by little, count as such on the way;
 those that nearly depend on each other are not followed through singular poses.
@@ -108,7 +109,9 @@ class _Steps:
 
         def rhs(t: float, y: Array) -> Array:
             g = reference.geometry(y[:n], y[n:], t, of.branches)
-            return np.concatenate((y[n:], dynamics(reference, g, self._cut).accelerations))
+            return np.concatenate(
+                (reference.frame.slope(y[:n], y[n:]), dynamics(reference, g, self._cut).accelerations)
+            )
 
         size = None if first is None else min(first, end - of.t)
         y = np.concatenate((of.q, of.v))

@@ -22,10 +22,10 @@ from freebody.present.scene import Scene
 from freebody.present.stills import frame_axes, paint
 from freebody.present.theme import THEMES
 
-_RATE = 30  # frames a second of shown time
-_GIF_RATE = 25  # GIF counts hundredths of a second
-_N_FRAMES = 3000
-_FEWEST = 120  # of a page, which can be slowed down
+RATE = 30  # frames a second of shown time
+GIF_RATE = 25  # GIF counts hundredths of a second
+N_FRAMES = 3000
+FEWEST = 120  # of a page, which can be slowed down
 _PIXELS, _DPI = 640, 100
 
 
@@ -109,34 +109,45 @@ def _checked(scene: Scene, times: Array, poses: Array, contacts: ContactTrack | 
     return _Motion(times[last], poses[last], kept)
 
 
-def _n_frames(times: Array, speed: float, rate: int) -> int:
-    return min(_N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
+def n_frames(times: Array, speed: float, rate: int) -> int:
+    """Of a film at a rate [1/s]."""
+    return min(N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
 
 
 def _write_page(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
-    drawing, shown = motion.drawn(scene, max(_FEWEST + 1, _n_frames(motion.times, speed, _RATE)))
+    drawing, shown = motion.drawn(scene, max(FEWEST + 1, n_frames(motion.times, speed, RATE)))
     path.write_text(page(drawing, shown, title, speed), encoding="utf-8")
 
 
 def _write_gif(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
+    drawing, shown = motion.drawn(scene, n_frames(motion.times, speed, GIF_RATE))
+    write_gif(*_stages(drawing, shown, title), path)
+
+
+def write_gif(figure: Any, stages: Iterator[None], path: Path) -> None:
+    """A GIF of a figure that an iterator brings to one frame after the other."""
     from PIL import Image
 
-    drawing, shown = motion.drawn(scene, _n_frames(motion.times, speed, _GIF_RATE))
-    pictures = [Image.fromarray(rgb) for rgb in _pictures(drawing, shown, title)]
+    pictures = [Image.fromarray(rgb) for rgb in _pictures(figure, stages)]
     # one palette for all, so that colours do not flicker
     palette = pictures[len(pictures) // 2].quantize(64, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
     small = [p.quantize(palette=palette, dither=Image.Dither.NONE) for p in pictures]
-    small[0].save(path, save_all=True, append_images=small[1:], duration=1000 // _GIF_RATE, loop=0, optimize=False)
+    small[0].save(path, save_all=True, append_images=small[1:], duration=1000 // GIF_RATE, loop=0, optimize=False)
 
 
 def _write_mp4(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
+    _ffmpeg()  # first, because drawing takes long
+    drawing, shown = motion.drawn(scene, n_frames(motion.times, speed, RATE))
+    write_mp4(*_stages(drawing, shown, title), path)
+
+
+def write_mp4(figure: Any, stages: Iterator[None], path: Path) -> None:
+    """A film of a figure that an iterator brings to one frame after the other. Raises InputError without ffmpeg."""
     program = _ffmpeg()
     matplotlib: Any = importlib.import_module("matplotlib")
     animation: Any = importlib.import_module("matplotlib.animation")
-    drawing, shown = motion.drawn(scene, _n_frames(motion.times, speed, _RATE))
-    figure, stages = _stages(drawing, shown, title)
     with matplotlib.rc_context({"animation.ffmpeg_path": program}):
-        writer = animation.FFMpegWriter(fps=_RATE, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
+        writer = animation.FFMpegWriter(fps=RATE, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
         with writer.saving(figure, str(path), _DPI):
             for _ in stages:
                 writer.grab_frame()
@@ -190,9 +201,8 @@ def _stages(drawing: Drawing, times: Array, title: str) -> tuple[Any, Iterator[N
     return figure, stages()
 
 
-def _pictures(drawing: Drawing, times: Array, title: str) -> Iterator[Any]:
+def _pictures(figure: Any, stages: Iterator[None]) -> Iterator[Any]:
     """(height, width, 3) bytes of each frame."""
-    figure, stages = _stages(drawing, times, title)
     for _ in stages:
         figure.canvas.draw()
         yield np.asarray(figure.canvas.buffer_rgba())[:, :, :3].copy()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Number
@@ -14,6 +14,7 @@ from freebody.numeric.mobility.path import Path
 from freebody.present.terminal import number_text, option_lines, plural, wrapped
 
 if TYPE_CHECKING:
+    from freebody.numeric.mobility.screw_axes import ScrewAxis
     from freebody.study.mechanism import Input, Motions
     from freebody.study.mobility import Mobility
 
@@ -45,8 +46,8 @@ def mobility_lines(found: Mobility) -> Iterator[str]:
 def _count(found: Mobility) -> Iterator[str]:
     g = found.gruebler
     yield "Gruebler-Kutzbach count"
-    particles = f" ({plural(len(g.particles), 'particle')} with 2 coordinates each)" if g.particles else ""
-    yield f"    n = 3, L = {plural(len(g.bodies) + len(g.particles), 'moving body', 'moving bodies')}{particles}"
+    particles = f" ({plural(len(g.particles), 'particle')} with {g.n_point} coordinates each)" if g.particles else ""
+    yield f"    n = {g.n}, L = {plural(len(g.bodies) + len(g.particles), 'moving body', 'moving bodies')}{particles}"
     for c in g.connections[:_MOST]:
         extra = " (driver)" if c.is_driver else " (velocities)" if c.is_nonholonomic else ""
         yield f"    {c.connection:<14} {c.kind:<18} {plural(c.n, 'constraint'):<15} {' - '.join(c.between)}{extra}"
@@ -85,10 +86,25 @@ def _rank(found: Mobility) -> Iterator[str]:
         yield from wrapped("not unique", f"the reactions {', '.join(found.indeterminate)}")
     for body, what in found.idle.items():
         yield from wrapped("idle", f"{body} {what}, and nothing else moves")
+    if found.n_idle:
+        useful = f"{found.finite_freedom} - {found.n_idle} = {found.useful_freedom} without what is idle"
+        yield from wrapped("useful", useful)
+    if found.reachable is not None:
+        yield from wrapped("velocities", _reachable(found))
     if found.independent_coordinates:
         yield from wrapped("coordinates", ", ".join(found.independent_coordinates))
     for note in found.notes:
         yield from wrapped("note", note)
+
+
+def _reachable(found: Mobility) -> str:
+    n, m = found.degrees_of_freedom, found.reachable
+    held = [c.connection for c in found.gruebler.connections if c.is_nonholonomic]
+    verb = "holds" if len(held) == 1 else "hold"
+    what = f"{', '.join(held)} {verb} velocities: {plural(n, 'freedom')} at a pose"
+    if m == n:
+        return f"{what}, and poses in {plural(n, 'dimension')} are reached, so they can be integrated (holonomic)"
+    return f"{what}, but poses in {m} dimensions are reached (nonholonomic)"
 
 
 # -- the motion -------------------------------------------------------------------------------
@@ -120,6 +136,9 @@ def _motions(motions: Motions) -> Iterator[str]:
             )
             exact = "" if c.formula is None else f" = ({', '.join(map(to_text, c.formula))})"
             yield f"    {' - '.join(c.pair):<24} {where}{exact}"
+    if motions.screws and motions.input is not None and len(motions.screws) <= _MOST:
+        yield "Screw axes"
+        yield from (f"    {s.body:<14} {_screw(s, motions.input)}" for s in motions.screws)
     if any(c.formula is not None for c in motions.centres) or any(r.formula is not None for r in motions.ratios):
         yield "    formulas: at this pose and on this branch, while the loops close and the roots are real"
     if motions.ratios and motions.input is not None and len(motions.ratios) <= _MOST:
@@ -147,6 +166,19 @@ def _motions(motions: Motions) -> Iterator[str]:
         yield from wrapped("note", note)
 
 
+def _screw(found: ScrewAxis, given: Input) -> str:
+    screw, per = found.screw, f"per {'rad' if given.is_angle else str(given.measure.dimension)} of {given.name}"
+    along = f"along ({_numbers(screw.direction)})"
+    if screw.pitch is None:
+        return f"travels {along}, {number_text(_clean(found.rate))} m {per}"
+    pitch = "" if screw.pitch == 0.0 else f", pitch {number_text(screw.pitch)} m/rad"
+    return f"through ({_numbers(screw.point)}) m {along}{pitch}, {number_text(_clean(found.rate))} rad {per}"
+
+
+def _numbers(v: Iterable[float]) -> str:
+    return ", ".join(number_text(_clean(float(c))) for c in v)
+
+
 def _path(path: Path, given: Input) -> Iterator[str]:
     yield f"Motion along {given.name}"
     if path.full_turn:
@@ -166,10 +198,10 @@ def _value(x: float, measure: Measure) -> str:
     if not math.isfinite(x):
         return "infinity" if x > 0 else "-infinity"
     if measure.dimension == DIMENSIONLESS:
-        return f"{number_text(_clean(math.degrees(x)))}°"
+        return f"{number_text(_clean(math.degrees(x), 1e-9))}°"
     return f"{number_text(_clean(x))} {measure.dimension}"
 
 
-def _clean(x: float) -> float:
+def _clean(x: float, zero: float = 1e-12) -> float:
     """Without round-off of a zero."""
-    return 0.0 if abs(x) < 1e-12 else x
+    return 0.0 if abs(x) < zero else x

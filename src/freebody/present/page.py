@@ -1,4 +1,5 @@
-"""A motion as one HTML file that needs nothing else: the page of `page.html` with the drawing as data in it."""
+"""A motion as one HTML file that needs nothing else: the page of `page.html` with the drawing as data in
+it, and the script that draws it."""
 
 from __future__ import annotations
 
@@ -20,6 +21,7 @@ from freebody.present.strokes import Path, Strand, Stretch, Stroke
 from freebody.present.theme import STYLES, THEMES
 
 _ANGLE_DIGITS = 4
+_KEYS = "Space plays and pauses, the arrow keys step, Home and End go to the ends."
 _PART = re.compile(r"\{\{(\w+)\}\}")
 
 
@@ -30,14 +32,31 @@ def page(drawing: Drawing, times: Array, title: str, speed: float) -> str:
     duration = f"{times[-1] - times[0]:.4g} s"
     description = f"Animation of {title} over {duration}; bodies: {', '.join(drawing.scene.names)}"
     note = note_on(drawing)
+    data = _data(drawing, times, speed, digits)
+    return filled(title, description, note, data, asset("plane.js"), _KEYS, ("ArrowLeft", "ArrowRight"))
+
+
+def filled(
+    title: str, description: str, note: str, data: dict[str, Any], script: str, keys: str, steps: tuple[str, str]
+) -> str:
+    """The page with a script that draws the data; `keys` says which keys do what, `steps` are those for one frame
+    back and on, as ARIA names them."""
     parts = {
         "title": html.escape(title),
         "description": html.escape(description),
         "note": html.escape(f"{note} " if note else ""),
-        "data": _embedded(_data(drawing, times, speed, digits)),
+        "keys": html.escape(keys),
+        "back_key": steps[0],
+        "next_key": steps[1],
+        "data": _embedded(data),
+        "script": script,
     }
-    text = files("freebody.present").joinpath("page.html").read_text(encoding="utf-8")
-    return _PART.sub(lambda found: parts[found[1]], text)
+    return _PART.sub(lambda found: parts[found[1]], asset("page.html"))
+
+
+def asset(*path: str) -> str:
+    """The text of a file of the page."""
+    return files("freebody.present").joinpath(*path).read_text(encoding="utf-8")
 
 
 def note_on(drawing: Drawing) -> str:

@@ -17,7 +17,7 @@ class Places:
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
         self.number = number
         self.index = {body.name: k for k, body in enumerate(system.moving)}
-        self.fixed = {b.name: start_pose(b, number) for b in system.bodies.values() if b.fixed}
+        self.fixed = {b.name: start_pose(system, b, number) for b in system.bodies.values() if b.fixed}
 
     def place(self, point: Point) -> Place:
         x, y = map(self.number, point.offset)

@@ -119,14 +119,14 @@ def progress_bar(until: float) -> Generator[Progress]:
 
 
 @contextmanager
-def told_compiling() -> Generator[None]:
+def told_compiling(*, space: bool = False) -> Generator[None]:
     """Says that kernels are compiled when that is done for the first time."""
     from rich.console import Console
 
     from freebody.numeric.engine.jit import is_compiled
 
-    if is_compiled():
+    if is_compiled(space=space):
         yield
         return
-    with Console(stderr=True).status("compiling kernels, once (about 17 s)"):
+    with Console(stderr=True).status(f"compiling kernels, once (about {30 if space else 17} s)"):
         yield

@@ -64,7 +64,9 @@ def _amount(x: float, unit: str) -> str:
     return f"{number_text(x)} rad ({number_text(math.degrees(x))}°)" if unit == "rad" else f"{number_text(x)} {unit}"
 
 
-def _pose(body: str, pose: tuple[float, float, float]) -> str:
+def _pose(body: str, pose: tuple[float, ...]) -> str:
+    if len(pose) > 3:  # in space a place; how it is turned is told by measures
+        return f"{body}: ({', '.join(number_text(0.0 if abs(c) < 1e-14 else c) for c in pose[:3])}) m"
     x, y, angle = (0.0 if abs(c) < 1e-14 else c for c in pose)
     return f"{body}: ({number_text(x)}, {number_text(y)}) m, {number_text(math.degrees(angle))}°"
 

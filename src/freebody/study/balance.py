@@ -1,7 +1,8 @@
 """The rate of a momentum or an energy, from the principle that governs it.
 
     linear momentum along e         d(P.e)/dt = F.e                      + P.de/dt where e turns with a body
-    angular momentum about O        dH_O/dt = M_O - v_O x P              O may move; M_O of all that acts from outside
+    angular momentum about O        dH_O/dt = M_O - v_O x P              O may move; M_O of all that acts from outside;
+                                                                         along e in space as above
     energy                          d(T + V)/dt = power of what stores no energy
     generalized momentum            dp/dt = Q + sum of m v . d(dv/du)/dt
 
@@ -13,14 +14,14 @@ Source: Ginsberg, Engineering Dynamics (2008), sec. 5.1; Kane & Levinson, Dynami
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.geometry import GROUND, Direction
 from freebody.model.elements import Held, Push, RateMeasure
 from freebody.model.question import (
     Energy,
@@ -31,13 +32,13 @@ from freebody.model.question import (
     Quantity,
     Spin,
 )
-from freebody.study.quantities import ORIGIN, is_among, point_about, quantity_value
+from freebody.study.quantities import components_of, cross, dot, is_among, place, point_about, quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.system.system import System
 
-Wrench = tuple[Ratio, Ratio, Ratio]  # force x, force y, moment about the mass centre
+Wrench = tuple[Ratio, ...]  # force, then moment about the mass centre: three in the plane, six in space
 
 
 class IsVector(CannotAnswer):
@@ -97,10 +98,8 @@ class Balance:
         k = self.model.coordinates.index(c)
         total = self.field.zero
         for name, partials in self.model.partial_velocities.items():
-            for inertia, speed, slope in zip(
-                self.model.inertias[name], self.model.velocities[name], partials[k], strict=True
-            ):
-                total = total + inertia * self.model.in_independent_speeds(speed) * slope
+            for momentum, slope in zip(self._momentum_of(name), partials[k], strict=True):
+                total = total + momentum * slope
         return self.field.lowest_terms(total)
 
     def _energy(self, q: Energy) -> Ratio:
@@ -165,32 +164,49 @@ class Balance:
 
     def _of_momentum(self, q: Momentum) -> Principle:
         assert q.along is not None
-        ex, ey = self._unit(q.along)
-        parts = [(name, fx * ex + fy * ey) for name, (fx, fy, _m) in self._from_outside(q.body)]
+        e = components_of(q.along, self.state, self._n)
+        parts = [(name, dot(push[: self._n], e)) for name, push in self._from_outside(q.body)]
         statement = "dP/dt along a fixed direction is the force from outside along it"
-        if q.along.body != GROUND and not self.system.bodies[q.along.body].fixed:
-            px, py = quantity_value(Momentum(q.body), self.system, self.state)
-            turn = self.model.rate
-            parts.append(
-                ("P·de/dt, since the direction turns", px * self._in_speeds(turn(ex)) + py * self._in_speeds(turn(ey)))
-            )
+        if self._turns(q.along):
+            momentum = quantity_value(Momentum(q.body), self.system, self.state)
+            parts.append(("P·de/dt, since the direction turns", dot(momentum, self._rates(e))))
             statement = "d(P·e)/dt = F·e + P·de/dt"
         return Principle(statement, tuple(parts))
 
     def _of_spin(self, q: Spin) -> Principle:
-        (ox, oy), (vx, vy) = point_about(self.system, self.state, q)
-        place = _Place(self.system, self.state)
+        n = self._n
+        about, velocity = point_about(self.system, self.state, q)
+        e = components_of(q.along, self.state, n) if q.along is not None else (self.field.one,)
         parts: list[tuple[str, Ratio]] = []
-        for name, body, (fx, fy, moment) in self._wrenches(q.body):
-            x, y = place.of(body)
-            parts.append((f"moment of {name}", moment + (x - ox) * fy - (y - oy) * fx))
-        px, py = quantity_value(Momentum(q.body), self.system, self.state)
-        carried = self.field.lowest_terms(self.field.element(vy * px - vx * py))
-        if carried.is_zero():
-            return Principle("dH/dt = M about this point", _merged(parts, self.field.zero))
-        return Principle(
-            "dH/dt = M - v × P about the moving point", (*_merged(parts, self.field.zero), ("-v × P", carried))
-        )
+        for name, body, push in self._wrenches(q.body):
+            center = place(self.system, self.state, self.system.bodies[body].mass_center)
+            arm = tuple(c - o for c, o in zip(center, about, strict=True))
+            moment = tuple(m + x for m, x in zip(push[n:], cross(arm, push[:n]), strict=True))
+            parts.append((f"moment of {name}", dot(moment, e)))
+        momentum = quantity_value(Momentum(q.body), self.system, self.state)
+        along = dot(cross(velocity, momentum), e)
+        carried = self.field.lowest_terms(-self.field.element(along))
+        statement = "dH/dt = M about this point"
+        extra: list[tuple[str, Ratio]] = []
+        if not carried.is_zero():
+            statement = "dH/dt = M - v × P about the moving point"
+            extra.append(("-v × P", carried))
+        if q.along is not None and self._turns(q.along):
+            whole = quantity_value(replace(q, along=None), self.system, self.state)
+            extra.append(("H·de/dt, since the direction turns", dot(whole, self._rates(e))))
+            statement += ", and H·de/dt along the turning direction"
+        return Principle(statement, (*_merged(parts, self.field.zero), *extra))
+
+    @property
+    def _n(self) -> int:
+        """Components of a force."""
+        return 3 if self.system.space else 2
+
+    def _turns(self, direction: Direction) -> bool:
+        return direction.body != GROUND and not self.system.bodies[direction.body].fixed
+
+    def _rates(self, e: Sequence[Ratio]) -> tuple[Ratio, ...]:
+        return tuple(self._in_speeds(self.model.rate(self.field.element(c))) for c in e)
 
     def _of_energy(self) -> Principle:
         parts: list[tuple[str, Ratio]] = []
@@ -210,26 +226,27 @@ class Balance:
             for w, slope in zip(wrench, m.partial_velocities[name][k], strict=True):
                 force = force + w * slope
         for name, partials in m.partial_velocities.items():
-            for inertia, speed, slope in zip(m.inertias[name], m.velocities[name], partials[k], strict=True):
-                change = change + inertia * self._in_speeds(speed) * self._in_speeds(m.rate(slope))
+            turning = map(self._in_speeds, m.turning_momentum(name))
+            for momentum, slope, gyroscopic in zip(self._momentum_of(name), partials[k], turning, strict=True):
+                # along turning axes dT/dq is not the momentum times the rate of dv/du alone
+                change = change + momentum * self._in_speeds(m.rate(slope)) - gyroscopic * slope
         parts = ((f"generalized force along {c.name}", self._in_speeds(force)), (f"dT/d{c.name}", change))
         return Principle("dp/dt = Q + dT/dq", parts)
+
+    def _momentum_of(self, body: str) -> tuple[Ratio, ...]:
+        """Along the slots of a body, in independent speeds."""
+        return self.model.momentum(body, tuple(map(self._in_speeds, self.model.velocities[body])))
 
     # -- what acts ----------------------------------------------------------------------------
     def _in_speeds(self, x: Ratio) -> Ratio:
         return self.model.in_independent_speeds(x)
 
-    def _unit(self, direction: Direction) -> tuple[Ratio, Ratio]:
-        tip, foot = Point(direction.body, direction.components), Point(direction.body, (ZERO, ZERO))
-        return self.state.value(Displacement(tip, foot, RIGHT)), self.state.value(Displacement(tip, foot, UP))
-
     def _from_outside(self, group: Group) -> tuple[tuple[str, Wrench], ...]:
         """Forces by name, summed over the bodies."""
         total: dict[str, Wrench] = {}
-        zero = self.field.zero
-        for name, _body, (fx, fy, m) in self._wrenches(group):
-            x, y, turn = total.get(name, (zero, zero, zero))
-            total[name] = x + fx, y + fy, turn + m
+        for name, _body, push in self._wrenches(group):
+            known = total.get(name, (self.field.zero,) * len(push))
+            total[name] = tuple(a + b for a, b in zip(known, push, strict=True))
         return tuple(total.items())
 
     def _wrenches(self, group: Group) -> Iterator[tuple[str, str, Wrench]]:
@@ -245,8 +262,8 @@ class Balance:
     ) -> Iterator[tuple[str, str, Wrench]]:
         for body in self._touched(measure):
             if is_among(body, group):
-                gx, gy, turn = self.state.gradient(measure, body)  # type: ignore[arg-type]
-                yield name, body, (gx * size, gy * size, turn * size)
+                push = self.state.gradient(measure, body)  # type: ignore[arg-type]
+                yield name, body, tuple(g * size for g in push)
 
     def _touched(self, measure: object) -> Iterable[str]:
         moving = {b.name for b in self.system.moving}
@@ -258,25 +275,15 @@ class Balance:
         touched = list(self._touched(row.measure))
         if not any(is_among(b, group) for b in touched):
             return False
-        place = _Place(self.system, self.state)
-        fx = fy = moment = self.field.zero
+        n = self._n
+        total: tuple[Ratio, ...] = (self.field.zero,) * (6 if self.system.space else 3)
         for body in touched:
             if is_among(body, group):
-                gx, gy, turn = self.state.gradient(row.measure, body)
-                x, y = place.of(body)
-                fx, fy, moment = fx + gx, fy + gy, moment + turn + x * gy - y * gx
-        return not all(self.model.vanishes(part) for part in (fx, fy, moment))
-
-
-class _Place:
-    """Where mass centres are."""
-
-    def __init__(self, system: System, state: SymbolicState) -> None:
-        self._system, self._state = system, state
-
-    def of(self, body: str) -> tuple[Ratio, Ratio]:
-        point = self._system.bodies[body].mass_center
-        return self._state.value(Displacement(point, ORIGIN, RIGHT)), self._state.value(Displacement(point, ORIGIN, UP))
+                push = self.state.gradient(row.measure, body)
+                center = place(self.system, self.state, self.system.bodies[body].mass_center)
+                moment = (m + x for m, x in zip(push[n:], cross(center, push[:n]), strict=True))
+                total = tuple(a + b for a, b in zip(total, (*push[:n], *moment), strict=True))
+        return not all(self.model.vanishes(part) for part in total)
 
 
 def _merged(parts: Iterable[tuple[str, Ratio]], zero: Ratio) -> tuple[tuple[str, Ratio], ...]:

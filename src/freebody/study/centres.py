@@ -92,7 +92,9 @@ def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
 
 def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str], Centre]:
     """The centres of all pairs of bodies that turn; fixed bodies count as the ground. Raises CannotAnswer unless the
-    pose has exactly one freedom."""
+    pose has exactly one freedom, and in space."""
+    if system.space:
+        raise CannotAnswer("bodies have instant centres in the plane; in space they move about screws, see mobility")
     moving = _along_freedom(system, snapshot)
     size = snapshot.reference.sizes.length
     bodies = [GROUND, *(b.name for b in system.moving if b.turns)]
@@ -123,7 +125,7 @@ def velocity_ratios(system: System, snapshot: Snapshot, input: str | Measure) ->
     size = snapshot.reference.sizes.length if driving.dimension == LENGTH else 1.0
     if abs(rate) <= STILL * size:
         raise CannotAnswer(f"{name} stands still in this pose while others move (a dead point); choose another input")
-    measures: dict[str, Measure] = {b.name: Angle(b.name) for b in system.moving if b.turns}
+    measures: dict[str, Measure] = {b.name: Angle(b.name) for b in system.moving if b.turns and not system.space}
     measures |= system.measures
     return {
         key: VelocityRatio(key, moving.rate(m) / rate + 0.0, _unit(m.dimension / driving.dimension))

@@ -23,11 +23,12 @@ import numpy as np
 
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.measures.geometry import GROUND, Point
 from freebody.numeric.jets import Array, Jet
+from freebody.numeric.mobility.described import attitude, described
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
 from freebody.numeric.reference import Reference
-from freebody.numeric.start import N_STARTS, start_pose
+from freebody.numeric.start import N_STARTS, axes_of
 from freebody.system.system import System
 
 TIME_LIMIT = 5.0  # [s]
@@ -111,10 +112,7 @@ class _Search:
         self.equations = _conditions(self.reference)
         self.is_complete = True
         self._until = time.monotonic() + time_limit
-        self._guess = np.zeros(len(self.reference.masses))
-        for body in system.moving:
-            columns = list(self.reference.columns(body.name))
-            self._guess[columns] = start_pose(body, self.reference.number)[: len(columns)]
+        self._guess = described(self.reference)
 
     def grant(self, seconds: float) -> None:
         """At least so much time from now on."""
@@ -135,7 +133,8 @@ class _Search:
         """The description of the bodies, then disturbed ones, as `numeric.start` has them."""
         n, unit_moves = len(self._guess), self.reference.sizes.unit_moves
         moves = ((k, np.random.default_rng(k).standard_normal(n)) for k in disturbed)
-        return [self._guess, *(self._guess + min(1.0, 0.02 * 2.0**k) * unit_moves * move for k, move in moves)]
+        moved = self.reference.frame.moved
+        return [self._guess, *(moved(self._guess, min(1.0, 0.02 * 2.0**k) * unit_moves * move) for k, move in moves)]
 
     def _miss(self, names: Sequence[str], starts: Sequence[Array], *, to_the_end: bool = False) -> _Miss | None:
         equations = [equation for name in names for equation in self.equations[name]]
@@ -155,7 +154,7 @@ class _Search:
         """The search in a system of the bodies that the conditions speak of alone, which is quicker. The same search if
         they speak of all, or if the bodies alone can fulfil them."""
         system = self.reference.system
-        words = {name.removeprefix("at of ").removeprefix("angle of ") for name in names}
+        words = {name.partition(" of ")[2] for name in names}
         rows = [row for row in system.held if row.connection in names]
         measures = [m for name, m in system.measures.items() if name in names or f"start of {name}" in names]
         used = {b for item in (*(row.measure for row in rows), *measures) for b in item.bodies()}
@@ -225,11 +224,13 @@ def _conditions(reference: Reference) -> dict[str, list[Equation]]:
         start = body.start
         if start.at is not None:
             point, place = start.at
-            for axis, expr in zip((RIGHT, UP), place, strict=True):
+            for axis, expr in zip(axes_of(system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
                 equation = Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr)))
                 found.setdefault(f"at of {body.name}", []).append(equation)
         if start.angle is not None and body.turns:
             angle = Jet(reference.number(start.angle))
             found[f"angle of {body.name}"] = [Equation.of(f"angle of {body.name}", Angle(body.name), angle)]
+        if start.turned is not None and body.turns:
+            found[f"turned of {body.name}"] = attitude(reference, body.name, start.turned)
     return found

@@ -22,7 +22,7 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_python, to_text
 from freebody.language.units import INERTIA, LENGTH, MASS
-from freebody.measures.geometry import RIGHT, UP, Point
+from freebody.measures.geometry import Point
 from freebody.model.question import (
     Conserved,
     Momentum,
@@ -40,7 +40,7 @@ from freebody.study.constancy import (
     confirm,
 )
 from freebody.study.natural import candidates
-from freebody.study.quantities import point_about
+from freebody.study.quantities import axes_of, point_about
 from freebody.study.setup import Setup
 from freebody.study.verdicts import Conservation, Verdicts
 from freebody.symbolic.field import Ratio
@@ -116,8 +116,10 @@ class Judge:
         asked = question.quantity
         assert isinstance(asked, Conserved)
         try:
-            if isinstance(asked.of, Momentum) and asked.of.along is None:
-                return self._of_vector(question, asked.name, asked.of)
+            of = asked.of
+            has_parts = isinstance(of, Momentum) or (isinstance(of, Spin) and self.system.space and not of.size)
+            if has_parts and isinstance(of, (Momentum, Spin)) and of.along is None:
+                return self._of_vector(question, asked.name, of)
             found = self.finding(asked.of, asked.name)
             judgement: Judgement | None = None
             if question.options:
@@ -128,12 +130,15 @@ class Judge:
         except (CannotAnswer, RoutesDisagree) as error:
             return Verdicts(question.id, asked.name, None, None, None, reason=str(error))
 
-    def _of_vector(self, question: Question, name: str, quantity: Momentum) -> Verdicts:
-        """A vector stays if both of its components do."""
-        findings = [self.finding(replace(quantity, along=axis)) for axis in (RIGHT, UP)]
+    def _of_vector(self, question: Question, name: str, quantity: Momentum | Spin) -> Verdicts:
+        """A vector stays if all of its components do."""
+        basis = getattr(quantity, "basis", None) or axes_of(self.system)
+        labels = [str(axis.name) for axis in basis]
+        plain = replace(quantity, basis=None) if isinstance(quantity, Spin) else quantity
+        findings = [self.finding(replace(plain, along=axis)) for axis in basis]
         verdicts = [
             self._verdict(question.id, f"{name} along {axis}", found, None)
-            for found, axis in zip(findings, ("right", "up"), strict=True)
+            for found, axis in zip(findings, labels, strict=True)
         ]
         claims = [self._claim(found) for found in findings]
         cases: tuple[Case, ...] = (Case((), {}),)
@@ -162,7 +167,7 @@ class Judge:
                 else "not conserved"
             )
             + ("" if v.is_conserved or v.rate is None else f", rate {to_text(v.rate)}")
-            for v, axis in zip(verdicts, ("right", "up"), strict=True)
+            for v, axis in zip(verdicts, labels, strict=True)
         ]
         return replace(
             verdicts[open_],

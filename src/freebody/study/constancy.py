@@ -262,7 +262,7 @@ def _run(draw: Draw, seed: int) -> list[Run]:
         return []
     snapshots = [start]
     for k, t in enumerate(course.times[1:], 1):
-        q, v = reference.by_column(course.poses[k]), reference.by_column(course.velocities[k])
+        q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         snapshots.append(reference.snapshot(q, v, float(t), snapshots[-1]))
     return [Run(draw, course.times, tuple(snapshots))]
 

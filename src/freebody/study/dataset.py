@@ -10,6 +10,14 @@
     <load>.force                               every load that acts along one measure (springs and dampers: pulling)
     kinetic_energy, potential_energy, work     [J]
 
+In space `axis` is x, y, z, and a body is turned by
+
+    body_quaternion (time, body, quaternion)            w, x, y, z, continuous in time
+    body_rotation_matrix (time, body, axis, body_axis)  its columns are the axes of the body
+    body_rotation_vector (time, body, axis)             axis times angle, which is at most half a turn [rad]
+    body_angular_velocity (time, body, axis)            along the axes of the ground; ..._in_body: along those of the
+    body
+
 A reaction that is not unique, because connections hold the same thing more than once, is NaN, and its attribute
 `non_unique` says so.
 """
@@ -26,14 +34,17 @@ import xarray
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
 from freebody.model.elements import RATE, VALUE, Held, Push, RateMeasure
+from freebody.numeric.engine.course import Course, Rotation
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
+from freebody.numeric.spatial import matrices_of, vectors_of
 from freebody.study.observed import observed
 from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.study.simulate import Simulation
 
+_SPACE = "right-handed axes; SI units, angles in rad; quaternions (w, x, y, z) turn body axes to ground axes"
 _FIXED_NAMES = ("position", "angle", "velocity", "angular_velocity", "acceleration", "angular_acceleration")
 
 
@@ -43,17 +54,7 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
 
     course, system = result.course, result.system
     bodies = [b.name for b in system.moving]
-    data: dict[str, Any] = {}
-    arrays = (course.poses, course.velocities, course.accelerations)
-    for order, array in enumerate(arrays):
-        per = ("", "/s", "/s^2")[order]
-        place, turn = _FIXED_NAMES[2 * order], _FIXED_NAMES[2 * order + 1]
-        data[f"body_{place}"] = (
-            ("time", "body", "axis"),
-            array[:, :-1, :2],
-            _named("m" + per, f"{place} of the mass centre"),
-        )
-        data[f"body_{turn}"] = (("time", "body"), array[:, :-1, 2], _named("rad" + per, turn.replace("_", " ")))
+    data = _bodies(course) if course.rotation is None else _bodies_in_space(course, course.rotation)
     for name, (value, rate, acceleration) in result.series.items():
         unit = unit_of(system.measures[name].dimension)
         data[name] = ("time", value, _named(unit, name))
@@ -83,14 +84,52 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
         "measures": list(system.measures),
         "events": json.dumps(summary["events"]),
         "source": made_by,
-        "convention": "x right, y up, angles counter-clockwise; SI units, angles in rad",
+        "convention": _SPACE if system.space else "x right, y up, angles counter-clockwise; SI units, angles in rad",
     }
     coordinates = {
         "time": ("time", course.times, _named("s", "time")),
         "body": bodies,
-        "axis": ["x", "y"],
+        "axis": ["x", "y", "z"] if system.space else ["x", "y"],
     }
+    if system.space:
+        coordinates |= {"quaternion": ["w", "x", "y", "z"], "body_axis": ["x", "y", "z"]}
     return xarray.Dataset(data, coords=coordinates, attrs=attributes)
+
+
+def _bodies(course: Course) -> dict[str, Any]:
+    """Poses of the bodies and their rates."""
+    data: dict[str, Any] = {}
+    for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
+        per = ("", "/s", "/s^2")[order]
+        place, turn = _FIXED_NAMES[2 * order], _FIXED_NAMES[2 * order + 1]
+        data[f"body_{place}"] = (
+            ("time", "body", "axis"),
+            array[:, :-1, :2],
+            _named("m" + per, f"{place} of the mass centre"),
+        )
+        data[f"body_{turn}"] = (("time", "body"), array[:, :-1, 2], _named("rad" + per, turn.replace("_", " ")))
+    return data
+
+
+def _bodies_in_space(course: Course, rotation: Rotation) -> dict[str, Any]:
+    data: dict[str, Any] = {}
+    axes = ("time", "body", "axis")
+    for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
+        place, per = _FIXED_NAMES[2 * order], ("", "/s", "/s^2")[order]
+        data[f"body_{place}"] = (axes, array[:, :-1], _named("m" + per, f"{place} of the mass centre"))
+    turned = rotation.quaternions[:, :-1]
+    matrices = matrices_of(turned)
+    vectors = vectors_of(turned)
+    data["body_quaternion"] = (("time", "body", "quaternion"), turned, _named("1", "quaternion of the body's axes"))
+    data["body_rotation_matrix"] = ((*axes, "body_axis"), matrices, _named("1", "axes of the body"))
+    data["body_rotation_vector"] = (axes, vectors, _named("rad", "rotation vector of the body's axes"))
+    for name, array, per, what in (
+        ("angular_velocity", rotation.velocities, "/s", "angular velocity"),
+        ("angular_velocity_in_body", rotation.velocities_in_body, "/s", "angular velocity along the body's axes"),
+        ("angular_acceleration", rotation.accelerations, "/s^2", "angular acceleration"),
+    ):
+        data[f"body_{name}"] = (axes, array[:, :-1], _named("rad" + per, what))
+    return data
 
 
 def _named(unit: str, long_name: str) -> dict[str, str]:

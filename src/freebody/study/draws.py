@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import random
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.symbolic.sample import Sample
+from freebody.symbolic.spatial.tree import tree_of
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -55,6 +57,8 @@ class Draw:
     def sample(self, snapshot: Snapshot | None = None, *, is_start: bool = True) -> Sample:
         """The same numbers for the symbolic route."""
         system = self.reference.system
+        if system.space:
+            return self._in_space(snapshot, is_start=is_start)
         q = self.q if snapshot is None else snapshot.q
         poses = {b.name: self.reference.pose(q, b.name) for b in system.moving}
         velocities: dict[str, tuple[float, float, float]] = {}
@@ -62,13 +66,29 @@ class Draw:
             for body in system.moving:
                 v = [float(snapshot.v[k]) for k in self.reference.columns(body.name)] + [0.0]
                 velocities[body.name] = (v[0], v[1], v[2])
+        time = 0.0 if snapshot is None else snapshot.t
+        return Sample(self.values, poses, self._constants(), time, is_start, velocities)
+
+    def _constants(self) -> dict[str, float]:
+        """Start values of what is incremental."""
         constants: dict[str, float] = {}
-        for item in (*system.held, *system.pushes):
+        for item in (*self.reference.system.held, *self.reference.system.pushes):
             measure: Any = item.measure
             if getattr(measure, "incremental", False):
                 constants[item.name] = self.reference.start_value(measure)
-        time = 0.0 if snapshot is None else snapshot.t
-        return Sample(self.values, poses, constants, time, is_start, velocities)
+        return constants
+
+    def _in_space(self, snapshot: Snapshot | None, *, is_start: bool) -> Sample:
+        system, reference = self.reference.system, self.reference
+        here = reference.snapshot(self.q, np.zeros_like(self.q)) if snapshot is None else snapshot
+        angles: dict[str, tuple[float, float]] = {}
+        for name, measure in tree_of(system).angles.items():
+            with suppress(CannotAnswer):
+                angles[name] = here.value(measure), here.rate(measure)
+        places = {b.name: tuple(here.q[list(reference.columns(b.name)[:3])]) for b in system.moving}
+        rates = {b.name: tuple(here.v[list(reference.columns(b.name)[:3])]) for b in system.moving}
+        velocities = rates if snapshot is not None else {}
+        return Sample(self.values, places, self._constants(), here.t, is_start, velocities, angles)
 
     def anywhere(self, seed: int, t: float, size: float) -> Snapshot:
         """A pose and motion near the start, otherwise arbitrary; as far as `size` of the system, or radians."""

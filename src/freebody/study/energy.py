@@ -17,6 +17,7 @@ import numpy as np
 from freebody.model.elements import RateMeasure
 from freebody.numeric.engine.laws import stored_law
 from freebody.numeric.jets import Array
+from freebody.numeric.spatial import tensor_of
 
 if TYPE_CHECKING:
     from freebody.study.simulate import Simulation
@@ -53,7 +54,11 @@ def energy_balance(result: Simulation) -> EnergyBalance:
         v = course.velocities[:, k]
         m = simulator.reference.number(body.mass)
         kinetic += 0.5 * m * (v[:, 0] ** 2 + v[:, 1] ** 2)
-        if body.turns:
+        if course.rotation is not None:
+            omega = course.rotation.velocities_in_body[:, k]
+            tensor = tensor_of(body, simulator.reference.number)
+            kinetic += 0.5 * m * v[:, 2] ** 2 + 0.5 * np.einsum("ti,ij,tj->t", omega, tensor, omega)
+        elif body.turns:
             kinetic += 0.5 * simulator.reference.number(body.inertia) * v[:, 2] ** 2
     from freebody.study.observed import observed
 
@@ -65,7 +70,7 @@ def energy_balance(result: Simulation) -> EnergyBalance:
         assert not isinstance(push.measure, RateMeasure)
         x = found[name][0] - simulator.reference.start_value(push.measure)
         potential -= c0 * x + 0.5 * c1 * x * x
-    typical = (
-        float(np.abs(simulator.engine.layout.constant_force.reshape(-1, 3)[:, :2]).sum()) * simulator.numbers.length
-    )
+    loads = simulator.engine.layout.constant_force.reshape(-1, 3)
+    forces = loads[::2] if result.system.space else loads[:, :2]
+    typical = float(np.abs(forces).sum()) * simulator.numbers.length
     return EnergyBalance(kinetic, potential, course.work, typical)

@@ -12,6 +12,7 @@ from freebody.model.elements import RateMeasure
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
@@ -75,7 +76,7 @@ def equations_of_motion(system: System) -> Equations:
         return equations_of_motion(settled(system))
     if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
         # nothing counts from the start; without loops no numbers are needed either
-        model = SymbolicModel(system, [])
+        model = symbolic_model(system, [])
         if not model.loops and not model.redundant:
             return _equations(system, model)
     return _equations(system, Setup(system, 2).model)

@@ -47,7 +47,7 @@ class Rest:
     of a family; residual: what is left of the loads, as a part of what they come to; notes: what else to know."""
 
     measures: Mapping[str, float]
-    poses: Mapping[str, tuple[float, float, float]]
+    poses: Mapping[str, tuple[float, ...]]
     stability: str
     eigenvalue: complex | None
     eigenvalue_of: str

@@ -229,13 +229,27 @@ def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio
 def freedom(setup: Setup, question: str, dof: int) -> Evidence:
     """Coordinates minus the rank of the constraint Jacobian at random poses."""
     witness = Witness(question, "rank of the constraint Jacobian at random poses", 1e-12)
-    for k, draw in enumerate(setup.draws):
-        snapshot = setup.anywhere[k]
-        rows = [
-            [x for b in setup.system.moving for x in snapshot.gradient(row.measure, b.name)[: 3 if b.turns else 2]]
-            for row in setup.system.held
-        ]
-        n = sum(3 if b.turns else 2 for b in setup.system.moving)
-        rank = int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0
-        witness.compare(draw, (float(dof),), (float(n - rank),))
+    for draw, snapshot in zip(setup.draws, _general(setup), strict=True):
+        witness.compare(draw, (float(dof),), (float(_freedoms(setup, snapshot)),))
     return witness.evidence()
+
+
+def rank_freedom(setup: Setup) -> int:
+    """Degrees of freedom by rank alone: the fewest of all draws."""
+    return min(_freedoms(setup, snapshot) for snapshot in _general(setup))
+
+
+def _general(setup: Setup) -> list[Snapshot]:
+    try:
+        return setup.anywhere
+    except CannotAnswer:  # without formulas there is no branch to be on
+        return [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(setup.draws)]
+
+
+def _freedoms(setup: Setup, snapshot: Snapshot) -> int:
+    n_all, n_places = (6, 3) if setup.system.space else (3, 2)
+    width = {b.name: n_all if b.turns else n_places for b in setup.system.moving}
+    rows = [
+        [x for name, n in width.items() for x in snapshot.gradient(row.measure, name)[:n]] for row in setup.system.held
+    ]
+    return sum(width.values()) - (int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0)

@@ -1,9 +1,9 @@
 """The Gruebler-Kutzbach count: what a textbook gets by counting bodies and constraints.
 
-    DOF = n L - K,    n = 3 in the plane,
+    DOF = n L - K,    n = 3 in the plane, 6 in space,
 
-L moving bodies, K constraints; a body that is a point counts 2. Loads hold nothing and do not count. The count sees
-neither dependent constraints nor idle freedoms: see `mobility`.
+L moving bodies, K constraints; a body that is a point counts 2, in space 3. Loads hold nothing and do not count. The
+count sees neither dependent constraints nor idle freedoms: see `mobility`.
 Source: Gruebler, Getriebelehre (1917); Kutzbach, Maschinenbau 8 (1929) 710.
 """
 
@@ -15,8 +15,6 @@ from typing import Any
 from freebody.language.expression import free_symbols
 from freebody.model.elements import Held, RateMeasure
 from freebody.system.system import System
-
-N = 3  # freedoms of a body in the plane
 
 
 @dataclass(frozen=True)
@@ -43,10 +41,21 @@ class Gruebler:
     particles: tuple[str, ...]  # that move and have no angle
     connections: tuple[Holding, ...]
     loads: tuple[str, ...]
+    space: bool = False
+
+    @property
+    def n(self) -> int:
+        """Freedoms of a body."""
+        return 6 if self.space else 3
+
+    @property
+    def n_point(self) -> int:
+        """Freedoms of a body that is a point."""
+        return 3 if self.space else 2
 
     @property
     def n_coordinates(self) -> int:
-        return N * len(self.bodies) + (N - 1) * len(self.particles)
+        return self.n * len(self.bodies) + self.n_point * len(self.particles)
 
     @property
     def n_constraints(self) -> int:
@@ -63,12 +72,12 @@ class Gruebler:
     @property
     def formula(self) -> str:
         """DOF = 3*5 - 14 = 1"""
-        points = f" + 2*{len(self.particles)}" if self.particles else ""
-        return f"{N}*{len(self.bodies)}{points} - {self.n_constraints} = {self.count}"
+        points = f" + {self.n_point}*{len(self.particles)}" if self.particles else ""
+        return f"{self.n}*{len(self.bodies)}{points} - {self.n_constraints} = {self.count}"
 
     def to_plain(self) -> dict[str, Any]:
         return {
-            "n": N,
+            "n": self.n,
             "bodies": len(self.bodies) + len(self.particles),
             "particles": len(self.particles),
             "constraints": self.n_constraints,
@@ -99,6 +108,7 @@ def gruebler(system: System) -> Gruebler:
         tuple(b.name for b in system.moving if not b.turns),
         tuple(_held(system, name, rows) for name, rows in by_name.items()),
         tuple(system.loads),
+        system.space,
     )
 
 

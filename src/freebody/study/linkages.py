@@ -14,17 +14,16 @@ from dataclasses import dataclass, field
 from itertools import combinations, permutations
 from typing import Any
 
-from freebody.language.expression import Expr
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Components, Direction, Point
 from freebody.model.elements import Held, RateMeasure
 from freebody.system.system import System
 
-Place = tuple[str, tuple[Expr, Expr]]  # a point by body and components
+Place = tuple[str, Components]  # a point by body and components
 
 
 @dataclass(frozen=True)
@@ -95,7 +94,9 @@ Linkage = FourBar | SliderCrank
 def linkages(system: System, input: str | None = None) -> tuple[Linkage, ...]:
     """All four-bar loops and slider-cranks. The frame is the ground, in a loop of moving bodies alone its first
     body; the input of a four-bar is the link named `input`, else the one whose angle is driven, started or
-    loaded, else the first."""
+    loaded, else the first. They are linkages of the plane: none in space."""
+    if system.space:
+        return ()
     graph = _Graph(system)
     preferred = [input] if input is not None else []
     preferred += [*_turned(system), *(body.name for body in system.moving)]

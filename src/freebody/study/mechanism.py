@@ -14,21 +14,20 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
-from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import RIGHT, UP
 from freebody.model.elements import RateMeasure
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
+from freebody.numeric.mobility.coordinates import own_measures
 from freebody.numeric.mobility.modes import Mode, Modes, assembly_modes
 from freebody.numeric.mobility.path import Path, singular_at, trace
 from freebody.numeric.mobility.rank import rank_at
+from freebody.numeric.mobility.screw_axes import ScrewAxis, screw_axes
 from freebody.numeric.reference import Reference
 from freebody.study.centres import Centre, VelocityRatio, instant_centres, velocity_ratios
 from freebody.study.exact_centres import ExactPose
 from freebody.study.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
 from freebody.study.gruebler import Gruebler, is_driven
 from freebody.study.linkages import Linkage, linkages
-from freebody.study.quantities import ORIGIN
 from freebody.system.system import System
 
 MOST_BODIES = 8  # up to which the motion is followed without being asked for
@@ -67,6 +66,7 @@ class Motions:
     input: Input | None
     linkages: tuple[tuple[Linkage, FourBarNumbers | SliderCrankNumbers], ...] = ()
     centres: tuple[Centre, ...] = ()
+    screws: tuple[ScrewAxis, ...] = ()  # in space, in place of centres
     ratios: tuple[VelocityRatio, ...] = ()
     singular: tuple[str, ...] = ()  # what the pose is for the input: dead point, change point
     path: Path | None = None
@@ -84,6 +84,7 @@ class Motions:
         found: dict[str, Any] = {
             "linkages": [loop.to_plain() | numbers.to_plain() for loop, numbers in self.linkages],
             "instant_centres": [c.to_plain() for c in self.centres],
+            "screw_axes": [s.to_plain() for s in self.screws],
             "velocity_ratios": [r.to_plain() for r in self.ratios],
         }
         if self.input is not None:
@@ -148,6 +149,9 @@ def motions_of(
         if along is not None:
             raise CannotAnswer(f"{along} cannot be followed: connections that hold velocities have no curve of poses")
         return found
+    if system.space and free == 1:
+        plane = "instant centres, Grashof's cases, transmission angles and assembly modes"
+        notes.append(f"{plane} are told in the plane only")
     is_loop = has_loops(system)
     if along is not None or (is_loop and free == 1 and len(system.moving) <= MOST_BODIES):
         try:
@@ -160,7 +164,8 @@ def motions_of(
             if along is not None:
                 raise
             notes.append(f"not followed along {given.name}: {error}")
-    if wanted.modes or (is_loop and free == 1 and not _counts_turns(system) and len(system.moving) <= _MOST_MODES):
+    has_few = is_loop and free == 1 and not _counts_turns(system) and len(system.moving) <= _MOST_MODES
+    if wanted.modes or (has_few and not system.space):
         try:
             found = replace(found, modes=_modes(reference, q, independent, given))
         except CannotAnswer as error:
@@ -173,7 +178,7 @@ def motions_of(
 def _at_pose(
     system: System, reference: Reference, q: Array, drivers: Sequence[str], given: Input | None
 ) -> dict[str, Any]:
-    """Centres and ratios; with the drivers left out."""
+    """Centres, in space screws, and ratios; with the drivers left out."""
     loose = system
     if drivers:
         loose = replace(system, held=tuple(row for row in system.held if row.connection not in drivers))
@@ -182,13 +187,16 @@ def _at_pose(
     snapshot = reference.snapshot(q, 0.0 * q)
     found: dict[str, Any] = {}
     with suppress(CannotAnswer):
-        centres = instant_centres(loose, snapshot)
-        found["centres"] = tuple(c for c in centres.values() if not c.is_undetermined)
+        if system.space and given is not None:
+            found["screws"] = screw_axes(reference, q, given.measure, given.name)
+        else:
+            centres = instant_centres(loose, snapshot)
+            found["centres"] = tuple(c for c in centres.values() if not c.is_undetermined)
     if given is not None:
         with suppress(CannotAnswer):
             ratios = velocity_ratios(loose, snapshot, given.measure)
             found["ratios"] = tuple(r for r in ratios.values() if r.name != given.name)
-    if len(system.moving) <= _MOST_EXACT and not drivers:
+    if len(system.moving) <= _MOST_EXACT and not drivers and not system.space:
         with suppress(CannotAnswer, ModelError, RoutesDisagree):
             _add_formulas(ExactPose(loose), found, given)
     return found
@@ -224,17 +232,18 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
     if along in known:
         return _input(reference, q, along, known[along], (along,))
     measures = {**dict(system.offered), **system.measures}
-    measures |= {f"angle of {b.name}": Angle(b.name) for b in system.moving if b.turns}
-    for b in system.moving:
-        measures |= {f"x of {b.name}": Displacement(b.mass_center, ORIGIN, RIGHT)}
-        measures |= {f"y of {b.name}": Displacement(b.mass_center, ORIGIN, UP)}
+    measures |= dict(own_measures(system))
     if along not in measures:
         raise InputError(
             f"--along {along}: no driver and no measure.{did_you_mean(along, [*known, *measures])} "
-            "Name a driver, a measure of the model, or 'angle of BODY'"
+            f"Name a driver, a measure of the model, or '{_own_example(system)}'"
         )
     own = [name for name, measure in known.items() if measure == measures[along]]
     return _input(reference, q, along, measures[along], own or tuple(drivers))
+
+
+def _own_example(system: System) -> str:
+    return "angle of BODY.x about z" if system.space else "angle of BODY"
 
 
 def _own_input(

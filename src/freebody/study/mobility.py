@@ -17,14 +17,16 @@ import numpy as np
 from freebody.assess.counts import judge_count
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Start
+from freebody.model.elements import RateMeasure, Start
 from freebody.model.question import Freedom, Question
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import independent_measures
+from freebody.numeric.mobility.described import described
 from freebody.numeric.mobility.generic import generic_rank
-from freebody.numeric.mobility.idle import idle_freedoms
+from freebody.numeric.mobility.idle import idle_motions
 from freebody.numeric.mobility.kinds import Dependence, dependences
 from freebody.numeric.mobility.rank import Rank, rank_at
+from freebody.numeric.mobility.reachable import reachable_dimensions
 from freebody.numeric.reference import Reference
 from freebody.study.conflicts import Conflict, conflict
 from freebody.study.draws import SEED, draws
@@ -56,6 +58,8 @@ class Mobility:
     independent_coordinates: tuple[str, ...]
     contradiction: Conflict | None
     motions: Motions | None
+    n_idle: int = 0  # freedoms that are idle: one body moves, and nothing else
+    reachable: int | None = None  # dimensions of the poses that can be reached, where connections hold velocities
     answers: Mapping[str, Judgement] = field(default_factory=dict[str, Judgement])
     notes: tuple[str, ...] = ()
 
@@ -69,6 +73,11 @@ class Mobility:
         return self.degrees_of_freedom if self.nearby is None else self.nearby
 
     @property
+    def useful_freedom(self) -> int:
+        """Freedoms of the motion that starts here, without idle ones."""
+        return self.finite_freedom - self.n_idle
+
+    @property
     def redundant(self) -> tuple[tuple[str, ...], ...]:
         """The minimal dependent sets of rows."""
         return tuple(d.rows for d in self.dependences) or self.rank.circuits
@@ -77,7 +86,7 @@ class Mobility:
     def kind(self) -> str | None:
         """Why rank and count differ: the most particular kind of the dependences."""
         kinds = {d.kind for d in self.dependences}
-        for kind in ("momentary", "special geometry", "generic"):
+        for kind in ("momentary", "special geometry", "not decided", "generic"):
             if kind in kinds:
                 return kind
         return "generic" if self.rank.circuits else None
@@ -126,6 +135,8 @@ class Mobility:
             "indeterminate_reactions": list(self.indeterminate),
             "singular": self.is_singular,
             "idle": dict(self.idle),
+            "useful_degrees_of_freedom": self.useful_freedom,
+            "reachable_dimensions": self.reachable,
             "independent_coordinates": list(self.independent_coordinates),
             "contradictory": None if self.contradiction is None else self.contradiction.to_plain(),
             "advice": self.advice,
@@ -162,7 +173,8 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
     if system.unspecified:
         if along is not None:
             raise CannotAnswer(f"to follow {along}, dimensions are needed: {', '.join(system.unspecified)} are open")
-        return _answered(_of_topology(system, count))
+        # in space the directions of axes count, and these are given: lengths alone are drawn
+        return _answered(_of_symbols(system, count) if system.space else _of_topology(system, count))
     if not system.has_values:
         if along is not None:
             missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
@@ -189,7 +201,7 @@ def _of_topology(system: System, count: Gruebler) -> Mobility:
 
 def _drawn(system: System, rank: Rank) -> tuple[str, ...]:
     """Independent coordinates at random dimensions, where some are found that fit together."""
-    if len(system.moving) > _MOST_DRAWN:
+    if len(system.moving) > _MOST_DRAWN or not rank.n_freedoms or system.space:
         return ()
     try:
         draw = draws(system, 1)[0]
@@ -204,9 +216,8 @@ def _of_symbols(system: System, count: Gruebler) -> Mobility:
     try:
         found = draws(system, 1)[0]
     except CannotAnswer as error:
-        note = (
-            f"no values of the symbols were found that fit together ({error}): the rank is that of dimensions that do"
-        )
+        open_ = "dimensions and directions" if system.space else "dimensions"
+        note = f"no values of the symbols were found that fit together ({error}): the rank is that of {open_} that do"
         return replace(_of_topology(system, count), notes=(note,))
     q = found.q
     if not system.start and all(b.start.angle is None for b in system.moving):
@@ -224,7 +235,7 @@ def _contradictory(system: System, count: Gruebler, error: CannotAnswer, along: 
         loose = _without_start(system)
         reference = Reference(loose)
         try:
-            q = reference.assemble(guess=_guess(system, reference))
+            q = reference.assemble(guess=described(reference))
         except CannotAnswer:
             pass
         else:
@@ -245,22 +256,13 @@ def _without_start(system: System) -> System:
     return replace(system, bodies=bodies, start={}, start_rates={})
 
 
-def _guess(system: System, reference: Reference) -> Array:
-    from freebody.numeric.start import start_pose
-
-    q = np.zeros(len(reference.masses))
-    for body in system.moving:
-        pose = start_pose(body, reference.number)
-        for k, value in zip(reference.columns(body.name), pose, strict=False):
-            q[k] = value
-    return q
-
-
 # -- at a pose --------------------------------------------------------------------------------
 def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, basis: Basis, wanted: Wanted) -> Mobility:
     rank = rank_at(reference, q)
     found = dependences(reference, q, rank)
-    nearby = _nearby(reference, q, rank)
+    idle = idle_motions(reference, q)
+    n_idle = sum(map(len, idle.values()))
+    nearby = max(n_idle, _nearby(reference, q, rank))
     if nearby < rank.n_freedoms and all(d.kind != "momentary" for d in found):
         # nothing nearby: the rows are as dependent as the count says, but what they leave is no motion
         found = tuple(replace(d, kind="momentary", is_shaky=True) for d in found)
@@ -273,7 +275,10 @@ def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, ba
     if count.drivers:
         free = len(q) - rank_at(reference, q, without=count.drivers).rank
         notes.append(f"without {', '.join(count.drivers)}: {free} degree{'s' * (free != 1)} of freedom")
-    idle = idle_freedoms(reference, q)
+    if system.space and motions is not None and n_idle and nearby - n_idle == 1:
+        notes.append("the motion is not followed, since idle freedoms come with it")
+    holds_rates = any(isinstance(row.measure, RateMeasure) for row in system.held)
+    reachable = reachable_dimensions(reference, q) if holds_rates and not count.drivers else None
     over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else ""
     if over_driven:
         notes.append(over_driven)
@@ -284,10 +289,12 @@ def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, ba
         rank,
         nearby,
         found,
-        idle,
+        {body: " and ".join(what) for body, what in idle.items()},
         tuple(n for n, _m in independent),
         None,
         motions,
+        n_idle,
+        reachable,
         notes=tuple(notes),
     )
 
@@ -313,7 +320,7 @@ def _nearby(reference: Reference, q: Array, rank: Rank) -> int:
             there, _v = reference.wander(q, np.random.default_rng(seed), _NEARBY)
         except CannotAnswer:
             continue
-        move = (there - q) / reference.sizes.unit_moves
+        move = reference.frame.difference(there, q) / reference.sizes.unit_moves
         if float(np.abs(move).max()) > _STEP * _NEARBY:
             free.append(rank_at(reference, there).n_freedoms)
             moves.append(move / np.linalg.norm(move))
@@ -347,12 +354,15 @@ def _mistakes(found: Mobility) -> dict[int, str]:
         told[n - k] = f"would be so if {k} of the loads ({', '.join(count.loads)}) held something; a load holds nothing"
     pins = [c for c in count.connections if c.n == 2]
     slots = [c.connection for c in count.connections if c.n == 1 and not c.is_driver]
-    if slots:
+    if slots and not count.space:
         told[n - len(slots)] = f"would be so if {', '.join(slots)} were fixed points; each holds one direction only"
     if count.drivers:
         told[n + len(count.drivers)] = f"is without {', '.join(count.drivers)}, which is led and holds one freedom"
     if len(pins) > 1:
         told.setdefault(n + 1, "is one too many: a constraint was not counted")
+    if found.n_idle:
+        who = " and ".join(f"{body} {what}" for body, what in found.idle.items())
+        told[found.useful_freedom] = f"leaves out that {who} with nothing else moving"
     told[count.n_coordinates] = "counts the bodies as if nothing joined them"
     if count.count != n:
         told[count.count] = (

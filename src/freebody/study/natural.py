@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
-from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Push
 from freebody.model.question import (
     SYSTEM_CENTER,
@@ -19,7 +20,8 @@ from freebody.model.question import (
     Quantity,
     Spin,
 )
-from freebody.study.quantities import is_among
+from freebody.model.spins import body_axes
+from freebody.study.quantities import axes_of, is_among
 from freebody.study.setup import Setup
 from freebody.system.system import System
 
@@ -47,13 +49,31 @@ def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantit
     meant = [b for b in system.moving if is_among(b.name, group)]
     if all(_is_massless(b.mass) and _is_massless(b.inertia) for b in meant):
         return
-    directions = [("right", RIGHT), ("up", UP)]
+    directions = [(str(axis.name), axis) for axis in axes_of(system)]
     for name, line in system.bodies[GROUND].lines.items():
-        directions += [(name, line.direction), (f"normal to {name}", line.direction.normal())]
+        directions.append((name, line.direction))
+        if not system.space:
+            directions.append((f"normal to {name}", line.direction.normal()))
     for name, direction in directions if not all(_is_massless(b.mass) for b in meant) else ():
         yield Momentum(group, direction), f"linear momentum{words} along {name}"
     for about, name in _centers(system, group):
-        yield Spin(group, about), f"angular momentum{words} about {name}"
+        if not system.space:
+            yield Spin(group, about), f"angular momentum{words} about {name}"
+            continue
+        for along, direction in (*directions, *_own_axes(system, group)):
+            yield Spin(group, about, along=direction), f"angular momentum{words} about {name} along {along}"
+
+
+def _own_axes(system: System, group: Group) -> list[tuple[str, Direction]]:
+    """The axes of the only body that is meant."""
+    meant = [b for b in system.moving if is_among(b.name, group)]
+    if len(meant) != 1 or not meant[0].turns:
+        return []
+    (body,) = meant
+    return [
+        (f"{body.name}.{axis}", replace(d, name=f"{body.name}.{axis}"))
+        for axis, d in zip("xyz", body_axes(body.name), strict=True)
+    ]
 
 
 def _groups(system: System, *, with_single: bool) -> Iterator[tuple[Group, str]]:

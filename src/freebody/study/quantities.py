@@ -1,6 +1,6 @@
 """What each quantity is, stated once for both routes over a `State`.
 
-A vector is a pair (x, y) of ground components.
+A vector is a pair (x, y) of ground components; in space three, or those along the axes of another body.
 """
 
 from __future__ import annotations
@@ -10,10 +10,11 @@ from typing import Any, TypeVar
 
 from freebody.errors import CannotAnswer
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
-from freebody.model.elements import Held
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
+from freebody.model.elements import Held, RigidBody
 from freebody.model.question import (
     SYSTEM_CENTER,
+    Basis,
     Energy,
     Group,
     InstantCentre,
@@ -26,9 +27,12 @@ from freebody.model.question import (
     Quantity,
     RatioOf,
     Spin,
+    Turning,
     Wrench,
 )
+from freebody.model.spins import body_axes, spin
 from freebody.model.state import State
+from freebody.model.tensors import entries
 from freebody.system.system import System
 
 S = TypeVar("S")
@@ -41,8 +45,12 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
     match quantity:
         case OfMeasure(measure, order):
             return (state.value, state.rate, state.acceleration)[order](measure)
-        case OfPoint(point, order, along, size):
-            return _component(_point(state, point, order), along, size, state)
+        case OfPoint(point, order, along, size, basis):
+            return component(place(system, state, point, order), along, size, state, basis)
+        case Turning():
+            return component(
+                _turning_vector(system, state, quantity), quantity.along, quantity.size, state, quantity.basis
+            )
         case InstantCentre(body, other):
             return _instant_centre(body, other, system, state)
         case Multiplier():
@@ -58,7 +66,7 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
         case Energy(what, body):
             return energy(what, body, system, state)
         case Momentum(body, along):
-            return _component(_momentum(system, state, body), along, False, state)
+            return component(_momentum(system, state, body), along, False, state)
         case Spin():
             return _spin(system, state, quantity)
         case Power(of):
@@ -80,19 +88,80 @@ def multiplier_row(quantity: Multiplier, system: System) -> Held:
     )
 
 
+Vector = tuple[Any, ...]
+AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
+
+
+def axes_of(system: System) -> tuple[Direction, ...]:
+    """The axes of the ground."""
+    return AXES if system.space else AXES[:2]
+
+
+def place(system: System, state: State[Any], point: Point, order: int = 0) -> Vector:
+    """Position, velocity or acceleration of a point."""
+    read = (state.value, state.rate, state.acceleration)[order]
+    return tuple(read(Displacement(point, ORIGIN, axis)) for axis in axes_of(system))
+
+
 def _point(state: State[Any], point: Point, order: int) -> tuple[Any, Any]:
+    """In the plane."""
     read = (state.value, state.rate, state.acceleration)[order]
     return read(Displacement(point, ORIGIN, RIGHT)), read(Displacement(point, ORIGIN, UP))
 
 
-def _component(vector: tuple[Any, Any], along: Direction | None, size: bool, state: State[Any]) -> Any:
+def component(
+    vector: Vector, along: Direction | None, size: bool, state: State[Any], basis: Basis | None = None
+) -> Any:
+    """A vector as it is asked for: its size, its part along a direction, or all of it, in a basis."""
     if size:
-        return state.sqrt(vector[0] * vector[0] + vector[1] * vector[1])
-    if along is None:
+        return state.sqrt(dot(vector, vector))
+    if along is not None:
+        return dot(vector, components_of(along, state, len(vector)))
+    if basis is None:
         return vector
-    tip, foot = Point(along.body, along.components), Point(along.body, (ZERO, ZERO))
-    ex, ey = state.value(Displacement(tip, foot, RIGHT)), state.value(Displacement(tip, foot, UP))
-    return vector[0] * ex + vector[1] * ey
+    return tuple(dot(vector, components_of(axis, state, len(vector))) for axis in basis)
+
+
+def components_of(direction: Direction, state: State[Any], n: int) -> Vector:
+    """Ground components of a direction."""
+    tip, foot = Point(direction.body, direction.components), Point(direction.body, (ZERO, ZERO))
+    return tuple(state.value(Displacement(tip, foot, axis)) for axis in AXES[:n])
+
+
+def dot(a: Vector, b: Vector) -> Any:
+    total: Any = 0
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """The vector product in space, (its component out of) the plane otherwise."""
+    if len(a) == 2:
+        return (a[0] * b[1] - a[1] * b[0],)
+    return tuple(a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1)))
+
+
+def _sum(a: Vector, b: Vector) -> Vector:
+    return tuple(x + y for x, y in zip(a, b, strict=True))
+
+
+# -- turning in space -------------------------------------------------------------------------
+def angular_velocity(system: System, state: State[Any], body: str, axes: Basis) -> Vector:
+    """Of a body against the ground, along given axes."""
+    if system.bodies[body].fixed:
+        return (0,) * len(axes)
+    return tuple(state.rate(spin(body, axis)) for axis in axes)
+
+
+def _turning_vector(system: System, state: State[Any], q: Turning) -> Vector:
+    """omega or d omega/dt against another body, seen from the ground."""
+    read = (state.rate, state.acceleration)[q.order - 1]
+    total: Vector = (0, 0, 0)
+    for name, sign in ((q.body, 1), (q.relative_to, -1)):
+        if not system.bodies[name].fixed:
+            total = tuple(t + sign * read(spin(name, axis)) for t, axis in zip(total, AXES, strict=True))
+    return total
 
 
 # -- instant centres --------------------------------------------------------------------------
@@ -168,27 +237,29 @@ def _wrench(quantity: Wrench, system: System, state: State[Any]) -> Any:
     """Force and moment of a connection on a body: the sum of multiplier * gradient over its rows."""
     body = body_of_wrench(quantity, system)
     rows = [row for row in system.held if row.connection == quantity.connection]
-    if quantity.moment and quantity.about is None:
+    if quantity.moment and quantity.about is None and not system.space:
         couples = [row for row in rows if row.reaction == "moment"]
         if couples:
             total: Any = 0
             for row in couples:
                 total = total + state.gradient(row.measure, body)[2] * state.multiplier(row)
             return total
-    fx: Any = 0
-    fy: Any = 0
-    moment: Any = 0
+    n = len(axes_of(system))
+    force: Vector = (0,) * n
+    moment: Vector = (0,) * (3 if system.space else 1)
     for row in rows:
-        gx, gy, gm = state.gradient(row.measure, body)
-        multiplier = state.multiplier(row)
-        fx, fy, moment = fx + gx * multiplier, fy + gy * multiplier, moment + gm * multiplier
+        push, multiplier = state.gradient(row.measure, body), state.multiplier(row)
+        force = tuple(f + g * multiplier for f, g in zip(force, push[:n], strict=True))
+        moment = tuple(m + g * multiplier for m, g in zip(moment, push[n:], strict=True))
     if not quantity.moment:
-        return _component((fx, fy), quantity.along, quantity.size, state)
+        return component(force, quantity.along, quantity.size, state, quantity.basis)
     if quantity.about is not None:
-        gx, gy = _point(state, system.bodies[body].mass_center, 0)
-        px, py = _point(state, quantity.about, 0)
-        moment = moment + (gx - px) * fy - (gy - py) * fx
-    return moment
+        center, about = place(system, state, system.bodies[body].mass_center), place(system, state, quantity.about)
+        arm = tuple(c - p for c, p in zip(center, about, strict=True))
+        moment = _sum(moment, cross(arm, force))
+    if not system.space:
+        return moment[0]
+    return component(moment, quantity.along, quantity.size, state, quantity.basis)
 
 
 def _power(system: System, state: State[Any], of: str) -> Any:
@@ -209,11 +280,14 @@ def energy(what: str, body: str | None, system: System, state: State[Any]) -> An
     if what in ("kinetic", "total"):
         for b in system.moving:
             if body is None or b.name == body:
-                vx, vy = _point(state, b.mass_center, 1)
-                total = total + state.scalar(b.mass) * (vx * vx + vy * vy) / 2
-                if b.turns:
-                    spin = _turning(state, b.name)
-                    total = total + state.scalar(b.inertia) * spin * spin / 2
+                v = place(system, state, b.mass_center, 1)
+                total = total + state.scalar(b.mass) * dot(v, v) / 2
+                if b.turns and system.space:
+                    omega = angular_velocity(system, state, b.name, body_axes(b.name))
+                    total = total + dot(omega, _times_tensor(b, state, omega)) / 2
+                elif b.turns:
+                    w = _turning(state, b.name)
+                    total = total + state.scalar(b.inertia) * w * w / 2
     if what in ("potential", "total"):
         for push in system.pushes:
             own = body is None or body in set(push.measure.bodies())
@@ -228,14 +302,18 @@ def _turning(state: State[Any], body: str) -> Any:
     return state.rate(Angle(body))
 
 
-def _momentum(system: System, state: State[Any], body: Group) -> tuple[Any, Any]:
-    px: Any = 0
-    py: Any = 0
+def _times_tensor(body: RigidBody, state: State[Any], omega: Vector) -> Vector:
+    """I omega along the body's axes."""
+    return tuple(dot(tuple(state.scalar(e) for e in row), omega) for row in entries(body.tensor or (ZERO,) * 6))
+
+
+def _momentum(system: System, state: State[Any], body: Group) -> Vector:
+    total: Vector = (0,) * len(axes_of(system))
     for b in system.moving:
         if is_among(b.name, body):
-            vx, vy = _point(state, b.mass_center, 1)
-            px, py = px + state.scalar(b.mass) * vx, py + state.scalar(b.mass) * vy
-    return px, py
+            m, v = state.scalar(b.mass), place(system, state, b.mass_center, 1)
+            total = tuple(t + m * c for t, c in zip(total, v, strict=True))
+    return total
 
 
 def is_among(name: str, group: Group) -> bool:
@@ -243,7 +321,7 @@ def is_among(name: str, group: Group) -> bool:
     return group is None or name == group or (isinstance(group, tuple) and name in group)
 
 
-def point_about(system: System, state: State[Any], quantity: Spin) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+def point_about(system: System, state: State[Any], quantity: Spin) -> tuple[Vector, Vector]:
     """Position and velocity of the point about which an angular momentum is meant."""
     group, about = quantity.body, quantity.about
     if about == SYSTEM_CENTER:
@@ -251,36 +329,47 @@ def point_about(system: System, state: State[Any], quantity: Spin) -> tuple[tupl
     if about is None:
         about = system.bodies[group].mass_center if isinstance(group, str) else ORIGIN
     assert isinstance(about, Point)
-    return _point(state, about, 0), _point(state, about, 1)
+    return place(system, state, about), place(system, state, about, 1)
 
 
-def _mass_center(system: System, state: State[Any], group: Group) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+def _mass_center(system: System, state: State[Any], group: Group) -> tuple[Vector, Vector]:
     """r_C = sum m r / sum m"""
     total: Any = 0
-    x: Any = 0
-    y: Any = 0
+    moment: Vector = (0,) * len(axes_of(system))
     for b in system.moving:
         if is_among(b.name, group):
-            m = state.scalar(b.mass)
-            bx, by = _point(state, b.mass_center, 0)
-            total, x, y = total + m, x + m * bx, y + m * by
-    px, py = _momentum(system, state, group)
+            m, r = state.scalar(b.mass), place(system, state, b.mass_center)
+            total, moment = total + m, tuple(t + m * c for t, c in zip(moment, r, strict=True))
+    momentum = _momentum(system, state, group)
     try:
-        _ = x / total
+        return tuple(c / total for c in moment), tuple(c / total for c in momentum)
     except ZeroDivisionError:
         raise CannotAnswer("these bodies have no mass, and so no mass centre") from None
-    return (x / total, y / total), (px / total, py / total)
 
 
 def _spin(system: System, state: State[Any], quantity: Spin) -> Any:
     """H_O = sum I w + m (r - r_O) x v, with absolute velocities."""
-    (ox, oy), _velocity = point_about(system, state, quantity)
-    total: Any = 0
+    about, _velocity = point_about(system, state, quantity)
+    total: Vector = (0, 0, 0) if system.space else (0,)
     for b in system.moving:
         if is_among(b.name, quantity.body):
-            x, y = _point(state, b.mass_center, 0)
-            vx, vy = _point(state, b.mass_center, 1)
-            total = total + state.scalar(b.mass) * ((x - ox) * vy - (y - oy) * vx)
+            r, v = place(system, state, b.mass_center), place(system, state, b.mass_center, 1)
+            arm, m = tuple(c - o for c, o in zip(r, about, strict=True)), state.scalar(b.mass)
+            total = _sum(total, tuple(m * c for c in cross(arm, v)))
             if b.turns:
-                total = total + state.scalar(b.inertia) * _turning(state, b.name)
+                total = _sum(total, _own_spin(system, state, b))
+    if not system.space:
+        return total[0]
+    return component(total, quantity.along, quantity.size, state, quantity.basis)
+
+
+def _own_spin(system: System, state: State[Any], b: RigidBody) -> Vector:
+    """The angular momentum about the mass centre, by its ground components."""
+    if not system.space:
+        return (state.scalar(b.inertia) * _turning(state, b.name),)
+    axes = body_axes(b.name)
+    own = _times_tensor(b, state, angular_velocity(system, state, b.name, axes))
+    total: Vector = (0, 0, 0)
+    for h, axis in zip(own, axes, strict=True):
+        total = tuple(t + h * c for t, c in zip(total, components_of(axis, state, 3), strict=True))
     return total

@@ -13,6 +13,7 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import Motion, StartState, start_state
+from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
@@ -29,9 +30,13 @@ class Setup:
             self.draws: list[Draw] = draws(system, n_draws)
         except CannotAnswer as error:
             raise ModelError([Problem((), str(error))], system.file) from error
+
+    @cached_property
+    def model(self) -> SymbolicModel:
+        """The symbolic route. Raises CannotAnswer where its formulas would be too long."""
         starts = [d.sample() for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
-        self.model = SymbolicModel(system, [*starts, *general])
+        return symbolic_model(self.system, [*starts, *general])
 
     def draw_stream(self) -> Iterator[Draw]:
         """The draws, then more of them, ever closer to the file's values, for answers with narrow conditions."""

@@ -221,6 +221,9 @@ class Simulation:
             "measures": {name: float(values[-1]) for name, (values, _r, _a) in self.series.items()},
             "poses": {b.name: [float(x) for x in course.poses[-1, k]] for k, b in enumerate(self.system.moving)},
         }
+        if course.rotation is not None:
+            turned = course.rotation.quaternions[-1]
+            final["quaternions"] = {b.name: [float(x) for x in turned[k]] for k, b in enumerate(self.system.moving)}
         return {
             "title": self.system.title,
             "status": str(self.status),
@@ -265,6 +268,17 @@ class Simulation:
             save(figure, Path(path))
         return figure
 
+    def _animate_in_space(self, path: Path, speed: float) -> Path:
+        from freebody.present.space.animation import write_animation
+        from freebody.present.space.scene import Scene
+
+        course = self.course
+        assert course.rotation is not None
+        scene = Scene.of(self.system, self.simulator.reference.number)
+        turned = course.rotation.quaternions[:, :-1]
+        centers = course.poses[:, :-1, :3]
+        return write_animation(scene, course.times, centers, turned, path, title=self.system.title, speed=speed)
+
     def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
         """Writes an animation: a player (.html), .gif or .mp4."""
         from freebody.present.animation import write_animation
@@ -272,6 +286,8 @@ class Simulation:
         from freebody.present.scene import Scene
 
         number = self.simulator.reference.number
+        if self.system.space:
+            return self._animate_in_space(Path(path), speed)
         scene = Scene.of(self.system, number)
         poses = self.course.poses[:, :-1]
         contacts = ContactTrack.of(self.system, number, self.course.contact)
@@ -316,6 +332,11 @@ def simulate(
     by_steps = method == STEPPING
     if by_steps and (events or verify):
         raise InputError("time stepping does not locate events, and has no tolerance to verify; compare two steps")
+    if by_steps and system.space:
+        raise InputError(
+            "time stepping (moreau) is for models of the plane; leave out the method, which follows every contact of a "
+            "model in space, or write the model without space: true"
+        )
     simulator = Simulator(system, values, events, by_steps=by_steps) if from_result is None else from_result.simulator
     start = 0.0 if from_result is None else from_result.t_end
     state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
@@ -459,20 +480,25 @@ def _size(simulator: Simulator, measure: Measure) -> float:
 
 def _last_state(result: Simulation) -> Array:
     course, engine = result.course, result.simulator.engine
-    y = engine.state(course.poses[-1, :-1], course.velocities[-1, :-1])
-    y[-1] = course.work[-1]
+    y = engine.state_at(course, -1)
+    y[2 * engine.n_coordinates] = course.work[-1]
     return y
 
 
 def _first_instant(course: Course) -> Course:
     arrays = ("times", "poses", "velocities", "accelerations", "multipliers", "unique", "work")
-    return replace(course, **{name: getattr(course, name)[:1] for name in arrays})
+    rotation = None if course.rotation is None else course.rotation.first()
+    return replace(course, rotation=rotation, **{name: getattr(course, name)[:1] for name in arrays})
 
 
 def _trusted_until(simulator: Simulator, course: Course, finer: Course) -> float:
     """The first output time at which two runs have parted, or the end."""
     times, first, second = np.intersect1d(course.times, finer.times, return_indices=True)
-    unit = simulator.engine.unit.reshape(-1, 3)
-    gaps = (np.abs(course.poses[first] - finer.poses[second]) / unit).max(axis=(1, 2))
+    engine = simulator.engine
+    n, unit = engine.n_coordinates, engine.unit
+    one, other = engine.states(course)[first], engine.states(finer)[second]
+    gaps = (np.abs(one - other)[:, :n] / unit).max(axis=1)
+    turned = np.abs(one - other)[:, 2 * n + 1 :]  # quaternions, in space
+    gaps = np.maximum(gaps, 2.0 * turned.max(axis=1, initial=0.0))
     parted = np.flatnonzero(gaps > PARTED)
     return float(times[parted[0]] if len(parted) else times[-1])

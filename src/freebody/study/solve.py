@@ -27,10 +27,12 @@ from freebody.model.question import (
     Question,
     RatioOf,
     Small,
+    Turning,
     When,
     Work,
     Wrench,
 )
+from freebody.model.steady_questions import Extremes, SteadyQuantity, SteadyValue
 from freebody.study import evidence as proof
 from freebody.study.answer import Answer, Evidence
 from freebody.study.eom import primitive_part
@@ -100,8 +102,13 @@ def solve(system: System, question: str | None = None) -> Solution:
     if system.bounds or system.rubs or any(q.transition is not None for q in questions):
         return _in_phases(system, questions)
     setup = Setup(system)
+    try:
+        model = setup.model
+    except CannotAnswer as error:
+        if not system.space:
+            raise
+        return _in_numbers(setup, questions, str(error))
     answers = tuple(_Solver(setup, q).answer() for q in questions)
-    model = setup.model
     return Solution(
         system,
         model.degrees_of_freedom,
@@ -110,6 +117,23 @@ def solve(system: System, question: str | None = None) -> Solution:
         tuple(model.redundant),
         answers,
     )
+
+
+def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Solution:
+    """Where the formulas of a closed loop in space would be too long: freedoms by rank, and numbers."""
+    system = setup.system
+    dof = proof.rank_freedom(setup)
+    answers: list[Answer] = []
+    for q in questions:
+        if isinstance(q.quantity, Freedom):
+            evidence = proof.freedom(setup, q.text, dof)
+            answers.append(Answer(q.id, q.text, number(dof), "1", float(dof), evidence=evidence))
+            continue
+        value: float | tuple[float, ...] | None = None
+        with suppress(CannotAnswer, ArithmeticError, ValueError):
+            value = proof.number(setup, q.quantity, q.event) if setup.has_values else None
+        answers.append(Answer(q.id, q.text, None, unit_text(q.quantity), value, reason=reason))
+    return Solution(system, dof, (), (), (), tuple(answers))
 
 
 def _at_rest(system: System, questions: Sequence[Question]) -> Solution:
@@ -178,6 +202,9 @@ class _Found:
     notes: list[str] = field(default_factory=list[str])
     up_to_constant: bool = False
     at_start: bool = False
+    says: list[str] = field(default_factory=list[str])  # conditions in words
+    may_be_complex: bool = False  # roots in it need not be real
+    unit: str | None = None  # where it is not that of the quantity
 
 
 class _Solver:
@@ -234,7 +261,7 @@ class _Solver:
     def _number_instead(self) -> float | tuple[float, ...] | None:
         """The value of the numeric route where there is no closed form; at the start, or at the event."""
         q = self.question
-        if not self.setup.has_values:
+        if not self.setup.has_values or isinstance(q.quantity, SteadyQuantity):
             return None
         with suppress(CannotAnswer, ArithmeticError, ValueError):
             return proof.number(self.setup, q.quantity, q.event)
@@ -242,6 +269,8 @@ class _Solver:
 
     def _find(self) -> _Found:
         q = self.question.quantity
+        if isinstance(q, SteadyQuantity):
+            return self._steady()
         if self.question.event is not None:
             return self._at_event(q)
         match q:
@@ -376,6 +405,22 @@ class _Solver:
         unstable = [note for note in notes if "stable" in note]
         return _Found(x, evidence, notes=unstable, at_start=True)
 
+    # -- what goes on evenly ------------------------------------------------------------------
+    def _steady(self) -> _Found:
+        from freebody.study.steady.ask import find
+
+        x = find(self.setup, self.question)
+        return _Found(
+            x.element,
+            x.evidence,
+            x.conditions,
+            x.notes,
+            at_start=True,
+            says=x.says,
+            may_be_complex=x.may_be_complex,
+            unit=x.unit,
+        )
+
     # -- conditions ---------------------------------------------------------------------------
     def _root_conditions(self, x: Elements) -> list[Condition]:
         """Every divisor and every square root in the shown form."""
@@ -410,7 +455,7 @@ class _Solver:
             q.id,
             q.text,
             expression,
-            self._unit(),
+            self._unit() if found.unit is None else found.unit,
             value,
             tuple(conditions),
             tuple(found.notes),
@@ -429,12 +474,14 @@ class _Solver:
         return [f"with 0 = {to_text(tidy(primitive_part(loop.value)))}" for loop in self.model.loops]
 
     def _conditions(self, found: _Found, element: Elements) -> list[str]:
-        conditions = [*found.conditions, *self._root_conditions(element)]
-        if not isinstance(self.question.quantity, (Freedom, Small, Equilibrium)):
+        conditions = [*found.conditions]
+        if not found.may_be_complex:
+            conditions += self._root_conditions(element)
+        if not isinstance(self.question.quantity, (Freedom, Small, Equilibrium, SteadyQuantity)):
             at_start = self.question.at_start
             conditions += self.setup.holding(self.setup.start_instant if at_start else self.setup.state)
         found.notes += self._violated(conditions)
-        texts = merged(conditions)
+        texts = found.says + merged(conditions)
         return texts if texts else [for_all(self.system)]
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
@@ -466,9 +513,13 @@ class _Solver:
         draw = self.setup.draws[0]
         field = self.model.field
         parts = element if isinstance(element, tuple) else (element,)
-        with suppress(CannotAnswer, ZeroDivisionError):
+        try:
             # exactly at the start where it has a formula, so that a zero is a zero
             parts = tuple(field.follow(p, self.setup.start.values) for p in parts)
+        except ZeroDivisionError:
+            return None
+        except CannotAnswer:
+            pass
         try:
             values = proof.element_at(self.setup, parts, draw, draw.start())
         except (CannotAnswer, ArithmeticError, ValueError):
@@ -498,10 +549,12 @@ def _has_potential(q: Quantity) -> bool:
 
 def unit_text(q: Quantity) -> str:
     """The SI unit of a quantity; angles and their rates in radians."""
+    if isinstance(q, (SteadyValue, Extremes)):
+        return unit_text(q.of)
     dimension: Dimension = q.dimension
     measure: Measure | None = getattr(q, "measure", None)
-    is_angular = (measure is not None and measure.dimension == DIMENSIONLESS) or isinstance(q, Small)
-    if isinstance(q, (OfMeasure, Equilibrium, Small, Change)) and is_angular:
+    is_angular = (measure is not None and measure.dimension == DIMENSIONLESS) or isinstance(q, (Small, Turning))
+    if isinstance(q, (OfMeasure, Equilibrium, Small, Change, Turning)) and is_angular:
         table = {
             DIMENSIONLESS: "rad",
             DIMENSIONLESS / TIME: "rad/s",

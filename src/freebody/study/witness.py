@@ -87,7 +87,7 @@ def motion_to(reference: Reference, start: Snapshot, until: float, event: Event,
     links: list[Seen] = []
     near = start
     for k, t in enumerate(course.times):
-        q, v = reference.by_column(course.poses[k]), reference.by_column(course.velocities[k])
+        q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         near = Seen(reference.snapshot(q, v, float(t), near), engine)
         links.append(near)
     return Found(course.happenings[-1].time, links[-1], tuple(links))

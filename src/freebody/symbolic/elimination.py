@@ -9,15 +9,18 @@ over are closed loops: equations among the coordinates that stay.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from dataclasses import field as initial
 
+from freebody.errors import CannotAnswer
 from freebody.measures.geometry import Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import known_angle
 
 # the name of equations that state a known value; they go before all others
 GIVEN = "given"
+MOST_OF_AN_ANGLE = 8  # terms of an equation by which a closed loop is solved for an angle
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,7 @@ class Elimination:
     is_zero: Callable[[Ratio], bool]
     straight: Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
     named_rank: int  # coordinates of this rank and above are wanted; rather solve a line by a root
+    angle_by: Callable[[int, Ratio, Ratio, Ratio], Ratio | None] | None = None  # q from a cos q + b sin q + d = 0
     solved: list[tuple[int, Ratio]] = initial(default_factory=list[tuple[int, Ratio]])
     loops: list[Equation] = initial(default_factory=list[Equation])
     redundant: list[str] = initial(default_factory=list[str])
@@ -84,6 +88,8 @@ class Elimination:
                 if step is None and rank >= self.named_rank:
                     step = self._best_pair(open_equations) or self._explicit_line(open_equations)
                 step = step or single or self._best_pair(open_equations)
+            if step is None and self.angle_by is not None:
+                step = self._known_turn(open_equations) or self._explicit_angle(open_equations)
             if step is None:
                 break
             used, values = step
@@ -205,6 +211,54 @@ class Elimination:
                 continue
             length, angle = self.straight(Vector(x, y), line.offset)
             return used, {line.length: length, line.angle: angle}
+        return None
+
+    def _known_turn(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """A line of constant length that turns with a known angle, where its own angle is decided already: then the two
+        are equal."""
+        for line in self.lines:
+            used = [e for e in equations if e.name == line.name]
+            if line.length not in self.unknowns or any(index == line.length for index, _value in self.solved):
+                continue
+            x, y = self._so_far(line.x), self._so_far(line.y)
+            square = self.field.lowest_terms(x * x + y * y)
+            if not used or not line.offset.is_zero() or not self._is_still(square):
+                continue
+            length = self.field.sqrt(square)
+            known = known_angle(self.field, y, x, length)
+            if known is None:
+                continue
+            difference = Equation(line.name, self._so_far(self.field.variable(line.angle)) - known)
+            options = self._single_options(difference)
+            if not options:
+                continue
+            _rank, index, value = options[0]
+            return used, {line.length: length, index: value}
+        return None
+
+    def _explicit_angle(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+        """An angle that an equation contains by its cosine and sine alone, both linearly and with short
+        coefficients."""
+        if self.angle_by is None:
+            return None
+        found: list[tuple[tuple[int, ...], Equation, int, tuple[Ratio, Ratio, Ratio]]] = []
+        for unknown in self.unknowns.values():
+            pair = self.field.pair_of(unknown.index)
+            if pair is None or unknown.rank[0] > self.named_rank:
+                continue
+            for equation in equations:
+                parts = self._plane(equation.value, *pair)
+                if parts is None or any(unknown.index in self.field.ingredients(part) for part in parts):
+                    continue
+                size = sum(len(self.field.terms(part.num)) for part in parts)
+                if size <= MOST_OF_AN_ANGLE:
+                    others = self.field.ingredients(equation.value) & self.unknowns.keys()
+                    found.append(((len(others), size, *unknown.rank), equation, unknown.index, parts))
+        for _key, equation, index, parts in sorted(found, key=lambda item: item[0]):
+            with suppress(CannotAnswer):  # too long to write
+                angle = self.angle_by(index, *parts)
+                if angle is not None:
+                    return [equation], {index: angle}
         return None
 
     def _best_pair(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:

@@ -190,6 +190,7 @@ class Field:
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
+        self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self._open(capacity)
         self.one = self.element(1)
@@ -519,6 +520,27 @@ class Field:
             self._rates[index] = c * rate
         return c, s
 
+    def angle_with(self, cos: Ratio, sin: Ratio) -> Ratio:
+        """The angle whose cosine and sine are given elements."""
+        key = ("angle with", cos.key(), sin.key())
+        if key in self._atoms:
+            return self.variable(self._atoms[key])
+        atom = self.generator(
+            Generator(
+                multiply(number(2), Call("atan", self.expression(sin / (1 + cos)))),
+                "function",
+                compute=lambda v, f: f.atan2(self.evaluate(sin, v, f), self.evaluate(cos, v, f)),
+                made_of=self.ingredients(cos) | self.ingredients(sin),
+                remake=lambda follow: self.angle_with(follow(cos), follow(sin)),
+            ),
+            key=key,
+        )
+        self.known_pairs[self.index(atom)] = cos, sin
+        rate = self.lowest_terms(cos * self.rate(sin) - sin * self.rate(cos))
+        if not rate.is_zero():
+            self._rates[self.index(atom)] = rate
+        return atom
+
     def pairs(self, used: Iterable[int]) -> list[tuple[int, int]]:
         """(cosine, sine) generators of the angles of which one occurs."""
         found: set[tuple[int, int]] = set()
@@ -529,6 +551,11 @@ class Field:
             elif kind == "sin":
                 found.add((index - 1, index))
         return sorted(found)
+
+    def pair_of(self, angle: int) -> tuple[int, int] | None:
+        """(cosine, sine) generators of a variable that is an angle, if they were made."""
+        own = self.variable(angle)
+        return next(((cos, cos + 1) for cos, known in self.angles.items() if known == own), None)
 
     def lowest_terms(self, x: Ratio) -> Ratio:
         """Cancels what numerator and denominator share once c^2 + s^2 = 1 is used.

@@ -86,6 +86,8 @@ def _atom(field: Field, base: Ratio) -> Complex:
     if len(base.generators()) == 1 and base.den is None:
         (index,) = base.generators()
         acute = field.acute(index)
+        if index in field.known_pairs and base == field.variable(index):
+            return field.known_pairs[index]
         if index in field.arguments and base == field.variable(index):
             inverse = _of_inverse(field, *field.arguments[index])
             if inverse is not None:

@@ -8,41 +8,59 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.language.expression import Expr, evaluate
-from freebody.measures.geometry import GROUND, Pose, Vector
+from freebody.measures.geometry import GROUND, Pose, SpatialPose, Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import atan2, functions
 
 Tangent = Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
-Slot = tuple[str, str]  # (body, "x" | "y" | "angle")
+Slot = tuple[str, str]  # (body, "x" | "y" | "angle"); in space "x" | "y" | "z", and "rx" | "ry" | "rz" about its axes
+AnyPose = Pose[Ratio] | SpatialPose[Ratio]
+ROTATIONS = ("rx", "ry", "rz")
 
 
 class FieldGeometry:
     """Statements over poses given as field elements."""
 
     def __init__(
-        self, field: Field, names: Mapping[str, Ratio], poses: Mapping[str, Pose[Ratio]], tangent: Tangent
+        self,
+        field: Field,
+        names: Mapping[str, Ratio],
+        poses: Mapping[str, AnyPose],
+        tangent: Tangent,
+        root: Callable[[Ratio], Ratio] | None = None,
+        *,
+        space: bool = False,
+        is_negative: Callable[[Ratio], bool] | None = None,
     ) -> None:
         self.field = field
         self.names = names
         self.poses = poses
         self._tangent = tangent
-        zero = field.zero
-        self._ground = Pose(zero, zero, zero, field.one, zero)
+        self._root = root
+        self.functions = functions(field, is_negative)  # what signs roots have that formulas leave open
+        zero, one = field.zero, field.one
+        self._ground: AnyPose = Pose(zero, zero, zero, one, zero)
+        if space:
+            axes = Vector(one, zero, zero), Vector(zero, one, zero), Vector(zero, zero, one)
+            self._ground = SpatialPose(Vector(zero, zero, zero), axes)
         self._scalars: dict[Expr, Ratio] = {}
 
     def scalar(self, expr: Expr) -> Ratio:
         if expr not in self._scalars:
-            self._scalars[expr] = evaluate(expr, self.names, functions(self.field))
+            self._scalars[expr] = evaluate(expr, self.names, self.functions)
         return self._scalars[expr]
 
-    def pose(self, body: str) -> Pose[Ratio]:
+    def pose(self, body: str) -> AnyPose:
         return self._ground if body == GROUND else self.poses[body]
+
+    def root(self, x: Ratio) -> Ratio:
+        return self.field.sqrt(x) if self._root is None else self._root(x)
 
     def tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
         return self._tangent(v, offset)
 
     def apply(self, expr: Expr, values: dict[str, Ratio]) -> Ratio:
-        return evaluate(expr, {**self.names, **values}, functions(self.field))
+        return evaluate(expr, {**self.names, **values}, self.functions)
 
 
 def straight_tangent(field: Field, is_negative: Callable[[Ratio], bool] | None) -> Tangent:
@@ -134,8 +152,10 @@ class DualGeometry:
     def scalar(self, expr: Expr) -> Dual:
         return Dual(self.plain.scalar(expr))
 
-    def pose(self, body: str) -> Pose[Dual]:
+    def pose(self, body: str) -> Pose[Dual] | SpatialPose[Dual]:
         p = self.plain.pose(body)
+        if isinstance(p, SpatialPose):
+            return self._in_space(body, p)
         if body not in self.moving:
             return Pose(*(Dual(v) for v in (p.x, p.y, p.angle, p.cos, p.sin)))
         one = self.plain.field.one
@@ -153,6 +173,33 @@ class DualGeometry:
             Dual(p.cos, {turn: -p.sin}),
             Dual(p.sin, {turn: p.cos}),
         )
+
+    def _in_space(self, body: str, p: SpatialPose[Ratio]) -> SpatialPose[Dual]:
+        """A body axis e_j turns by d e_j = sum of (e_k x e_j) rotation_k, e_k its axes."""
+        if body not in self.moving:
+            return SpatialPose(_constant(p.center), (_constant(p.axes[0]), _constant(p.axes[1]), _constant(p.axes[2])))
+        one, axes = self.plain.field.one, p.axes
+        names = ("x", "y", "z")
+        center = [Dual(c, {(body, name): one}) for c, name in zip(_parts(p.center), names, strict=True)]
+        turned: list[Vector[Dual]] = []
+        for j in range(3):
+            k, n = (j + 1) % 3, (j + 2) % 3  # e_k x e_j = -e_n, e_n x e_j = e_k
+            slots: list[tuple[str, tuple[Ratio, ...], int]] = []
+            if self.moving[body]:
+                slots = [(ROTATIONS[k], _parts(axes[n]), -1), (ROTATIONS[n], _parts(axes[k]), 1)]
+            turned.append(
+                Vector(
+                    *(
+                        Dual(value, {(body, slot): sign * along[i] for slot, along, sign in slots})
+                        for i, value in enumerate(_parts(axes[j]))
+                    )
+                )
+            )
+        return SpatialPose(Vector(*center), (turned[0], turned[1], turned[2]))
+
+    def root(self, x: Dual) -> Dual:
+        value = self.plain.root(x.value)
+        return x.chain(value, 1 / (2 * value))
 
     def tangent(self, v: Vector[Dual], offset: Dual) -> tuple[Dual, Dual]:
         """From v = l e + rho n with constant rho:  l da = n . dv,  dl = e . dv + rho da."""
@@ -175,9 +222,18 @@ class DualGeometry:
         return evaluate(expr, {**names, **values}, self._functions)
 
 
+def _parts(v: Vector[Ratio]) -> tuple[Ratio, Ratio, Ratio]:
+    assert v.z is not None
+    return v.x, v.y, v.z
+
+
+def _constant(v: Vector[Ratio]) -> Vector[Dual]:
+    return Vector(*map(Dual, _parts(v)))
+
+
 def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
     """Elementary functions with their derivatives."""
-    f = functions(plain.field)
+    f = plain.functions
 
     def make(name: str, slope: Callable[[Ratio, Ratio], Ratio]) -> Callable[[Dual], Dual]:
         def call(x: Dual) -> Dual:

@@ -34,16 +34,15 @@ from freebody.model.elements import Held, Push, RateMeasure
 from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.functions import cos_sin
-from freebody.symbolic.geometry import Dual, DualGeometry, FieldGeometry, straight_tangent
+from freebody.symbolic.geometry import AnyPose, Dual, DualGeometry, FieldGeometry, Tangent, straight_tangent
 from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.system.system import System
 
-Triple = tuple[Ratio, Ratio, Ratio]
+Parts = tuple[Ratio, ...]  # along the slots of a body
 # Ranks of unknowns: the lowest is eliminated first.
-_POSITION, _TANGENT_LENGTH, _TANGENT_ANGLE, _BODY_ANGLE, _OFFERED, _NAMED = range(6)
-_SLOTS = ("x", "y", "angle")
+POSITION, TANGENT_LENGTH, TANGENT_ANGLE, BODY_ANGLE, OFFERED, NAMED = range(6)
 ZERO_TOLERANCE = 1e-9
 N_RATES = 5  # of a given function of time; an acceleration's rate needs three
 
@@ -61,6 +60,9 @@ class Coordinate:
 class SymbolicModel:
     """Everything the symbolic route derives, each part when it is first asked for."""
 
+    slots: tuple[str, ...] = ("x", "y", "angle")  # of a body: its velocity, its angular velocity
+    n_places = 2  # of these, for a particle
+
     def __init__(self, system: System, samples: Sequence[Sample]) -> None:
         self.system = system
         self.samples = tuple(samples)
@@ -72,7 +74,7 @@ class SymbolicModel:
         self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
         self._coordinate_measures: dict[int, Measure] = {}
         self.start_symbols: dict[int, Ratio] = {}  # by coordinate
-        self._raw_poses: dict[str, Pose[Ratio]] = {}
+        self._raw_poses: dict[str, AnyPose] = {}
         self._unknowns: dict[int, Unknown] = {}
         self._speeds: dict[int, int] = {}
         self._names: dict[int, str] = {}
@@ -86,7 +88,7 @@ class SymbolicModel:
         self._defined_lines: set[Any] = set()
         self._angles: set[int] = set()
         self._make_poses()
-        self._raw = FieldGeometry(self.field, self.parameters, self._raw_poses, self._raw_tangent)
+        self._raw = self._raw_geometry()
         self._sample_values = [self._values_at(sample) for sample in self.samples]
         self.extra: list[Equation] = []
         self.elimination = self._eliminate([])
@@ -103,6 +105,9 @@ class SymbolicModel:
         self.redundant = redundant
 
     # -- generators ---------------------------------------------------------------------------
+    def _raw_geometry(self) -> FieldGeometry:
+        return FieldGeometry(self.field, self.parameters, self._raw_poses, self._raw_tangent)
+
     def _parameters(self) -> dict[str, Ratio]:
         names: dict[str, Ratio] = {}
         for p in self.system.parameters.values():
@@ -161,8 +166,8 @@ class SymbolicModel:
         for k, body in enumerate(self.system.bodies.values()):
             if body.fixed:
                 continue
-            x = self._unknown(f"x_{body.name}", (_POSITION, -k))
-            y = self._unknown(f"y_{body.name}", (_POSITION, -k))
+            x = self._unknown(f"x_{body.name}", (POSITION, -k))
+            y = self._unknown(f"y_{body.name}", (POSITION, -k))
             ix, iy = f.index(x), f.index(y)
             origin = Point(GROUND, (NOTHING, NOTHING))
             self._coordinate_measures[ix] = Displacement(body.mass_center, origin, RIGHT)
@@ -172,7 +177,7 @@ class SymbolicModel:
             if not body.turns:
                 self._raw_poses[body.name] = Pose(x, y, zero, f.one, zero)
                 continue
-            angle = self._unknown(f"theta_{body.name}", (_BODY_ANGLE, -k), is_angle=True)
+            angle = self._unknown(f"theta_{body.name}", (BODY_ANGLE, -k), is_angle=True)
             self._coordinate_measures[f.index(angle)] = Angle(body.name)
             self._raw_poses[body.name] = Pose(x, y, angle, *cos_sin(f, angle))
         plain = FieldGeometry(f, self.parameters, {}, straight_tangent(f, None))
@@ -211,8 +216,8 @@ class SymbolicModel:
 
         k = len(self._tangents)
         label = self._tangent_label or f"line{k + 1}"
-        length = self._unknown(f"length_{label}", (_TANGENT_LENGTH, -k), compute=size)
-        angle = self._unknown(f"phi_{label}", (_TANGENT_ANGLE, -k), compute=turn, is_angle=True)
+        length = self._unknown(f"length_{label}", (TANGENT_LENGTH, -k), compute=size)
+        angle = self._unknown(f"phi_{label}", (TANGENT_ANGLE, -k), compute=turn, is_angle=True)
         c, s = cos_sin(f, angle)
         name = f"line {k}"
         self._line_equations[key] = [
@@ -243,7 +248,7 @@ class SymbolicModel:
             own = self._known_unknown(name)
             if own is None or name not in self._dropped:
                 continue
-            value = measure.value(self.geometry)
+            value = self.value_of(measure)
             for c in self.coordinates:
                 if c.index in taken or c.name in self.system.measures:
                     continue
@@ -285,22 +290,31 @@ class SymbolicModel:
             return None
         return self.field.pi * n / 2 if n else self.field.zero
 
+    @property
+    def _given_angles(self) -> set[str]:
+        """Measures that are unknowns from the beginning."""
+        return set()
+
+    def _holds_by_construction(self, row: Held) -> bool:
+        return False
+
     def _eliminate(self, given: list[Equation]) -> Elimination:
         """Tries the named and offered measures as coordinates; one that only adds a loop of its own is dropped."""
         self._defined_lines = set()
         equations: list[Equation] = list(given)
         for row in self.system.held:
-            if not isinstance(row.measure, RateMeasure):
+            if not isinstance(row.measure, RateMeasure) and not self._holds_by_construction(row):
                 self._tangent_label, self._tangent_of = row.connection, row.measure
                 equations.append(Equation(row.name, row.measure.value(self._raw) - self._target(row)))
         constraints = equations + self._definitions
         self._definitions = []
-        candidates = [(f"define {n}", n, m, (_NAMED, -k)) for k, (n, m) in enumerate(self.system.measures.items())]
+        candidates = [(f"define {n}", n, m, (NAMED, -k)) for k, (n, m) in enumerate(self.system.measures.items())]
         named = {m for _d, _n, m, _r in candidates}
-        taken = set(self.system.measures) | set(self.parameters)
+        candidates = [c for c in candidates if c[1] not in self._given_angles]
+        taken = set(self.system.measures) | set(self.parameters) | self._given_angles
         for k, (name, measure) in enumerate(self.system.offered):
             if measure not in named and name not in taken:
-                candidates.append((f"define {name}", name, measure, (_OFFERED, -k)))
+                candidates.append((f"define {name}", name, measure, (OFFERED, -k)))
         defined: list[tuple[str, list[Equation], list[int]]] = []
         for label, name, measure, rank in candidates:
             before = set(self._unknowns)
@@ -337,7 +351,8 @@ class SymbolicModel:
                 self._lines,
                 self.vanishes,
                 straight_tangent(self.field, self.is_negative),
-                _OFFERED,
+                OFFERED,
+                self._angle_by if self.system.space else None,
             )
             bad = {e.name for e in elimination.loops if e.name.startswith("define ")}
             if bad:
@@ -353,6 +368,10 @@ class SymbolicModel:
                 continue
             self._dropped = {label.removeprefix("define ") for label in dropped}
             return elimination
+
+    def _angle_by(self, index: int, a: Ratio, b: Ratio, d: Ratio) -> Ratio | None:
+        """The angle q with a cos q + b sin q + d = 0, on the branch of the samples; None where that is not clear."""
+        return None
 
     def _target(self, row: Held) -> Ratio:
         """What a row is held at; the start value of an incremental one is a constant of its own unless it is
@@ -382,14 +401,7 @@ class SymbolicModel:
             values[index] = float(evaluate(form, {**sample.parameters, "t": sample.time}))
         for name, g in self.constants.items():
             values[f.index(g)] = sample.constants[name]
-        for body, pose in sample.poses.items():
-            motion = sample.velocities.get(body, ())
-            for k, element in enumerate(_pose_elements(self._raw_poses[body])):
-                if element.generators():
-                    index = f.index(element)
-                    values[index] = pose[k]
-                    if motion:
-                        values[self._speeds[index]] = motion[k]
+        self._add_poses(values, sample)
         values = f.complete(values)
         if sample.velocities:
             self._add_speeds(values)
@@ -398,6 +410,17 @@ class SymbolicModel:
             if index not in values and generator.kind in ("speed", "acceleration"):
                 values[index] = rng.uniform(0.5, 1.5)
         return f.complete(values)
+
+    def _add_poses(self, values: dict[int, Any], sample: Sample) -> None:
+        """Poses of the bodies, and their velocities where the sample tells them."""
+        for body, pose in sample.poses.items():
+            motion = sample.velocities.get(body, ())
+            for k, element in enumerate(_pose_elements(self._raw_poses[body])):
+                if element.generators():
+                    index = self.field.index(element)
+                    values[index] = pose[k]
+                    if motion:
+                        values[self._speeds[index]] = motion[k]
 
     def _add_speeds(self, values: dict[int, Any]) -> None:
         """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, and of named measures."""
@@ -481,9 +504,7 @@ class SymbolicModel:
     def _finish_coordinates(self) -> None:
         f = self.field
         express = self.elimination.express
-        self.poses = {
-            name: Pose(*(express(v) for v in (p.x, p.y, p.angle, p.cos, p.sin))) for name, p in self._raw_poses.items()
-        }
+        self.poses = {name: self._expressed(p, express) for name, p in self._raw_poses.items()}
         straight = straight_tangent(f, self.is_negative)
         gone = set(self._unknowns) - set(self.elimination.unknowns)
         cache: dict[Any, tuple[Ratio, Ratio]] = {}
@@ -502,12 +523,19 @@ class SymbolicModel:
                     cache[key] = straight(v, offset)
             return cache[key]
 
-        self.geometry = FieldGeometry(f, self.parameters, self.poses, tangent)
+        self.geometry = self._plain_geometry(tangent)
         self.dual = DualGeometry(self.geometry, {b.name: b.turns for b in self.system.bodies.values()})
         kept = [
             Coordinate(u.name, u.index, self._speeds[u.index], u.index in self._angles) for u in self.elimination.kept
         ]
         self._solve_speeds(kept)
+
+    def _expressed(self, p: AnyPose, express: Callable[[Ratio], Ratio]) -> AnyPose:
+        assert isinstance(p, Pose)
+        return Pose(*(express(v) for v in (p.x, p.y, p.angle, p.cos, p.sin)))
+
+    def _plain_geometry(self, tangent: Tangent) -> FieldGeometry:
+        return FieldGeometry(self.field, self.parameters, self.poses, tangent)
 
     def _solve_speeds(self, kept: list[Coordinate]) -> None:
         """Which speeds are independent, and the others by them: J u = b, and J du/dt = db/dt - dJ/dt u."""
@@ -519,7 +547,7 @@ class SymbolicModel:
             if isinstance(row.measure, RateMeasure):
                 total = f.zero if row.in_symbols is None else -self.geometry.scalar(row.in_symbols)
                 for coefficient, measure in row.measure.terms:
-                    total = total + coefficient.value(self.geometry) * f.rate(measure.value(self.geometry))
+                    total = total + coefficient.value(self.geometry) * f.rate(self.value_of(measure))
                 totals.append((row.name, total))
         names = [name for name, _total in totals]
         preference = [c.speed for c in sorted(kept, key=lambda c: self._unknowns[c.index].rank)]
@@ -580,6 +608,10 @@ class SymbolicModel:
             row[RHS] = -rest
         return row
 
+    def value_of(self, measure: Measure) -> Ratio:
+        """A measure in coordinates."""
+        return measure.value(self.geometry)
+
     def measure_of(self, c: Coordinate) -> Measure | None:
         """The measure that a coordinate is; None for a length or angle of a line that is none by itself."""
         if c.index in self._coordinate_measures:
@@ -608,6 +640,7 @@ class SymbolicModel:
         speeds: dict[int, Ratio] = {}
         for body in self.system.moving:
             pose = self._raw_poses[body.name]
+            assert isinstance(pose, Pose)
             for elements, given in (
                 ((pose.x, pose.y), body.start.velocity),
                 (
@@ -631,11 +664,16 @@ class SymbolicModel:
                     return (speeds[speed] - rest) / slope
         return None
 
+    def start_speeds(self, known: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio] | None:
+        """All independent speeds at the start together, where the model has them so."""
+        return None
+
     def _given_value(self, measure: Measure, name: str) -> Ratio | None:
         """The start value of a measure where the poses given for its bodies tell it, as they do at all samples."""
         known = self._given_poses()
-        poses: dict[str, Pose[Ratio]] = {}
+        poses: dict[str, AnyPose] = {}
         for body, pose in self._raw_poses.items():
+            assert isinstance(pose, Pose)
             parts = [self.field.follow(v, known) for v in (pose.x, pose.y, pose.angle, pose.cos, pose.sin)]
             if not any(self.field.ingredients(v) & self._unknowns.keys() for v in parts):
                 poses[body] = Pose(*parts)
@@ -663,7 +701,7 @@ class SymbolicModel:
             if value is None:
                 return None
             values[c.index] = value
-        x = f.follow(measure.value(self.geometry), values)
+        x = f.follow(self.value_of(measure), values)
         starts = [s for s in self.samples if s.is_start]
         same = all(
             abs(number - sample.constants.get(name, 0.0)) < 1e-7
@@ -676,6 +714,7 @@ class SymbolicModel:
         f, scalar = self.field, self._raw.scalar
         for body in self.system.moving:
             pose, start = self._raw_poses[body.name], body.start
+            assert isinstance(pose, Pose)
             angle = None
             if not body.turns:
                 angle = f.zero
@@ -730,18 +769,20 @@ class SymbolicModel:
 
     # -- kinematics of the bodies -------------------------------------------------------------
     @cached_property
-    def velocities(self) -> dict[str, Triple]:
-        return {
-            b.name: (self.rate(p.x), self.rate(p.y), self.rate(p.angle))
-            for b in self.system.moving
-            for p in (self.poses[b.name],)
-        }
+    def velocities(self) -> dict[str, Parts]:
+        """Velocity of the mass centre and angular velocity of every body, along its slots."""
+        found: dict[str, Parts] = {}
+        for b in self.system.moving:
+            p = self.poses[b.name]
+            assert isinstance(p, Pose)
+            found[b.name] = self.rate(p.x), self.rate(p.y), self.rate(p.angle)
+        return found
 
     @cached_property
-    def partial_velocities(self) -> dict[str, list[Triple]]:
+    def partial_velocities(self) -> dict[str, list[Parts]]:
         """d(velocity of the mass centre, angular velocity)/du_k, for every body and independent speed."""
         return {
-            name: [(self.slope(v[0], c), self.slope(v[1], c), self.slope(v[2], c)) for c in self.coordinates]
+            name: [tuple(self.slope(part, c) for part in v) for c in self.coordinates]
             for name, v in self.velocities.items()
         }
 
@@ -755,14 +796,28 @@ class SymbolicModel:
         return total
 
     @cached_property
-    def body_accelerations(self) -> dict[str, Triple]:
+    def body_accelerations(self) -> dict[str, Parts]:
         """With the accelerations du/dt as generators."""
-        return {name: (self.rate(v[0]), self.rate(v[1]), self.rate(v[2])) for name, v in self.velocities.items()}
+        return {name: tuple(map(self.rate, v)) for name, v in self.velocities.items()}
 
     @cached_property
-    def inertias(self) -> dict[str, Triple]:
+    def inertias(self) -> dict[str, Parts]:
+        """Mass and moment of inertia of every body, along its slots."""
         scalar = self.geometry.scalar
         return {b.name: (m, m, scalar(b.inertia)) for b in self.system.moving for m in (scalar(b.mass),)}
+
+    def momentum(self, body: str, velocity: Parts) -> Parts:
+        """The mass matrix of a body times a velocity of its, along its slots."""
+        return tuple(m * v for m, v in zip(self.inertias[body], velocity, strict=True))
+
+    def turning_momentum(self, body: str) -> Parts:
+        """What the rate of a body's momentum has beside mass times acceleration: nothing in the plane."""
+        return (self.field.zero,) * len(self.slots)
+
+    def inertia_force(self, body: str, acceleration: Sequence[Ratio]) -> Parts:
+        """The rate of a body's momentum, along its slots."""
+        changing = self.momentum(body, tuple(acceleration))
+        return tuple(p + q for p, q in zip(changing, self.turning_momentum(body), strict=True))
 
     # -- dynamics -----------------------------------------------------------------------------
     @cached_property
@@ -771,15 +826,15 @@ class SymbolicModel:
         f = self.field
         M = [[f.zero] * n for _ in range(n)]
         for name, partials in self.partial_velocities.items():
-            inertia = self.inertias[name]
-            for slot in range(3):
-                if inertia[slot].is_zero():
-                    continue
-                column = [(k, partials[k][slot]) for k in range(n) if not partials[k][slot].is_zero()]
-                for place, (j, sj) in enumerate(column):
-                    weighted = inertia[slot] * sj
-                    for k, sk in column[place:]:
-                        M[j][k] = f.lowest_terms(M[j][k] + weighted * sk)
+            momenta = [self.momentum(name, partial) for partial in partials]
+            for slot in range(len(self.slots)):
+                for j in range(n):
+                    weighted = momenta[j][slot]
+                    if weighted.is_zero():
+                        continue
+                    for k in range(j, n):
+                        if not partials[k][slot].is_zero():
+                            M[j][k] = f.lowest_terms(M[j][k] + weighted * partials[k][slot])
         for j in range(n):
             for k in range(j):
                 M[j][k] = M[k][j]
@@ -792,9 +847,8 @@ class SymbolicModel:
         still = dict.fromkeys(self.accelerations, f.zero)
         forces = [f.zero for _ in self.coordinates]
         for name, wrench in self.load_wrenches.items():
-            inertia = self.inertias[name]
             bias = [f.substitute(a, still) for a in self.body_accelerations[name]]
-            push = [w - m * a for w, m, a in zip(wrench, inertia, bias, strict=True)]
+            push = [w - p for w, p in zip(wrench, self.inertia_force(name, bias), strict=True)]
             for k, partial in enumerate(self.partial_velocities[name]):
                 for p, s in zip(push, partial, strict=True):
                     if not s.is_zero() and not p.is_zero():
@@ -803,15 +857,15 @@ class SymbolicModel:
 
     @cached_property
     def load_wrenches(self) -> dict[str, list[Ratio]]:
-        """Force (x, y) and moment about the mass centre of all loads on every body."""
+        """Force and moment about the mass centre of all loads on every body, along its slots."""
         f = self.field
-        total: dict[str, list[Ratio]] = {b.name: [f.zero] * 3 for b in self.system.moving}
+        total: dict[str, list[Ratio]] = {b.name: [f.zero] * len(self.slots) for b in self.system.moving}
         for push in self.system.pushes:
             law = self.law(push)
             for (body, slot), slope in self.gradient(push.measure).items():
                 if body not in total:
                     continue  # what the ground feels moves nothing
-                k = _SLOTS.index(slot)
+                k = self.slots.index(slot)
                 total[body][k] = total[body][k] + law * slope
         return total
 
@@ -842,12 +896,12 @@ class SymbolicModel:
         needed = free_symbols(push.in_symbols)
         if not isinstance(push.measure, RateMeasure):
             if "@value" in needed:
-                value = push.measure.value(self.geometry)
+                value = self.value_of(push.measure)
                 values["@value"] = value - self.start_constant(push)
             if "@rate" in needed:
-                values["@rate"] = self.rate(push.measure.value(self.geometry))
+                values["@rate"] = self.rate(self.value_of(push.measure))
         for name, measure in push.measures:
-            value = measure.value(self.geometry)
+            value = self.value_of(measure)
             values[name] = value
             values[f"rate({name})"] = self.rate(value)
         return self.geometry.apply(push.in_symbols, values)
@@ -904,11 +958,12 @@ class SymbolicModel:
         rows: list[Row] = []
         for body in self.system.moving:
             accelerations = [f.substitute(a, self.solved_accelerations) for a in self.body_accelerations[body.name]]
-            for k, slot in enumerate(_SLOTS[: 3 if body.turns else 2]):
+            changing = self.inertia_force(body.name, accelerations)
+            for k, slot in enumerate(self.slots if body.turns else self.slots[: self.n_places]):
                 row = dict(by_slot.get((body.name, slot), {}))
                 if not row:
                     continue
-                rest = self.inertias[body.name][k] * accelerations[k] - self.load_wrenches[body.name][k]
+                rest = changing[k] - self.load_wrenches[body.name][k]
                 if not rest.is_zero():
                     row[RHS] = rest
                 rows.append(row)
@@ -932,5 +987,6 @@ class SymbolicModel:
         return solved.pivots[column].get(RHS, self.field.zero)
 
 
-def _pose_elements(pose: Pose[Ratio]) -> tuple[Ratio, Ratio, Ratio]:
+def _pose_elements(pose: AnyPose) -> tuple[Ratio, ...]:
+    assert isinstance(pose, Pose)
     return pose.x, pose.y, pose.angle

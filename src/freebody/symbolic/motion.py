@@ -22,7 +22,7 @@ from freebody.model.elements import RateMeasure
 from freebody.model.question import Event
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
-from freebody.symbolic.geometry import FieldGeometry, straight_tangent
+from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
@@ -61,9 +61,11 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     for c in model.coordinates:
         q = scalar(known[c.name]) if c.name in known else _start_of(model, c, known)
         values[c.index] = q
-    for c in model.coordinates:
-        u = scalar(known_rates[c.name]) if c.name in known_rates else None
-        values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
+    values |= model.start_speeds(known_rates, values) or {}
+    for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
+        if c.speed not in values:
+            u = scalar(known_rates[c.name]) if c.name in known_rates else None
+            values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     for c in model.dependent:
         given = scalar(known[c.name]) if c.name in known else model.given_start(c)
         if given is None:
@@ -77,8 +79,10 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
 def start_from_bodies(model: SymbolicModel) -> StartState:
     """Start values where the model gives a full pose and motion of every body: of the measure that a coordinate is, and
     of its gradient times the velocities. Raises CannotAnswer for a coordinate that is no measure."""
+    if model.system.space:
+        raise CannotAnswer("the start of a phase is put together from bodies in the plane only")
     f, scalar = model.field, model.geometry.scalar
-    poses: dict[str, Pose[Ratio]] = {}
+    poses: dict[str, AnyPose] = {}
     velocities: dict[tuple[str, str], Ratio] = {}
     for body in model.system.moving:
         start = body.start
@@ -118,7 +122,7 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
     the bodies were given; zero if nothing was said."""
     f = model.field
     for name, expr in known.items():
-        value = model.system.measures[name].value(model.geometry)
+        value = model.value_of(model.system.measures[name])
         solved = _solve_linear(value - model.geometry.scalar(expr), c.index)
         if solved is not None and not (f.ingredients(solved) & {k.index for k in model.coordinates}):
             return solved
@@ -134,7 +138,7 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
 def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], values: dict[int, Ratio]) -> Ratio:
     f = model.field
     for name, expr in known.items():
-        rate = model.rate(model.system.measures[name].value(model.geometry))
+        rate = model.rate(model.value_of(model.system.measures[name]))
         rate = f.follow(rate, {k: v for k, v in values.items() if k != c.speed})
         solved = _solve_linear(rate - model.geometry.scalar(expr), c.speed)
         if solved is not None and not (f.ingredients(solved) & {k.speed for k in model.coordinates}):
@@ -167,7 +171,7 @@ class Motion:
     # -- the event ----------------------------------------------------------------------------
     def reach(self, event: Event, *, need_time: bool = True) -> Reached:
         """The first time after the start at which a measure or its rate reaches a value."""
-        value = event.measure.value(self.model.geometry)
+        value = self.model.value_of(event.measure)
         target = self.model.geometry.scalar(event.value)
         if event.order == 1:
             return self._reach_rate(self.model.rate(value), target)

@@ -14,11 +14,15 @@ from dataclasses import dataclass, field
 class Sample:
     """One admissible configuration (SI units): parameters, poses (x, y, angle) of the moving bodies at time t
     and, where they are wanted, their velocities,
-    and the start values of the incremental rows by row name."""
+    and the start values of the incremental rows by row name.
+
+    In space poses and velocities are those of the mass centres (x, y, z), and `angles` has value and rate of every
+    angle by which bodies are turned."""
 
     parameters: Mapping[str, float]
-    poses: Mapping[str, tuple[float, float, float]]
+    poses: Mapping[str, tuple[float, ...]]
     constants: Mapping[str, float]
     time: float = 0.0
     is_start: bool = True
-    velocities: Mapping[str, tuple[float, float, float]] = field(default_factory=dict[str, tuple[float, float, float]])
+    velocities: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
+    angles: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])

@@ -21,6 +21,7 @@ from freebody.language.expression import (
     whole_exponent,
 )
 from freebody.measures.base import Measure
+from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import Held, Push, RateMeasure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -45,16 +46,16 @@ class SymbolicState:
         return self.model.geometry.scalar(expr)
 
     def value(self, measure: Measure) -> Ratio:
-        return self.here(measure.value(self.model.geometry))
+        return self.here(self.model.value_of(measure))
 
     def _rate(self, measure: Measure | RateMeasure) -> Ratio:
         m = self.model
         if isinstance(measure, RateMeasure):
             total = m.field.zero
             for coefficient, part in measure.terms:
-                total = total + coefficient.value(m.geometry) * m.rate(part.value(m.geometry))
+                total = total + coefficient.value(m.geometry) * m.rate(m.value_of(part))
             return total
-        return m.rate(measure.value(m.geometry))
+        return m.rate(m.value_of(measure))
 
     def rate(self, measure: Measure | RateMeasure) -> Ratio:
         return self.here(self.model.in_independent_speeds(self._rate(measure)))
@@ -64,13 +65,18 @@ class SymbolicState:
         second = m.rate(self._rate(measure))
         if second.generators() & set(m.accelerations):
             second = m.field.substitute(second, m.solved_accelerations)
+        if m.system.space:
+            second = m.field.lowest_terms(m.in_independent_speeds(second))
         return self.here(second)
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[Ratio, Ratio, Ratio]:
-        slopes = self.model.gradient(measure)
+    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[Ratio, ...]:
+        slopes, pose = self.model.gradient(measure), self.model.geometry.pose(body)
         zero = self.model.field.zero
-        x, y, turn = (self.here(slopes.get((body, slot), zero)) for slot in ("x", "y", "angle"))
-        return x, y, turn
+        along = tuple(slopes.get((body, slot), zero) for slot in self.model.slots)
+        if isinstance(pose, SpatialPose):  # a moment along the body's axes, by its components on the ground
+            moment = pose.turn(Vector(*along[3:]))
+            along = (*along[:3], moment.x, moment.y, zero if moment.z is None else moment.z)
+        return tuple(map(self.here, along))
 
     def multiplier(self, row: Held) -> Ratio:
         return self.here(self.model.multiplier(row))
@@ -83,7 +89,7 @@ class SymbolicState:
         field = self.model.field
         coefficients = law_polynomial(push)
         assert not isinstance(push.measure, RateMeasure)
-        value = push.measure.value(self.model.geometry) - self.model.start_constant(push)
+        value = self.model.value_of(push.measure) - self.model.start_constant(push)
         total = field.zero
         for k, coefficient in enumerate(coefficients):
             total = total - self.scalar(coefficient) * value ** (k + 1) / (k + 1)

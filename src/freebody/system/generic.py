@@ -9,6 +9,9 @@ length, a radius or a direction, a symbol of its own stands:
     lengths and directions in a connection      one symbol each, of this connection alone
     the mass centre, and the centre of a rim    stay where they are: they are what a body's frame is measured from
 
+In space a point has three symbols, and so has a direction, which is their vector at unit length. Every joint has an
+axis of its own, and a point of its own on it, for which point of its axis a model names means nothing. The axis has the
+same components in both bodies where the model says so: how a body's axes lie in it is a matter of naming.
 Connections then build their rows as always, so that what follows from the data (the sum of two radii in a gear
 mesh) stays consistent.
 Sources: Laman, J. Engng. Math. 4, 1970, 331-340; Whiteley, Some matroids from discrete applied geometry, Contemp.
@@ -26,9 +29,10 @@ from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
-from freebody.measures.geometry import GROUND, ZERO, Direction, Point
-from freebody.model.elements import Held, Line, Parameter, RateMeasure, RigidBody
+from freebody.measures.geometry import GROUND, Components, Direction, Point
+from freebody.model.elements import Held, Line, Parameter, Plane, RateMeasure, RigidBody
 from freebody.model.names import Names
+from freebody.model.rotations import dot
 from freebody.system.modes import sticking_row
 from freebody.system.reader import Reader
 from freebody.system.system import System
@@ -75,6 +79,7 @@ class _GenericNames(Names):
         self.numbers = numbers
         self.data: dict[str, Datum] = {}
         self.owner = ""  # the connection or measure whose data are asked for; those of bodies are replaced later
+        self.has_axis = False  # the connection is a joint of space with an axis
         self._known: dict[tuple[object, ...], Symbol] = {}
 
     def fresh(self, kind: Kind, owner: str, label: str, value: float | None, *key: object) -> Symbol:
@@ -88,11 +93,10 @@ class _GenericNames(Names):
             known = self._known[(kind, owner, *key)] = Symbol(name)
         return known
 
-    def fresh_pair(self, body: str, point: str, pair: tuple[Expr, Expr]) -> tuple[Expr, Expr]:
+    def fresh_point(self, body: str, point: str, at: Components) -> Components:
         """The symbols of a point of a body."""
         label = f"{body}.{point}"
-        x, y = (self.fresh("point", body, label, self.numeric(c), point, k) for k, c in enumerate(pair))
-        return x, y
+        return tuple(self.fresh("point", body, label, self.numeric(c), point, k) for k, c in enumerate(at))
 
     def dimensions(self, *, in_time: bool = False) -> dict[str, Dimension]:
         return {name: d for name, d in super().dimensions(in_time=in_time).items() if name not in self.data}
@@ -115,26 +119,38 @@ class _GenericNames(Names):
 
     def point(self, text: Any, *path: str | int) -> Point:
         found = super().point(text, *path)
+        if self.has_axis:
+            return replace(found, offset=self.fresh_point(found.body, f"{found} of {self.owner}", found.offset))
         name = text.strip().partition(".")[2] if isinstance(text, str) else ""
         if found.body != GROUND or name not in self.free_ground_points:
             return found
-        return replace(found, offset=self.fresh_pair(GROUND, name, (ZERO, ZERO)))
+        return replace(found, offset=self.fresh_point(GROUND, name, self.origin))
 
     def direction(self, value: Any, *path: str | int, body: str = GROUND) -> Direction:
         found = super().direction(value, *path, body=body)
         if not self.owner or any(free_symbols(c) & self.data.keys() for c in found.components):
             return found
-        text = value.strip() if isinstance(value, str) else ""
+        text = value.strip() if isinstance(value, str) and not self.space else ""
         if text.partition(".")[0] in self.bodies and "." in text:
             return self.turned(found, found.body, text, text)
         return self.turned(found, self.owner, f"the direction of {self.owner}", *path)
 
     def turned(self, found: Direction, owner: str, label: str, *key: object) -> Direction:
         """The direction at an angle of its own."""
+        if self.space:
+            return self._turned_in_space(found, owner, label, *key)
         cx, cy = (self.numeric(c) for c in found.components)
         value = None if cx is None or cy is None else math.atan2(cy, cx)
         a = self.fresh("direction", owner, label, value, *key)
         return Direction(found.body, (Call("cos", a), Call("sin", a)), found.name)
+
+    def _turned_in_space(self, found: Direction, owner: str, label: str, *key: object) -> Direction:
+        """The direction of a vector of its own."""
+        along = tuple(
+            self.fresh("direction", owner, label, self.numeric(c), *key, k) for k, c in enumerate(found.components)
+        )
+        size = Call("sqrt", dot(along, along))
+        return Direction(found.body, tuple(c / size for c in along), found.name)
 
 
 class _GenericReader(Reader):
@@ -150,6 +166,7 @@ class _GenericReader(Reader):
 
     def model(self) -> GenericModel:
         names = self.names
+        self._space()
         self._parameters()
         self._bodies()
         names.connections = connections = self._specs("connections", Connection.kinds)
@@ -195,7 +212,7 @@ class _GenericReader(Reader):
         super()._ground()
         points = self.names.bodies[GROUND].points
         for name, pair in points.items():
-            points[name] = self.names.fresh_pair(GROUND, name, pair)
+            points[name] = self.names.fresh_point(GROUND, name, pair)
 
     def _body(self, name: str, value: Any) -> RigidBody | None:
         body = super()._body(name, value)
@@ -203,7 +220,7 @@ class _GenericReader(Reader):
             return None
         middle = {"mass_center", "center", body.default_point}
         points = {
-            key: pair if key in middle and pair == (ZERO, ZERO) else self.names.fresh_pair(name, key, pair)
+            key: pair if key in middle and pair == self.names.origin else self.names.fresh_point(name, key, pair)
             for key, pair in body.points.items()
         }
         radius = body.radius
@@ -211,14 +228,22 @@ class _GenericReader(Reader):
             radius = self.names.fresh("radius", name, f"the radius of {name}", self.names.numeric(radius))
         return replace(body, points=points, radius=radius)
 
+    def _plane(self, body: RigidBody, name: str, spec: Any) -> Plane:
+        plane = super()._plane(body, name, spec)
+        normal = self.names.turned(plane.normal, plane.normal.body, plane.name, "plane", plane.name)
+        return Plane(self._own_point(plane.through, plane.name), normal, plane.name)
+
     def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
         line = super()._line(body, name, spec)
-        through = line.through
-        if not any(free_symbols(c) & self.names.data.keys() for c in through.offset):
-            pair = self.names.fresh_pair(through.body, f"point of {line.name}", through.offset)
-            through = replace(through, offset=pair)
+        through = self._own_point(line.through, line.name)
         direction = self.names.turned(line.direction, line.direction.body, line.name, "line", line.name)
         return Line(through, direction, line.name)
+
+    def _own_point(self, point: Point, owner: str) -> Point:
+        """A point that has symbols already, or gets those of a line or plane."""
+        if any(free_symbols(c) & self.names.data.keys() for c in point.offset):
+            return point
+        return replace(point, offset=self.names.fresh_point(point.body, f"point of {owner}", point.offset))
 
     # -- rows ---------------------------------------------------------------------------------
     def _measures(self) -> dict[str, Any]:
@@ -233,10 +258,19 @@ class _GenericReader(Reader):
         for name, connection in connections.items():
             self.names.owner = name
             with self.names.at("connections", name, connection.kind):
+                self.names.has_axis = self.names.space and hasattr(connection, "second_axis")
                 guided = self._guided(name, connection)
-                rows += [self._aimed(replace(row, connection=name)) for row in guided.rows(self.names)]
-        self.names.owner = ""
+                made = [self._aimed(replace(row, connection=name)) for row in guided.rows(self.names)]
+                rows += self._as_called(name, made) if self.names.space else made
+        self.names.owner, self.names.has_axis = "", False
         return rows
+
+    def _as_called(self, name: str, made: list[Held]) -> list[Held]:
+        """Rows with the names that the model has for them: those across an axis are called by where it points."""
+        known = [row for row in self.like.held if row.connection == name]
+        if len(known) != len(made):
+            return made
+        return [replace(row, component=other.component) for row, other in zip(made, known, strict=True)]
 
     def _guided(self, name: str, connection: Connection) -> Connection:
         """A guide for which the model names no point passes through one of its own."""
@@ -247,8 +281,8 @@ class _GenericReader(Reader):
             return connection
         on = self.names.direction(along, "along", body=str(getattr(connection, "on", GROUND))).body
         body = self.names.bodies[on]
-        default = (ZERO, ZERO) if on == GROUND else body.point().offset
-        body.points[f"@{name}"] = self.names.fresh_pair(on, f"point of the guide {name}", default)
+        default = self.names.origin if on == GROUND else body.point().offset
+        body.points[f"@{name}"] = self.names.fresh_point(on, f"point of the guide {name}", default)
         return connection.model_copy(update={"through": f"{on}.@{name}"})
 
     def _aimed(self, row: Held) -> Held:

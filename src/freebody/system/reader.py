@@ -13,6 +13,7 @@ from pydantic import ValidationError
 
 from freebody.connections.base import Connection
 from freebody.connections.contact import Contact, Pair
+from freebody.connections.planar import Planar
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
 from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, replace_rates, substitute
@@ -28,12 +29,29 @@ from freebody.language.units import (
 )
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, Components
 from freebody.model.carriers import is_distance_kept
-from freebody.model.elements import RATE, VALUE, Bound, Held, Line, Parameter, Push, RigidBody, Rub, Sign, Start
+from freebody.model.chains import read_chain
+from freebody.model.elements import (
+    RATE,
+    VALUE,
+    Attitude,
+    Bound,
+    Held,
+    Line,
+    Parameter,
+    Plane,
+    Push,
+    RigidBody,
+    Rotation,
+    Rub,
+    Sign,
+    Start,
+)
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
 from freebody.model.question import read_questions
+from freebody.model.rotations import UNIT, angles_of, columns_of, product
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
 from freebody.system.system import System
@@ -44,8 +62,10 @@ SECTIONS = (
     "title",
     "about",
     "source",
+    "space",
     "parameters",
     "ground",
+    "frames",
     "bodies",
     "connections",
     "loads",
@@ -54,6 +74,18 @@ SECTIONS = (
     "questions",
 )
 BODY_OPTIONS = ("at", "angle", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "outline")
+SPATIAL_OPTIONS = (
+    "at",
+    "turned",
+    "frame",
+    "near",
+    "velocity",
+    "angular_velocity",
+    "points",
+    "lines",
+    "planes",
+    "fixed",
+)
 MOST_ASKED = 40
 _HALF_TURN = 1.5707963267948966
 
@@ -79,6 +111,7 @@ class Reader:
 
     def system(self) -> System:
         self._sections()
+        self._space()
         self._parameters()
         self._bodies()
         connections = self._specs("connections", Connection.kinds)
@@ -120,6 +153,10 @@ class Reader:
             contacts=contacts,
             limits=limits,
             brakes=brakes,
+            space=self.names.space,
+            up=self.names.up,
+            frames=self.names.frames,
+            attitudes=self._attitudes(connections),
         )
 
     # -- sections -----------------------------------------------------------------------------
@@ -134,6 +171,24 @@ class Reader:
             )
         if not self.data.get("bodies"):
             self.names.problem("a model needs at least one body, under bodies", None, "bodies")
+
+    def _space(self) -> None:
+        """`space: true`: three dimensions, y up; `space: {up: z}` for another vertical."""
+        entry = self.data.get("space")
+        names = self.names
+        if isinstance(entry, dict):
+            up = cast("dict[str, Any]", entry).get("up", "y")
+            for key in cast("dict[str, Any]", entry):
+                if key != "up":
+                    names.problem(f"space has no {key}.{did_you_mean(key, ('up',))}", None, "space", key)
+            if up not in ("x", "y", "z"):
+                names.problem("up is x, y or z", None, "space", "up")
+                up = "y"
+            names.space, names.up = True, UNIT["xyz".index(up)]
+        elif entry is True:
+            names.space, names.up = True, UNIT[1]
+        elif entry not in (None, False):
+            names.problem("space is true, or {up: z} for another vertical than y", None, "space")
 
     def _mapping(self, section: str) -> dict[str, Any]:
         value = self.data.get(section)
@@ -245,8 +300,9 @@ class Reader:
     # -- bodies -------------------------------------------------------------------------------
     def _bodies(self) -> None:
         names = self.names
-        names.bodies[GROUND] = RigidBody(GROUND, ZERO, ZERO, {"origin": (ZERO, ZERO)}, "origin", fixed=True)
+        names.bodies[GROUND] = RigidBody(GROUND, ZERO, ZERO, {"origin": names.origin}, "origin", fixed=True)
         self._ground()
+        self._frames(first=True)
         for name, value in self._named("bodies").items():
             if name == GROUND:
                 names.problem("ground is always there; declare its points under ground", None, "bodies", name)
@@ -254,6 +310,7 @@ class Reader:
             with names.at("bodies", name):
                 # a body that cannot be read still counts as known, so that its mistake is told once
                 names.bodies[name] = self._body(name, value) or placeholder(name)
+        self._frames(first=False)
         for name, body in list(names.bodies.items()):
             section = ("ground",) if name == GROUND else ("bodies", name)
             entry = self.data.get("ground") if name == GROUND else self._mapping("bodies").get(name)
@@ -263,18 +320,66 @@ class Reader:
                     for line_name, spec in cast("dict[str, Any]", lines).items():
                         with names.at(line_name):
                             body.lines[line_name] = self._line(body, line_name, spec)
+            planes = cast("dict[str, Any]", entry).get("planes") if isinstance(entry, dict) else None
+            if isinstance(planes, dict) and names.space:
+                with names.at(*section, "planes"):
+                    for plane_name, spec in cast("dict[str, Any]", planes).items():
+                        with names.at(plane_name):
+                            body.planes[plane_name] = self._plane(body, plane_name, spec)
 
     def _ground(self) -> None:
         entry = self._mapping("ground")
         ground = self.names.bodies[GROUND]
         for key in entry:
-            if key not in ("points", "lines"):
-                known = ("points", "lines")
+            known = ("points", "lines", "planes") if self.names.space else ("points", "lines")
+            if key not in known:
                 self.names.problem(f"ground has no {key}.{did_you_mean(key, known)}", None, "ground", key)
         with self.names.at("ground"):
             points = self.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
             for name, value in points.items():
-                ground.points[name] = self.names.pair(value, LENGTH, "points", name)
+                ground.points[name] = self.names.components(value, LENGTH, "points", name)
+
+    def _frames(self, *, first: bool) -> None:
+        """`frames: {tilted: {on: shaft, turned: beta about z}}`: axes fixed in a body. Those on the ground are known
+        before the bodies are, the others after."""
+        names = self.names
+        entries = self._named("frames")
+        if entries and not names.space:
+            if first:
+                names.problem("frames are for models in space: write space: true", None, "frames")
+            return
+        for name, value in entries.items():
+            entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {"turned": value}
+            on = str(entry.get("on", GROUND))
+            is_early = on == GROUND or on in names.frames
+            if is_early != first and not (not first and name not in names.frames):
+                continue
+            with names.at("frames", name):
+                for key in entry:
+                    if key not in ("on", "turned"):
+                        names.problem(f"a frame has no {key}.{did_you_mean(key, ('on', 'turned'))}", None, key)
+                if name in self._mapping("bodies") or name == GROUND:
+                    names.problem(f"{name} is a body already; choose another name")
+                chain = read_chain(names, entry.get("turned", []), "turned", named=False)
+                body, axes = names.frames.get(on) or (names.body(on, "on").name, UNIT)
+                names.frames[name] = body, product(axes, columns_of(chain))
+
+    def _plane(self, body: RigidBody, name: str, spec: Any) -> Plane:
+        names = self.names
+        entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"normal": spec}
+        for key in entry:
+            if key not in ("through", "normal"):
+                names.problem(f"a plane has no {key}.{did_you_mean(key, ('through', 'normal'))}", None, key)
+        label = name if body.name == GROUND else f"{body.name}.{name}"
+        normal = names.direction(entry.get("normal", "up"), "normal", body=body.name)
+        through = entry.get("through")
+        if isinstance(through, str):
+            point = names.point(through if "." in through else f"{body.name}.{through}", "through")
+        elif through is None:
+            point = body.point()
+        else:
+            point = replace(body.point(), offset=names.components(through, LENGTH, "through"))
+        return Plane(point, replace(normal, name=f"normal of {label}"), label)
 
     def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
         entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
@@ -293,7 +398,7 @@ class Reader:
         elif through is None:
             point = body.point()
         else:
-            point = replace(body.point(), offset=self.names.pair(through, LENGTH, "through"))
+            point = replace(body.point(), offset=self.names.components(through, LENGTH, "through"))
         return Line(point, direction, label)
 
     def _body(self, name: str, value: Any) -> RigidBody | None:
@@ -305,10 +410,14 @@ class Reader:
             return None
         entry = cast("dict[str, Any]", value)
         kinds = [k for k in entry if k in Shape.kinds]
+        options = SPATIAL_OPTIONS if names.space else BODY_OPTIONS
         for key in entry:
-            if key not in Shape.kinds and key not in BODY_OPTIONS:
-                known = [*Shape.kinds, *BODY_OPTIONS]
-                names.problem(f"a body has no {key}.{did_you_mean(key, known)}", None, key)
+            if key not in Shape.kinds and key not in options:
+                known = [*Shape.kinds, *options]
+                hint = did_you_mean(key, known)
+                if key in SPATIAL_OPTIONS:
+                    hint = " It is for models in space: write space: true."
+                names.problem(f"a body has no {key}.{hint}", None, key)
         if len(kinds) != 1:
             what = "one of " + ", ".join(Shape.kinds)
             names.problem(f"{name} needs a shape: {what}" if not kinds else f"{name} has two shapes: {kinds}")
@@ -318,13 +427,15 @@ class Reader:
             return None
         with names.at(kinds[0]):
             build = self.open.completed(shape, name).build(names)
-        cx, cy = build.center_of_mass
-        own = {build.default_point: (ZERO, ZERO)} | build.points
+        middle = self._full(build.center_of_mass)
+        own = {build.default_point: names.origin} | {key: self._full(at) for key, at in build.points.items()}
         for point, pair in (self.open.points(entry.get("points"), name, own.__contains__) or {}).items():
-            own[point] = names.pair(pair, LENGTH, "points", point)
-        offsets = {k: (x + negate(cx), y + negate(cy)) for k, (x, y) in own.items()}
-        offsets["mass_center"] = (ZERO, ZERO)
-        offsets.setdefault("center", (ZERO, ZERO))
+            own[point] = names.components(pair, LENGTH, "points", point)
+        offsets = {k: tuple(c + negate(m) for c, m in zip(at, middle, strict=True)) for k, at in own.items()}
+        offsets["mass_center"] = names.origin
+        offsets.setdefault("center", names.origin)
+        fixed = bool(entry.get("fixed", False))
+        chain, frame = self._chain(name, entry, fixed=fixed) if names.space else ((), GROUND)
         return RigidBody(
             name,
             build.mass,
@@ -333,11 +444,41 @@ class Reader:
             build.default_point,
             radius=build.radius,
             turns=build.turns,
-            fixed=bool(entry.get("fixed", False)),
+            fixed=fixed,
             start=self._start_of_body(entry, build.default_point, offsets),
             corners=self._outline(entry, offsets) or build.corners,
             is_ring=build.is_ring,
+            tensor=build.tensor,
+            round=build.round,
+            axis=build.axis,
+            chain=chain,
+            frame=frame,
+            solid=build.solid,
+            sizes=build.sizes,
         )
+
+    def _full(self, at: Components) -> Components:
+        """Components as the model has them: a point of a flat shape lies in its plane."""
+        return (*at, *self.names.origin[len(at) :])
+
+    def _chain(self, name: str, entry: dict[str, Any], *, fixed: bool) -> tuple[tuple[Rotation, ...], str]:
+        """`turned: [psi about y, theta about x]`, where some of the angles are new names."""
+        names = self.names
+        frame = str(entry.get("frame", GROUND))
+        if frame not in self._mapping("bodies") and frame != GROUND:
+            names.problem(f"there is no body {frame}.{did_you_mean(frame, self._mapping('bodies'))}", None, "frame")
+            return (), GROUND
+        chain = read_chain(names, entry.get("turned", []), "turned", named=not fixed)
+        if not any(turn.name for turn in chain):
+            if frame != GROUND:
+                names.problem(
+                    "a known rotation at the start counts from the ground; name the angles to count from frame, "
+                    "e.g. turned: [psi about y], frame: shaft",
+                    None,
+                    "frame",
+                )
+            return (), GROUND
+        return chain, frame
 
     def _outline(self, entry: dict[str, Any], points: Mapping[str, Any]) -> tuple[str, ...]:
         """`outline: [P, Q, R]`: points of the body that are the corners of what touches others."""
@@ -356,37 +497,67 @@ class Reader:
     def _start_of_body(self, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
         names = self.names
         at = entry.get("at")
-        place: tuple[str, tuple[Expr, Expr]] | None = None
+        place: tuple[str, Components] | None = None
         if isinstance(at, dict) and len(cast("dict[str, Any]", at)) == 1:
             ((point, pair),) = cast("dict[str, Any]", at).items()
             if point not in points:
                 names.problem(f"there is no point {point}.{did_you_mean(point, points)}", None, "at", point)
             else:
-                place = point, names.pair(pair, LENGTH, "at", point)
+                place = point, names.components(pair, LENGTH, "at", point)
         elif isinstance(at, list):
-            place = default, names.pair(cast("list[Any]", at), LENGTH, "at")
+            place = default, names.components(cast("list[Any]", at), LENGTH, "at")
         elif at is not None:
             names.problem("at is a position [x, y], or {point: [x, y]}", None, "at")
         angle = names.formula(entry["angle"], DIMENSIONLESS, "angle") if "angle" in entry else None
         near: Start | None = None
         if isinstance(entry.get("near"), dict):
             guess = cast("dict[str, Any]", entry["near"])
+            known = ("at", "turned") if names.space else ("at", "angle")
             for key in guess:
-                if key not in ("at", "angle"):
-                    names.problem(f"near has no {key}.{did_you_mean(key, ('at', 'angle'))}", None, "near", key)
+                if key not in known:
+                    names.problem(f"near has no {key}.{did_you_mean(key, known)}", None, "near", key)
             with names.at("near"):
-                near = self._start_of_body({k: guess[k] for k in ("at", "angle") if k in guess}, default, points)
+                near = self._start_of_body({k: guess[k] for k in known if k in guess}, default, points)
         elif "near" in entry:
             names.problem("near is a guess, e.g. near: {angle: 30 deg}", None, "near")
         velocity = entry.get("velocity")
-        spin = entry.get("angular_velocity")
-        return Start(
+        start = Start(
             place,
             angle,
-            None if velocity is None else names.pair(velocity, VELOCITY, "velocity"),
-            None if spin is None else names.formula(spin, ANGULAR_VELOCITY, "angular_velocity"),
+            None if velocity is None else names.components(velocity, VELOCITY, "velocity"),
+            None,
             near,
         )
+        spin = entry.get("angular_velocity")
+        if names.space:
+            return self._start_in_space(start, entry, spin)
+        if spin is None:
+            return start
+        return replace(start, angular_velocity=names.formula(spin, ANGULAR_VELOCITY, "angular_velocity"))
+
+    def _start_in_space(self, start: Start, entry: dict[str, Any], spin: Any) -> Start:
+        """The rotation, where all of it is known, and `angular_velocity: [wx, wy, wz]` along the axes of the ground, or
+        `{body: [...]}` along the body's own."""
+        names = self.names
+        turned = entry.get("turned")
+        if turned is not None:
+            n_before = len(names.problems)
+            chain = read_chain(names, turned, "turned", named=True)
+            del names.problems[n_before:]  # they are told where the chain is read
+            if not any(turn.name for turn in chain):
+                start = replace(start, turned=chain)
+        if spin is None:
+            return start
+        in_body = isinstance(spin, dict)
+        if isinstance(spin, dict):
+            given = cast("dict[str, Any]", spin)
+            if set(given) - {"body", "ground"} or len(given) != 1:
+                message = "angular_velocity is [wx, wy, wz] along the ground's axes, or {body: [...]} along the body's"
+                names.problem(message, None, "angular_velocity")
+            in_body = "body" in given
+            spin = next(iter(given.values()), None)
+        rates = names.components(spin, ANGULAR_VELOCITY, "angular_velocity")
+        return replace(start, rates=rates, rates_in_body=in_body)
 
     # -- specs --------------------------------------------------------------------------------
     def _spec(self, kind: type[SpecT], value: Any, *path: str | int) -> SpecT | None:
@@ -432,6 +603,7 @@ class Reader:
 
     def _measures(self) -> dict[str, Measure]:
         names = self.names
+        self._named_angles()
         for name, value in self._named("measures").items():
             if name in names.parameters:
                 names.problem(f"{name} is a parameter already; choose another name", None, "measures", name)
@@ -444,12 +616,24 @@ class Reader:
                 names.measures[name] = measure
         return names.measures
 
+    def _named_angles(self) -> None:
+        """The angles that chains of rotations name are measures."""
+        names = self.names
+        for body in names.bodies.values():
+            with names.at("bodies", body.name, "turned"):
+                for name, measure in angles_of(names, body.chain, body.name, body.frame).items():
+                    if name in names.measures or name in self._mapping("measures"):
+                        names.problem(f"{name} is named twice; choose another name for the angle of {body.name}")
+                    names.measures[name] = measure
+
     def _held(self, connections: Mapping[str, Connection]) -> tuple[list[Held], list[tuple[str, Measure]]]:
         rows: list[Held] = []
         offered: list[tuple[str, Measure]] = []
         for name, connection in connections.items():
             with self.names.at("connections", name, connection.kind):
                 n_before = len(self.names.problems)
+                if self.names.space and connection.is_in_plane(self.names):
+                    self._check_plane(connection, connections)
                 rows += [self._in_numbers(replace(row, connection=name)) for row in connection.rows(self.names)]
                 if len(self.names.problems) == n_before:
                     offered += [(f"{name}_{key}", m) for key, m in connection.offers(self.names)]
@@ -464,6 +648,22 @@ class Reader:
                 kept.append(row)
         order = {id(row): k for k, row in enumerate(rows)}
         return sorted(kept, key=lambda row: order[id(row)]), offered
+
+    def _attitudes(self, connections: Mapping[str, Connection]) -> tuple[Attitude, ...]:
+        """How the joints of space let bodies turn."""
+        found = ((name, connection.attitude(self.names)) for name, connection in connections.items())
+        return tuple(replace(a, connection=name) for name, a in found if a is not None)
+
+    def _check_plane(self, connection: Connection, connections: Mapping[str, Connection]) -> None:
+        """In space, connections of the plane join bodies that stay in it."""
+        flat = {c.body.partition(".")[0] for c in connections.values() if isinstance(c, Planar)}
+        free = sorted(b for b in connection.mentions(self.names) - flat if not self.names.bodies[b].fixed)
+        if free:
+            self.names.problem(
+                f"{connection.kind} is a connection of the plane; in space it joins bodies that stay in the plane of x "
+                f"and y: hold {', '.join(free)} there by a planar joint, or use a joint of space (revolute, spherical, "
+                "prismatic, cylindrical, universal ...)"
+            )
 
     def _bounds(
         self, connections: Mapping[str, Connection]
@@ -553,7 +753,7 @@ class Reader:
         declared = self.names.bodies[GROUND].points
         if len(free) == 1 and len(declared) == 1:
             (name,) = free
-            declared[name] = (ZERO, ZERO)
+            declared[name] = self.names.origin
         elif free:
             listed = [p for p in declared if p != "origin"] + list(free)
             for name, path in free.items():

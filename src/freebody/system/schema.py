@@ -12,9 +12,11 @@ from freebody.model.spec import Spec
 from freebody.system.reader import register_kinds
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
-_PAIR = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 2}
-_OPEN_PAIR = {"type": ["array", "null"], "items": {"type": ["string", "number", "null"]}, "minItems": 2, "maxItems": 2}
+# components: two in the plane, three in space
+_PAIR = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 3}
+_OPEN_PAIR = {"type": ["array", "null"], "items": {"type": ["string", "number", "null"]}, "minItems": 2, "maxItems": 3}
 _HEADING = {"anyOf": [_FORMULA, _PAIR]}
+_CHAIN = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 
 
 def _fields(kind: type[Spec]) -> dict[str, Any]:
@@ -52,6 +54,23 @@ def json_schema() -> dict[str, Any]:
         },
     }
     lines = _named({"anyOf": [line, _HEADING]})
+    plane = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {"through": {"anyOf": [_PAIR, {"type": "string"}]}, "normal": _HEADING},
+    }
+    planes = _named({"anyOf": [plane, _HEADING]})
+    frame = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {"on": {"type": "string"}, "turned": _CHAIN},
+    }
+    space = {
+        "anyOf": [
+            {"type": "boolean"},
+            {"type": "object", "additionalProperties": False, "properties": {"up": {"enum": ["x", "y", "z"]}}},
+        ]
+    }
     # positions may be left open: all of them by a list of names, a component by null
     points = {"anyOf": [_named(_OPEN_PAIR), {"type": "array", "items": {"type": "string"}}]}
     body = {
@@ -64,12 +83,15 @@ def json_schema() -> dict[str, Any]:
             "near": {
                 "type": "object",
                 "additionalProperties": False,
-                "properties": {"at": {"anyOf": [_PAIR, _named(_PAIR)]}, "angle": _FORMULA},
+                "properties": {"at": {"anyOf": [_PAIR, _named(_PAIR)]}, "angle": _FORMULA, "turned": _CHAIN},
             },
             "velocity": _PAIR,
-            "angular_velocity": _FORMULA,
+            "angular_velocity": {"anyOf": [_FORMULA, _PAIR, _named(_PAIR)]},
+            "turned": _CHAIN,
+            "frame": {"type": "string"},
             "points": points,
             "lines": lines,
+            "planes": planes,
             "fixed": {"type": "boolean"},
             "outline": {"type": "array", "items": {"type": "string"}, "minItems": 2},
         },
@@ -91,7 +113,7 @@ def json_schema() -> dict[str, Any]:
         ]
     }
     phrase = {"anyOf": [{"type": "string"}, {"type": "object", "maxProperties": 1}]}
-    options = {"anyOf": [_named({"type": ["string", "number"]}), {"type": "array"}]}
+    options = {"anyOf": [_named({"type": ["string", "number", "array"]}), {"type": "array"}]}
     question = {
         "anyOf": [
             {"type": "string"},
@@ -120,12 +142,14 @@ def json_schema() -> dict[str, Any]:
             "title": {"type": "string"},
             "about": {"type": "string"},
             "source": {"type": "string"},
+            "space": space,
             "parameters": _named(parameter),
             "ground": {
                 "type": "object",
                 "additionalProperties": False,
-                "properties": {"points": points, "lines": lines},
+                "properties": {"points": points, "lines": lines, "planes": planes},
             },
+            "frames": _named({"anyOf": [frame, _CHAIN]}),
             "bodies": _named({"anyOf": [body, {"type": "string"}]}),
             "connections": _named(_one_of(Connection.kinds)),
             "loads": _named(_one_of(Load.kinds)),

@@ -21,9 +21,11 @@ from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
-from freebody.model.elements import Bound, Held, Parameter, Push, RigidBody, Rub
+from freebody.measures.geometry import ONE, ZERO, Components
+from freebody.model.elements import Attitude, Bound, Held, Parameter, Push, RigidBody, Rub
 from freebody.model.names import did_you_mean
 from freebody.model.question import Question
+from freebody.model.rotations import Columns
 from freebody.model.spec import Spec
 
 
@@ -53,6 +55,10 @@ class System:
     contacts: tuple[Pair, ...] = ()  # outlines that may touch
     limits: tuple[Bound, ...] = ()  # bounds other than contacts: stops
     brakes: tuple[Rub, ...] = ()  # dry friction other than that of contacts
+    space: bool = False  # three dimensions
+    up: Components = (ZERO, ONE)  # the vertical, for pictures and heights
+    attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
+    frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
 
     # -- making -------------------------------------------------------------------------------
     @classmethod

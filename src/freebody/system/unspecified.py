@@ -21,7 +21,7 @@ from freebody.model.shapes import Shape
 
 Place = tuple[str | int, ...]  # where a dimension would stand in the document
 ShapeT = TypeVar("ShapeT", bound=Shape)
-AXES = ("x", "y")
+AXES = ("x", "y", "z")
 OWN_SYMBOLS = ("x", "y", "theta")  # x_B, y_B, theta_B are the coordinates of a body B
 
 
@@ -79,14 +79,15 @@ class Unspecified:
         }
 
     def _pair(self, value: Any, body: str, point: str) -> Any:
-        pair = [None, None] if value is None else value
-        if not isinstance(pair, list) or len(cast("list[Any]", pair)) != 2:
+        n = len(self.names.origin)
+        pair = [None] * n if value is None else value
+        if not isinstance(pair, list) or len(cast("list[Any]", pair)) != n:
             return value
         section: Place = (GROUND,) if body == GROUND else ("bodies", body)
         owner = "" if body == GROUND else f"{body}_"
         return [
             self.parameter(f"{owner}{point}_{axis}", "any", (*section, "points", point, k)) if part is None else part
-            for k, (axis, part) in enumerate(zip(AXES, cast("list[Any]", pair), strict=True))
+            for k, (axis, part) in enumerate(zip(AXES, cast("list[Any]", pair), strict=False))
         ]
 
 
@@ -108,7 +109,7 @@ def with_dimension(document: Document, place: Place, value: Any) -> Document:
     if "points" in place:
         *section, point, axis = place
         entries = _by_name(_at(data, section)) or {}
-        pair = list(entries[str(point)] or (None, None))
+        pair = list(entries[str(point)] or (None,) * (3 if data.get("space") else 2))
         pair[int(axis)] = value
         return document.with_value(tuple(section), {**entries, str(point): pair})
     _bodies, body, kind, field = place

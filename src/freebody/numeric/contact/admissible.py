@@ -19,7 +19,7 @@ def admissible_reactions(bounded: Bounded, course: Course, k: int) -> dict[str, 
     is held or rubs there: infinite where nothing bounds it, the same twice where it is unique. {} if none exist."""
     assert course.contact is not None
     engine = bounded.free
-    y = engine.state(course.poses[k, :-1], course.velocities[k, :-1])
+    y = engine.state_at(course, k)
     now = bounded.instant(y, float(course.times[k]), course.near)
     closed = [int(i) for i in np.flatnonzero(course.contact.states[k])]
     slips = {int(i): int(s) for i, s in enumerate(course.contact.slips[k]) if s != ABSENT}
@@ -35,7 +35,7 @@ def admissible_reactions(bounded: Bounded, course: Course, k: int) -> dict[str, 
     signs = np.ones(len(places))
     signs[len(held) : len(held) + len(closed)] = [bounded.barriers[i].sign for i in closed]
     gradients = now.gradients[places]
-    accelerations = signs * (gradients @ course.accelerations[k].ravel() + now.biases[places])
+    accelerations = signs * (gradients @ engine.accelerations(course)[k] + now.biases[places])
     found = force_ranges(matrices, accelerations, tuple(mode))
     if found.feasible is not Feasible.YES:
         return {}

@@ -103,9 +103,10 @@ class Bounded:
         system = numbers.system
         n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
         if n_sites > MOST_BOUNDS:
+            way_out = "Take fewer bodies" if system.space else "Use time stepping: method moreau, with a step"
             raise CannotAnswer(
                 f"{len(system.contacts)} pairs can touch at more than {MOST_BOUNDS} places; events of so many are not "
-                "followed one by one. Use time stepping: method moreau, with a step"
+                f"followed one by one. {way_out}"
             )
         self.numbers, self.watches, self.tracked = numbers, tuple(watches), tuple(tracked)
         self._packing = packing = packed(numbers, watches, tracked)
@@ -253,7 +254,7 @@ class Bounded:
         e = self.free
         e.count_from(near)
         stepping.visit(e.layout, e.room, e.idle, -1.0, y.copy(), t, np.zeros(e.n_y), 1)
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         rows = [self.written.row_of_held(k) for k in range(len(self.rows))]
         gradients = np.zeros((len(rows), n))
         at, entries = self._entries
@@ -276,7 +277,7 @@ class Bounded:
     def _entries(self) -> tuple[Any, Any]:
         """Where the entries of the rows stand in the matrix of their gradients, and in the engine's room."""
         layout = self.free.layout
-        n = 3 * (self.free.n_bodies + 1)
+        n = self.free.n_coordinates
         at: list[int] = []
         entries: list[int] = []
         for k in range(len(self.rows)):

@@ -28,7 +28,7 @@ from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
-ADVICE = "use time stepping (method moreau, with a step), which does not follow single events"
+ADVICE = "; use time stepping (method moreau, with a step), which does not follow single events"
 Progress = Callable[[float, int], None]
 
 
@@ -85,7 +85,7 @@ class Hybrid:
             if n_at_once > MOST_AT_ONCE or len(self.events) > self.options.most_events:
                 status = Status.CHATTER
                 what = "no mode lasts" if n_at_once > MOST_AT_ONCE else f"{len(self.events)} events"
-                message = f"{what} at t = {t:.9g} s; {ADVICE}"
+                message = f"{what} at t = {t:.9g} s{self._advice}"
                 break
             now = self.bounded.instant(y, t, near)
             mode = self.bounded.grouped(mode, now)
@@ -116,8 +116,8 @@ class Hybrid:
             )
             self.phases.append(Phase(course, engine, mode))
             near = course.near
-            y = engine.state(course.poses[-1, :-1], course.velocities[-1, :-1])
-            y[-1] = course.work[-1]
+            y = engine.state_at(course, -1)
+            y[engine.at_work] = course.work[-1]
             self.events += course.happenings
             if course.violated < 0:
                 status, message = course.status, course.message
@@ -176,12 +176,12 @@ class Hybrid:
         """What counts as large of each guard: lengths, speeds and forces of the system now."""
         length = self.bounded.numbers.length
         accelerations, multipliers = engine.evaluate(y, t)
-        n = 3 * (self.bounded.n_bodies + 1)
+        n = self.bounded.free.n_coordinates
         unit = engine.unit
         fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * length
         hardest = float((np.abs(accelerations.ravel()) / unit).max(initial=0.0)) * length
         speed = max(fastest, math.sqrt(hardest * length))
-        force = np.abs(engine.room.force.reshape(-1, 3)) * [1.0, 1.0, 1.0 / length]
+        force = np.abs(engine.room.force) * np.where(unit == 1.0, 1.0 / length, 1.0)
         strength = max(float(force.max(initial=0.0)), float(np.abs(multipliers).max(initial=0.0)))
         known = {OF_VALUE: length, OF_RATE: speed, OF_MULTIPLIER: strength}
         return np.array([known.get(guard.kind, 0.0) for guard in guards])
@@ -203,12 +203,16 @@ class Hybrid:
                     impact.energy_grew,
                 )
             )
-            result.y[-1] += impact.energy_change
+            result.y[self.bounded.free.at_work] += impact.energy_change
         self.events += events_between(self.bounded, before, result, t)
+
+    @property
+    def _advice(self) -> str:
+        return "" if self.bounded.numbers.system.space else ADVICE
 
     def _contradiction(self, result: After, t: float) -> str:
         if result.status is Outcome.NOT_FOUND:
-            return f"at t = {t:.9g} s no force was found that is consistent with {result.why}; {ADVICE}"
+            return f"at t = {t:.9g} s no force was found that is consistent with {result.why}{self._advice}"
         return (
             f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither "
             "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, Drag, ModeOf
 from freebody.numeric.engine import stepping
-from freebody.numeric.engine.course import Collision, ContactRecord, Course, Happening, Status, Tracks
+from freebody.numeric.engine.course import Collision, ContactRecord, Course, Happening, Rotation, Status, Tracks
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
 
@@ -90,6 +90,17 @@ def merged(
             collisions,
             len(phases),
         ),
+        rotation=_rotation(parts),
+    )
+
+
+def _rotation(parts: list[tuple[Course, slice]]) -> Rotation | None:
+    """How bodies turn along all phases, in space."""
+    known = [(course.rotation, part) for course, part in parts if course.rotation is not None and part.stop > 0]
+    if not known:
+        return None
+    return Rotation(
+        **{f.name: np.concatenate([getattr(r, f.name)[part] for r, part in known]) for f in fields(Rotation)}
     )
 
 
@@ -148,7 +159,7 @@ def _load(bounded: Bounded, phase: Phase, drag: Drag, k: int, multipliers: Float
     found = np.zeros(len(course.times))
     out = np.zeros(engine.n_y)
     for i, t in enumerate(course.times):
-        y = engine.state(course.poses[i, :-1], course.velocities[i, :-1])
+        y = engine.state_at(course, i)
         stepping.visit(engine.layout, engine.room, engine.idle, -1.0, y, float(t), out, 1)
         found[i] = engine.tape_value(tape, float(t))
     return found

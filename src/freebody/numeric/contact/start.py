@@ -8,6 +8,7 @@ from contextlib import suppress
 
 import numpy as np
 
+from freebody.connections.planar import Planar
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -121,7 +122,7 @@ def _foot(reference: Reference, g: JetGeometry, own: list[Bound], name: str) -> 
     corners = list(body.corners)
     best: tuple[float, list[Bound]] | None = None
     for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
-        length = math.dist(*((reference.number(x), reference.number(y)) for x, y in (body.points[a], body.points[b])))
+        length = math.dist(*([reference.number(c) for c in body.points[corner]] for corner in (a, b)))
         slope = abs(heights[a] - heights[b]) / length
         if heights[a] + heights[b] < 2 * middle and (best is None or slope < best[0]):
             best = slope, [by_corner[a], by_corner[b]]
@@ -131,7 +132,7 @@ def _foot(reference: Reference, g: JetGeometry, own: list[Bound], name: str) -> 
 
 def _reach(reference: Reference, g: JetGeometry, bound: Bound, gap: float) -> float:
     """How near a place is to touching; edges that face away come last."""
-    return gap if not bound.obstacle or gap >= 0.0 else math.inf
+    return gap if not bound.obstacle or gap >= -PENETRATION * reference.sizes.length else math.inf
 
 
 def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str]) -> dict[str, str]:
@@ -144,9 +145,10 @@ def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str])
         if len(names) != 1 or any(b.obstacle for b in own):
             continue
         body = system.bodies.get(next(iter(names)))
-        if body is None or len(body.corners) < 3 or body.start.angle is not None:
+        if body is None or len(body.corners) < 3 or not (body.start.angle is None and body.start.turned is None):
             continue
-        if not any(body.name in row.measure.bodies() for row in system.held):
+        rows = [row for row in system.held if not isinstance(system.connections.get(row.connection), Planar)]
+        if not any(body.name in row.measure.bodies() for row in rows):
             found[family] = body.name
     return found
 

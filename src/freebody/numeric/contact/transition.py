@@ -187,7 +187,7 @@ class Transition:
         return found
 
     def _speed(self, y: Floats, touching: list[int], now: Instant) -> float:
-        n = 3 * (self.bounded.n_bodies + 1)
+        n = self.bounded.free.n_coordinates
         unit = self.bounded.free.unit
         fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * self.length
         hardest = float((np.abs(now.force * self.bounded.inverse_mass) / unit).max(initial=0.0)) * self.length
@@ -245,7 +245,7 @@ class Transition:
 
     def _push(self, y: Floats, weighted: Floats, impulses: Floats) -> float:
         """Gives impulses to a state; what they change of the kinetic energy, dv.M (v + dv/2), with what is driven."""
-        n = 3 * (self.bounded.n_bodies + 1)
+        n = self.bounded.free.n_coordinates
         inverse = self.bounded.inverse_mass
         dv = weighted.T @ impulses
         momentum = np.divide(dv, inverse, out=np.zeros_like(dv), where=inverse > 0.0)
@@ -334,7 +334,7 @@ class Transition:
                 along[row] -= slip * c * b.barriers[b.drags[k].of].sign * now.gradients[b.drags[k].keeps]
         weighted = along * b.inverse_mass
         impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
-        result.y[-1] += self._push(result.y, weighted, impulse)
+        result.y[b.free.at_work] += self._push(result.y, weighted, impulse)
 
     # -- what stays ---------------------------------------------------------------------------
     def _drags_on(self, now: Instant, closed: Iterable[int], speed: float) -> dict[int, int]:

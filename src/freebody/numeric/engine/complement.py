@@ -13,7 +13,7 @@ def held_entries(
     slots: Sequence[tuple[int, int]], unchanging: Mapping[int, float], inverse_mass: Floats
 ) -> list[tuple[int, int, float | None]]:
     """(coordinate, gradient entry, its value if it never changes) of a held row, without those that move nothing."""
-    listed = [(3 * b + i, o + i, unchanging.get(o + i)) for b, o in slots for i in range(3)]
+    listed = [(3 * cell + i, o + i, unchanging.get(o + i)) for cell, o in slots for i in range(3)]
     return [(c, o, fixed) for c, o, fixed in listed if fixed != 0.0 and inverse_mass[c] > 0.0]
 
 

@@ -101,8 +101,23 @@ class ContactRecord:
 
 
 @dataclass(frozen=True)
+class Rotation:
+    """How bodies are turned and turn along a motion in space, the fixed one last."""
+
+    quaternions: Floats  # (n_times, n_bodies + 1, 4): (w, x, y, z) of the body's own axes, continuous in time
+    velocities: Floats  # (n_times, n_bodies + 1, 3) angular velocity along the axes of the ground [rad/s]
+    accelerations: Floats  # (n_times, n_bodies + 1, 3) along the axes of the ground [rad/s^2]
+    velocities_in_body: Floats  # (n_times, n_bodies + 1, 3) angular velocity along the body's own axes [rad/s]
+
+    def first(self) -> Rotation:
+        """At the first instant alone."""
+        return Rotation(self.quaternions[:1], self.velocities[:1], self.accelerations[:1], self.velocities_in_body[:1])
+
+
+@dataclass(frozen=True)
 class Course:
-    """A motion in arrays. The last body is the fixed one. SI units, angles in rad."""
+    """A motion in arrays. The last body is the fixed one. SI units, angles in rad. In space poses, velocities and
+    accelerations are x, y, z of the mass centres, and `rotation` has the rest."""
 
     status: Status
     message: str
@@ -127,6 +142,7 @@ class Course:
     near: Floats  # bearings at the end, from which a continued motion counts on
     violated: int = -1  # the guard whose violation ended the motion
     contact: ContactRecord | None = None  # of a system with bounds or dry friction
+    rotation: Rotation | None = None  # in space
 
     @property
     def t_end(self) -> float:

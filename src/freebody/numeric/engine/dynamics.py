@@ -4,11 +4,11 @@ With J the gradients of the held rows, M the masses and Q the generalized forces
 
     M a = Q + J^T lambda,    J a = target'' - bias        =>        (J M^-1 J^T) lambda = target'' - bias - J M^-1 Q.
 
-The Schur complement J M^-1 J^T is positive semidefinite and as sparse as the mechanism; it is factored into L D L^T
-in an order found once. A row whose pivot vanishes says what rows before it said (a redundant connection): it is left
-out, its multiplier is zero. A pivot that nearly vanishes belongs to a pose near a singular one: there 1e-10 of the
-diagonal is added and the solution refined (proximal point iteration). A body without mass is given a little, which the
-same iteration takes back.
+In space Q has the gyroscopic torques as well. The Schur complement J M^-1 J^T is positive semidefinite and as sparse as
+the mechanism; it is factored into L D L^T in an order found once. A row whose pivot vanishes says what rows before it
+said (a redundant connection): it is left out, its multiplier is zero. A pivot that nearly vanishes belongs to a pose
+near a singular one: there 1e-10 of the diagonal is added and the solution refined (proximal point iteration). A body
+without mass is given a little, which the same iteration takes back.
 Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 8; Rockafellar, SIAM J. Control Optim.
 14 (1976) 877; Davis, Direct Methods for Sparse Linear Systems, 2006, ch. 4.
 """
@@ -19,10 +19,14 @@ import math
 
 from freebody.numeric.engine.jit import kernel, part
 from freebody.numeric.engine.measures_planar import measure
+from freebody.numeric.engine.measures_spatial import measure as measure_in_space
+from freebody.numeric.engine.rotating import gyroscopic
 from freebody.numeric.engine.tape import play, sweep
 from freebody.numeric.engine.turning import turned
 
 VANISHED = 1e-13  # a pivot below this part of its diagonal is none
+# nor is one below this by the smallest pivot before it, which enlarges rounding so much, up to a part of the diagonal
+ROUNDING, MOST_ROUNDING = 1e-15, 1e-10
 PIVOT_CUT = 1e-8  # a smaller pivot, relative to its diagonal, calls for regularisation
 REGULARISATION = 1e-10
 N_REFINED = 3
@@ -43,11 +47,22 @@ SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT = range(5)
 
 
 @kernel
+def measured(kinds, starts, bodies, numbers, q, v, turn, frames, out, gradient):
+    """Values, gradients and biases of all measures. The plane has no frames, and for it the kernels of space are not
+    compiled; in space they are those of the state (`rotating.framed`)."""
+    if frames is None:
+        turned(q, turn)
+        measure(kinds, starts, bodies, numbers, q, v, turn, out, gradient)
+    else:
+        measure_in_space(kinds, starts, bodies, numbers, q, v, frames, out, gradient)
+
+
+@kernel
 def kinematics(L, S, q, v, t):
     """Values, gradients and biases of all rows, and the targets of those that are held."""
-    turned(q, S.turn)
     G = S.gradient
-    measure(L.kinds, L.starts, L.measure_bodies, L.measure_numbers, q, v, S.turn, S.measures, G)
+    measured(L.kinds, L.starts, L.measure_bodies, L.measure_numbers, q, v, S.turn, S.frames, S.measures, G)
+    gyroscopic(S.frames, L.gyration, v, S.gyroscopic)
     for r in range(len(L.term_ptr) - 1):
         x, b = L.row_constant[r], 0.0
         for k in range(L.term_ptr[r], L.term_ptr[r + 1]):
@@ -151,6 +166,9 @@ def loads(L, S, t):
     F = S.force
     for i in range(len(F)):
         F[i] = L.constant_force[i]
+    for b in range(len(L.gyration)):
+        for i in range(3):
+            F[6 * b + 3 + i] += S.gyroscopic[b, i]
     power = 0.0
     for p in range(len(L.push)):
         law, r = law_of(L, S, p, t), L.push[p, 0]
@@ -190,7 +208,7 @@ def factor(ptr, target, regularisation, A, diagonal):
         begin, end = ptr[j], ptr[j + 1]
         pivot, size = A[begin], diagonal[j]
         ratio = pivot / size if size > 0.0 else 0.0
-        if ratio < VANISHED:
+        if ratio < max(VANISHED, min(MOST_ROUNDING, ROUNDING / smallest)):
             n_left_out += 1
             inverse = 0.0
         else:

@@ -14,6 +14,7 @@ from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, RateMeasure
 from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Course
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
@@ -68,23 +69,38 @@ class Packed:
         self.rows = self.written.rows
         self._bearings = packing.bearings()
         self.turning = packing.keys()
-        self.room = room_for(self.layout)
-        self.n_y = 6 * (self.n_bodies + 1) + 1
-        unit = np.ones((self.n_bodies + 1, 3))
-        unit[:, :2] = numbers.length
-        self.unit = unit.ravel()
+        self.border = border_of(numbers)
+        self.room = room_for(self.layout, space=numbers.system.space)
+        self.n_coordinates, self.n_y = self.border.n_coordinates, self.border.n_y
+        self.at_work = 2 * self.n_coordinates  # where the work done stands in a state
+        self.unit = self.border.unit
 
     def state(self, poses: Floats, velocities: Floats) -> Floats:
-        """The state of poses and velocities (n_bodies, 3)."""
-        y = np.zeros(self.n_y)
-        q, v = self.parts(y)
-        q[:-1], v[:-1] = poses, velocities
-        return y
+        """The state of poses and velocities (n_bodies, 3); in space (n_bodies, 6): those of the mass centre, then the
+        rotation vector and the angular velocity of the principal axes, the latter by components along them."""
+        return self.border.state(poses, velocities)
+
+    def coordinates(self, y: Floats) -> tuple[Floats, Floats]:
+        """Poses and velocities of the moving bodies in a state, as `state` takes them."""
+        return self.border.coordinates(y)
 
     def parts(self, y: Floats) -> tuple[Floats, Floats]:
-        """Views on the poses and velocities (n_bodies + 1, 3) of a state."""
-        n = 3 * (self.n_bodies + 1)
-        return y[:n].reshape(-1, 3), y[n : 2 * n].reshape(-1, 3)
+        """Views on the poses and velocities of a state: (n_bodies + 1, 3), in space (n_bodies + 1, 6), where the
+        rotations stand elsewhere and are zero here."""
+        n, n_bodies = self.n_coordinates, self.n_bodies + 1
+        return y[:n].reshape(n_bodies, -1), y[n : 2 * n].reshape(n_bodies, -1)
+
+    def states(self, course: Course) -> Floats:
+        """(n_times, n_y) states along a motion."""
+        return self.border.states(course)
+
+    def state_at(self, course: Course, k: int) -> Floats:
+        """The state at output k of a motion."""
+        return self.border.states(course, slice(k, k + 1 or None))[0]
+
+    def accelerations(self, course: Course) -> Floats:
+        """(n_times, n_coordinates) accelerations along a motion."""
+        return self.border.accelerations(course)
 
     def align(self, y: Floats, t: float, value: Callable[[Measure], float]) -> None:
         """Bearings are counted on from those of a state, in which measures have the given values: what they are off by
@@ -107,7 +123,7 @@ class Packed:
         self.room.measures[:, NEAR] = near
 
     def _look(self, y: Floats, t: float) -> None:
-        n, n_rows = 3 * (self.n_bodies + 1), len(self.room.rows)
+        n, n_rows = self.n_coordinates, len(self.room.rows)
         tables = [np.zeros((1, n_rows)) for _ in range(3)]
         near = self.room.measures[:, NEAR].copy()
         observe(self.layout, self.room, np.array([t]), y.reshape(1, -1), np.zeros((1, n)), *tables)
@@ -142,12 +158,8 @@ class Observer(Packed):
     def along(self, course: Course) -> dict[Measure | RateMeasure, tuple[Floats, Floats, Floats]]:
         """(n_times,) value, rate and second derivative of each measure."""
         n_times, n_rows = len(course.times), len(self.room.rows)
-        states = np.zeros((n_times, self.n_y))
-        n = 3 * (self.n_bodies + 1)
-        states[:, :n] = course.poses.reshape(n_times, -1)
-        states[:, n : 2 * n] = course.velocities.reshape(n_times, -1)
+        states, accelerations = self.states(course), self.accelerations(course)
         tables = [np.zeros((n_times, n_rows)) for _ in range(3)]
-        accelerations = np.ascontiguousarray(course.accelerations.reshape(n_times, -1))
         times = np.ascontiguousarray(course.times)
         known = [(place, course.tracks.column(key)) for key, place in self.turning.items() if key in course.tracks.keys]
         if not known:
@@ -185,14 +197,14 @@ class Engine(Packed):
         self.place_of[self.order] = np.arange(len(self.order))
 
     def evaluate(self, y: Floats, t: float, n_times: int = 1) -> tuple[Floats, Floats]:
-        """Accelerations (n_bodies + 1, 3) and multipliers (n_held,) of a state as it is. Raises CannotAnswer if they
-        are not finite."""
+        """Accelerations (n_bodies + 1, 3), in space (n_bodies + 1, 6), and multipliers (n_held,) of a state as it is.
+        Raises CannotAnswer if they are not finite."""
         out = np.zeros(self.n_y)
         stepping.visit(self.layout, self.room, self.idle, -1.0, y, t, out, n_times)
         multipliers = self.room.multiplier[self.place_of]
         if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
             raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
-        return self.room.acceleration.reshape(-1, 3).copy(), multipliers
+        return self.room.acceleration.reshape(self.n_bodies + 1, -1).copy(), multipliers
 
     def tape_value(self, tape: int, t: float) -> float:
         """The value of a tape at the instant looked at last."""
@@ -206,15 +218,16 @@ class Engine(Packed):
         own = self.idle
         state = y.copy()
         stepping.visit(self.layout, self.room, own, -1.0, state, t, np.zeros(self.n_y), 0)
-        n = 3 * (self.n_bodies + 1)
+        n = self.n_coordinates
         moved = np.abs(state - y)
-        return float((moved[:n] / self.unit).max()), float((moved[n : 2 * n] / self.unit).max())
+        turned = 2.0 * float(moved[2 * n + 1 :].max(initial=0.0))
+        return max(float((moved[:n] / self.unit).max()), turned), float((moved[n : 2 * n] / self.unit).max())
 
     def gradient_of(self, row: int) -> Floats:
-        """(3 (n_bodies + 1),) gradient of a row at the instant looked at last."""
-        g = np.zeros((self.n_bodies + 1, 3))
-        for body, o in self.layout.slots[self.layout.slot_ptr[row] : self.layout.slot_ptr[row + 1]]:
-            g[body] += self.room.gradient[o : o + 3]
+        """(n_coordinates,) gradient of a row at the instant looked at last."""
+        g = np.zeros((self.n_coordinates // 3, 3))
+        for cell, o in self.layout.slots[self.layout.slot_ptr[row] : self.layout.slot_ptr[row + 1]]:
+            g[cell] += self.room.gradient[o : o + 3]
         return g.ravel()
 
     def law_names(self, p: int, t: float) -> dict[str, float]:
@@ -235,20 +248,20 @@ class Engine(Packed):
         return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
 
     def jacobian(self) -> Floats:
-        """(n_held, n_bodies + 1, 3) gradients of the held rows, in the order of the model, at the instant looked at
-        last."""
-        J = np.zeros((len(self.order), self.n_bodies + 1, 3))
+        """(n_held, n_bodies + 1, 3), in space (n_held, n_bodies + 1, 6), gradients of the held rows, in the order of
+        the model, at the instant looked at last."""
+        J = np.zeros((len(self.order), self.n_coordinates))
         ptr, slots, gradient = self.layout.held_ptr, self.layout.held_slots, self.room.gradient
         for k, r in enumerate(self.place_of):
             for coordinate, o in slots[ptr[r] : ptr[r + 1]]:
-                J[k, coordinate // 3, coordinate % 3] += gradient[o]
-        return J
+                J[k, coordinate] += gradient[o]
+        return J.reshape(len(J), self.n_bodies + 1, self.n_coordinates // (self.n_bodies + 1))
 
     def non_unique(self) -> Any:
         """(n_held,) True for multipliers that are not unique at the instant looked at last."""
         J = self.jacobian()
         n = len(J)
-        weighted = J.reshape(n, -1) * np.sqrt(self.layout.inverse_mass)
+        weighted = J.reshape(n, self.n_coordinates) * np.sqrt(self.layout.inverse_mass)
         sizes = np.linalg.norm(weighted, axis=1)
         scaled = weighted / np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)[:, None]
         U, singular, _ = np.linalg.svd(scaled, full_matrices=True)
@@ -258,7 +271,7 @@ class Engine(Packed):
     # -- motions ------------------------------------------------------------------------------
     def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> Run:
         n_all = len(tableau.a)
-        n, n_held = 3 * (self.n_bodies + 1), len(self.order)
+        n, n_held = self.n_coordinates, len(self.order)
         states = np.zeros((6, self.n_y))
         states[stepping.Y] = states[stepping.FIRST] = y
         return Run(

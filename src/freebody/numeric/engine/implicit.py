@@ -43,7 +43,7 @@ class Implicit:
         from scipy import integrate
 
         e, clock = self._engine, self._motion.run.clock
-        tolerance, n = float(clock[stepping.TOLERANCE]), 3 * (e.n_bodies + 1)
+        tolerance, n = float(clock[stepping.TOLERANCE]), e.n_coordinates
         out = np.zeros(e.n_y)
 
         def rhs(at: float, state: Floats) -> Floats:
@@ -53,7 +53,8 @@ class Implicit:
 
         fastest = float((np.abs(rhs(t, y)[n : 2 * n]) / e.unit).max(initial=0.0))
         speed = max(float(clock[stepping.SPEED]), min(math.sqrt(fastest), fastest * (until - t)))
-        allowed = tolerance * np.concatenate((e.unit, e.unit * speed, [math.inf]))
+        turns = np.full(e.n_y - 2 * n - 1, 0.5)
+        allowed = tolerance * np.concatenate((e.unit, e.unit * speed, [math.inf], turns))
         if first is not None:
             first = min(first, until - t)
         methods: Any = integrate
@@ -99,7 +100,7 @@ class Implicit:
         run.states[stepping.Y], run.slopes[0] = y, slope
         run.multiplier[:] = e.room.multiplier
         e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         run.clock[stepping.SPEED] = max(
             float(run.clock[stepping.SPEED]), float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
         )
@@ -146,19 +147,19 @@ class Slopes:
     def at(self, t: float, y: Floats) -> Floats:
         """(n_y, n_y)."""
         e = self._engine
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         base, other, idle = np.zeros(e.n_y), np.zeros(e.n_y), e.idle
         stepping.visit(e.layout, e.room, idle, -1.0, y, t, base, 1)
         jacobian = np.zeros((e.n_y, e.n_y))
-        jacobian[:n, n : 2 * n] = np.eye(n)
-        stiff = self._stiff(t)
+        jacobian[:n, n : 2 * n] = e.border.pose_rates()
+        stiff = self._stiff(t, y)
         laws = self._law_values(t)
         frozen = _frozen(e.layout, laws)
         stepping.visit(frozen, e.room, idle, -1.0, y, t, base, 1)
         moving = np.flatnonzero(e.layout.inverse_mass > 0.0)
-        for i in (*moving, *(moving + n)):
-            unit = e.unit[i % n]
-            size = unit if i < n else unit * max(1e-3, abs(float(y[i]) / unit))
+        for i in (*moving, *(moving + n), *range(2 * n + 1, e.n_y)):
+            unit = e.unit[i % n] if i < 2 * n else 1.0
+            size = unit * max(1e-3, abs(float(y[i]) / unit)) if n <= i < 2 * n else unit
             ahead = y.copy()
             ahead[i] += _DIFFERENCE * size
             stepping.visit(frozen, e.room, idle, -1.0, ahead, t, other, 1)
@@ -175,10 +176,10 @@ class Slopes:
             values.append(float(linear) if tape < 0 else e.tape_value(int(tape), t))
         return values
 
-    def _stiff(self, t: float) -> Floats:
+    def _stiff(self, t: float, y: Floats) -> Floats:
         """(n, n_y) accelerations by the slopes of the laws, at the instant looked at last."""
         e = self._engine
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
         for p, (row, tape, _works) in enumerate(e.layout.push):
             g = e.gradient_of(int(row))
@@ -195,13 +196,14 @@ class Slopes:
                 h = g if other is None else e.gradient_of(e.rows[other])
                 (damping if is_rate else stiffness)[:] += slope * np.outer(g, h)
         inverse = e.layout.inverse_mass
-        J = e.jacobian().reshape(-1, n)
+        J = e.jacobian().reshape(len(e.order), n)
         A = (J * inverse) @ J.T
         free = np.diag(inverse)
         if len(J):
             free = free - (inverse[:, None] * J.T) @ np.linalg.pinv(A, rcond=1e-12, hermitian=True) @ (J * inverse)
         result = np.zeros((n, e.n_y))
-        result[:, :n], result[:, n : 2 * n] = free @ stiffness, free @ damping
+        result[:, n : 2 * n] = free @ damping
+        result += e.border.by_state(free @ stiffness, y)
         return result
 
 

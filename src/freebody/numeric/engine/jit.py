@@ -25,6 +25,7 @@ _OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "n
 
 # what is compiled, and what says how
 _SOURCES = ("measures_planar", "turning", "tape", "dynamics", "stepping", "observing", "layout", "tableaus", "jit")
+OF_SPACE = ("measures_spatial", "rotating")  # and what is compiled for systems in space only
 
 
 def kernel(function: Function) -> Function:
@@ -66,9 +67,9 @@ def entry(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], F
     return compiled
 
 
-def is_compiled() -> bool:
-    """True if the kernels have been compiled before (or are not compiled at all)."""
-    return bool(_numba.config.DISABLE_JIT) or any(_folder().rglob("*.nbc"))
+def is_compiled(*, space: bool = False) -> bool:
+    """True if the kernels, of the plane or of space, have been compiled before (or are not compiled at all)."""
+    return bool(_numba.config.DISABLE_JIT) or any(_folder(OF_SPACE if space else ()).rglob("*.nbc"))
 
 
 @cache

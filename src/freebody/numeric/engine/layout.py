@@ -1,15 +1,16 @@
 """The arrays of a packed system (`Layout`), and the room in which one evaluation works (`Room`).
 
 Bodies are 0 ... n - 1; body n stands for everything fixed: its inverse masses are zero, it never moves. The pose q
-and the velocities v are (n + 1, 3): x, y of the mass centre [m] and the angle [rad]. A particle has no inverse moment
-of inertia and so does not turn.
+and the velocities v are made of cells of three numbers (`cells`): one for each body in the plane, (n + 1, 3), two in
+space, (2 (n + 1), 3). A particle has no inverse moment of inertia and so does not turn. In space the rotations are
+quaternions, which stand behind q, v and the work in a state (`stepping`); rotation cells of q are zero.
 
     measures   in arrays by kind (`measures_planar.KINDS`)
     rows       linear combinations of measures; then products coefficient * d(measure)/dt; then expressions in rows
     held       rows with a target, in the order of elimination
     pushes     rows with a law
 
-The gradient of a row is a list of slots: a body, and where its three entries begin in `gradient`.
+The gradient of a row is a list of slots: a cell, and where its three entries begin in `gradient`.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.engine.measures_planar import fill
+from freebody.numeric.engine.cells import PLANE, SPACE
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -32,10 +33,11 @@ T = TypeVar("T")
 class Layout(NamedTuple):
     """A system in arrays. All of it is constant during a motion."""
 
-    inverse_mass: Floats  # (3 (n + 1),) by coordinate
+    inverse_mass: Floats  # (3 n_cells,) by coordinate
     mass_gap: Floats  # by how much the mass used is more than that of a body without any
     has_gap: Ints  # (1,)
     constant_force: Floats  # loads that never change
+    gyration: Floats2  # (n, 3) in space: I3 - I2, I1 - I3, I2 - I1; (0, 3) in the plane
 
     kinds: Ints
     starts: Ints
@@ -47,7 +49,7 @@ class Layout(NamedTuple):
     term_coefficient: Floats
     row_constant: Floats
     slot_ptr: Ints  # for every row
-    slots: Ints2  # (n, 2): body, entries
+    slots: Ints2  # (n, 2): cell, entries
     mix: Ints2  # (n, 2): gradient entries [0] += coefficient * entries [1]
     mix_coefficient: Floats
     cleared: Ints  # gradient entries that `mix` adds up
@@ -66,7 +68,7 @@ class Layout(NamedTuple):
     held: Ints2  # (n, 4): row, tape of its target (-1: zero), is of positions (not of velocities), does work
     held_scale: Floats  # 1/size: makes gaps relative
     held_ptr: Ints
-    held_slots: Ints2  # (n, 2): coordinate (3 body + 0, 1, 2) and entry; those that are always zero are left out
+    held_slots: Ints2  # (n, 2): coordinate (3 cell + 0, 1, 2) and entry; those that are always zero are left out
 
     slide: Ints2  # (n, 6): row of the slip, what presses (`dynamics.PRESSED_*`), held a, held b, tape, works
     slide_factor: Floats2  # (n, 2): force = [0] * load; sign of the load of one held row
@@ -89,7 +91,9 @@ class Layout(NamedTuple):
 class Room(NamedTuple):
     """Where one evaluation works."""
 
-    turn: Floats2  # (n + 1, 2): cosine and sine
+    turn: Floats2  # (n + 1, 2): cosine and sine, in the plane
+    frames: Floats2 | None  # (n + 1, 9): rotation matrices row by row, in space
+    gyroscopic: Floats2  # (n, 3): -w x (I w), in space
     measures: Floats2  # (n, 4): see `measures_planar`
     gradient: Floats
     rows: Floats2  # (n, 5): see `dynamics`
@@ -110,9 +114,10 @@ class Room(NamedTuple):
     info: Floats  # smallest pivot, regularised?, work power
 
 
-def room_for(layout: Layout) -> Room:
+def room_for(layout: Layout, *, space: bool = False) -> Room:
     """Empty room for a layout, its constant gradients filled in."""
-    n = len(layout.inverse_mass) // 3
+    n, known = len(layout.inverse_mass) // 3, SPACE if space else PLANE
+    n_bodies, widest = n // known.width, 3 * known.width * known.max_bodies
     n_measures, n_rows, n_held = len(layout.measure_numbers), len(layout.row_constant), len(layout.held)
     n_entries = int(
         max(
@@ -120,7 +125,7 @@ def room_for(layout: Layout) -> Room:
                 0,
                 *(layout.slots[:, 1] + 3).tolist(),
                 *(
-                    int(layout.starts[k] + 9 * (layout.kinds[k + 1] - layout.kinds[k]))
+                    int(layout.starts[k] + widest * (layout.kinds[k + 1] - layout.kinds[k]))
                     for k in range(len(layout.starts))
                 ),
             ]
@@ -131,7 +136,9 @@ def room_for(layout: Layout) -> Room:
         return np.zeros(shape)
 
     room = Room(
-        turn=empty(n, 2),
+        turn=empty(0 if space else n_bodies, 2),
+        frames=np.tile(np.eye(3).ravel(), (n_bodies, 1)) if space else None,
+        gyroscopic=empty(len(layout.gyration), 3),
         measures=empty(n_measures, 4),
         gradient=empty(n_entries),
         rows=empty(n_rows, 5),
@@ -151,17 +158,19 @@ def room_for(layout: Layout) -> Room:
         slide_matrix=empty(len(layout.slide), len(layout.slide) + 1),
         info=empty(8),
     )
-    fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)
+    known.fill(layout.kinds, layout.starts, layout.measure_numbers, room.gradient)
     return room
 
 
-def example_of(kind: type[T]) -> T:
-    """Arrays of the types of a bundle, by which entries are compiled."""
+def example_of(kind: type[T], *, space: bool = False) -> T:
+    """Arrays of the types of a bundle, by which entries are compiled: what is there in space only is None in the
+    plane."""
     empty: dict[str, Any] = {
         "Floats": np.zeros(1),
         "Floats2": np.zeros((1, 1)),
         "Ints": np.zeros(1, np.int32),
         "Ints2": np.zeros((1, 1), np.int32),
+        "Floats2 | None": np.zeros((1, 1)) if space else None,
     }
     annotations: dict[str, Any] = kind.__annotations__
     make: Any = kind

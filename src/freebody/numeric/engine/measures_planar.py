@@ -13,8 +13,6 @@ from typing import Any, NamedTuple
 from freebody.numeric.engine.jit import kernel
 
 TURN = 2.0 * math.pi
-MAX_BODIES = 3
-MAX_NUMBERS = 6
 VALUE, BIAS, BEARING, NEAR = range(4)  # what stands in `out` of every measure
 
 
@@ -27,15 +25,19 @@ class Kind(NamedTuple):
     n_numbers: int
     has_bearing: bool
     unchanging: tuple[int, ...]  # entries of the gradient that are the same in every pose
+    vanishing: tuple[tuple[int, tuple[int, ...]], ...] = ()  # entries that are zero where these numbers are
 
+
+MAX_BODIES = 3
+MAX_NUMBERS = 6
 
 KINDS = (
-    Kind("Displacement", ("along",), 2, 6, False, (0, 1, 3, 4)),
-    Kind("Displacement", (), 3, 6, False, (6, 7)),
+    Kind("Displacement", ("along",), 2, 6, False, (0, 1, 3, 4), ((2, (0, 1)), (5, (2, 3)))),
+    Kind("Displacement", (), 3, 6, False, (6, 7), ((2, (0, 1)), (5, (2, 3)))),
     Kind("Angle", (), 2, 1, False, (0, 1, 2, 3, 4, 5)),
-    Kind("Distance", (), 2, 4, True, ()),
-    Kind("Bearing", (), 3, 5, True, (6, 7, 8)),
-    Kind("Lead", (), 2, 5, True, ()),
+    Kind("Distance", (), 2, 4, True, (), ((2, (0, 1)), (5, (2, 3)))),
+    Kind("Bearing", (), 3, 5, True, (6, 7, 8), ((2, (0, 1)), (5, (2, 3)))),
+    Kind("Lead", (), 2, 5, True, (), ((2, (0, 1)), (5, (2, 3)))),
 )
 
 

@@ -131,7 +131,7 @@ class Motion:
     def _begin(self) -> bool:
         e, run = self.engine, self.run
         clock, y = run.clock, run.states[0]
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         clock[stepping.NOW] = clock[stepping.BEFORE] = self.start
         # a speed that moves nothing by a thousandth of its size within the whole time does not matter
         slowest = 1e-3 / (self.until - self.start)
@@ -236,7 +236,7 @@ class Motion:
         """The motion at an instant between output times."""
         e = self.engine
         self.values_at(-1.0, state, t)
-        n = 3 * (e.n_bodies + 1)
+        n = e.n_coordinates
         self.extra.append((t, state, self._slope[n : 2 * n].copy(), e.room.multiplier.copy()))
 
     def _look(self) -> bool:
@@ -260,8 +260,7 @@ class Motion:
 
     # -- the result ---------------------------------------------------------------------------
     def _collected(self, status: Status, message: str, wall: float) -> Course:
-        e, run = self.engine, self.run
-        n = 3 * (e.n_bodies + 1)
+        e, run, n = self.engine, self.run, self.engine.n_coordinates
         k = int(run.count[stepping.OUTPUTS])
         now = float(run.clock[stepping.NOW])
         times = [float(t) for t in run.out_t[:k]]
@@ -288,17 +287,17 @@ class Motion:
         Y = np.array(states)[order]
         multiplier_rows = np.array(multipliers).reshape(len(times), -1)[order][:, e.place_of]
         T = np.array(times)[order]
-        shape = (len(T), e.n_bodies + 1, 3)
+        track = e.border.track(Y, np.array(accelerations)[order].reshape(len(T), n))
         return Course(
             status=status,
             message=message,
             times=T,
-            poses=Y[:, :n].reshape(shape),
-            velocities=Y[:, n : 2 * n].reshape(shape),
-            accelerations=np.array(accelerations)[order].reshape(shape),
+            poses=track.poses,
+            velocities=track.velocities,
+            accelerations=track.accelerations,
             multipliers=multiplier_rows,
             unique=self._unique(T, Y, multiplier_rows.shape),
-            work=Y[:, -1].copy(),
+            work=Y[:, 2 * n].copy(),
             happenings=tuple(self.happenings),
             n_steps=int(run.count[stepping.STEPS]),
             n_evaluations=int(run.count[stepping.EVALUATIONS]),
@@ -312,6 +311,7 @@ class Motion:
             tracks=Tracks.of(e.turning, self.tracks),
             near=e.room.measures[:, NEAR].copy(),
             violated=-1 if self.violation is None else self.violation.guard,
+            rotation=track.rotation,
         )
 
     def _unique(self, times: Floats, states: Floats, shape: tuple[int, ...]) -> Any:

@@ -13,8 +13,9 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import Bound, Component, Held, Push, RateMeasure, Rub
+from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
-from freebody.numeric.engine.measures_planar import KINDS
+from freebody.numeric.engine.layout import Floats
 from freebody.numeric.numbers import Numbers
 
 if TYPE_CHECKING:
@@ -78,10 +79,12 @@ class Packing:
 
     def __init__(self, numbers: Numbers) -> None:
         self.numbers = numbers
+        self.cells = cells_of(numbers)
+        self.measures = self.cells.measures
         self._bodies = {body.name: k for k, body in enumerate(numbers.system.moving)}
         self.n_bodies = len(self._bodies)
-        self.constant_force = np.zeros((self.n_bodies + 1, 3))
-        self._measures: list[dict[_Key, int]] = [{} for _ in KINDS]
+        self.constant_force = np.zeros((self.n_bodies + 1, 3 * self.measures.width))
+        self._measures: list[dict[_Key, int]] = [{} for _ in self.measures.kinds]
         self.pieces: list[tuple[int, _Key]] = []
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
         self._base: dict[Base, int] = {}
@@ -97,25 +100,10 @@ class Packing:
     def _body(self, name: str) -> int:
         return self._bodies.get(name, self.n_bodies)
 
-    def _point(self, point: Point) -> tuple[int, tuple[float, float]]:
-        """Body and components of a point; one of a fixed body is one of the ground."""
-        x, y = (self.numbers.number(c) for c in point.offset)
-        if point.body in self._bodies:
-            return self._bodies[point.body], (x, y)
-        gx, gy, c, s = self.numbers.fixed_pose(point.body)
-        return self.n_bodies, (gx + c * x - s * y, gy + s * x + c * y)
-
-    def _direction(self, direction: Direction) -> tuple[int, tuple[float, float]]:
-        x, y = (self.numbers.number(c) for c in direction.components)
-        if direction.body in self._bodies:
-            return self._bodies[direction.body], (x, y)
-        _x, _y, c, s = self.numbers.fixed_pose(direction.body)
-        return self.n_bodies, (c * x - s * y, s * x + c * y)
-
     def _elementary(self, measure: Measure) -> Base | None:
         """A row of one elementary measure, entered in the arrays of its kind."""
-        name = type(measure).__name__
-        if all(kind.name != name for kind in KINDS):
+        name, kinds = type(measure).__name__, self.measures.kinds
+        if all(kind.name != name for kind in kinds):
             return None
         bodies: list[int] = []
         numbers: list[float] = []
@@ -124,13 +112,13 @@ class Packing:
         for f in fields(measure):  # type: ignore[arg-type]
             value: Any = getattr(measure, f.name)
             if isinstance(value, Point):
-                body, components = self._point(value)
+                body, components = self._body(value.body), self.cells.point(value)
             elif isinstance(value, Direction):
-                body, components = self._direction(value)
+                body, components = self._body(value.body), self.cells.direction(value)
             elif isinstance(value, str):
-                body, components = self._body(value), ()
+                body, components = self._body(value), self.cells.axes(value)
                 if body == self.n_bodies:  # the angle of a fixed body is a number
-                    constant += self._fixed_angle(measure, f.name, value)
+                    constant += self._fixed_angle(f.name, value)
             else:
                 numbers.append(self.numbers.number(value))
                 continue
@@ -138,8 +126,8 @@ class Packing:
             numbers += components
             if body == self.n_bodies:
                 on_ground.add(f.name)
-        index = next(i for i, kind in enumerate(KINDS) if kind.name == name and set(kind.fixed) <= on_ground)
-        kind = KINDS[index]
+        index = next(i for i, kind in enumerate(kinds) if kind.name == name and set(kind.fixed) <= on_ground)
+        kind = kinds[index]
         names = [f.name for f in fields(measure) if isinstance(getattr(measure, f.name), (Point, Direction, str))]  # type: ignore[arg-type]
         bodies = [b for n, b in zip(names, bodies, strict=True) if n not in kind.fixed]
         key = (tuple(bodies), tuple(numbers))
@@ -151,9 +139,9 @@ class Packing:
                 self._with_bearing[known[key]] = (measure, constant, numbers[-1] if name == "Lead" else None)
         return Base(constant, ((known[key], 1.0),))
 
-    def _fixed_angle(self, measure: Measure, field_name: str, body: str) -> float:
+    def _fixed_angle(self, field_name: str, body: str) -> float:
         """What the angle of a fixed body adds to a measure that reads it: measures are linear in angles."""
-        angle = self.numbers.fixed_angle(body)
+        angle = self.cells.fixed_angle(body)
         return angle if field_name == "of" else -angle
 
     # -- rows ---------------------------------------------------------------------------------
@@ -215,11 +203,12 @@ class Packing:
         if not isinstance(coefficient, Component):
             return self.row(coefficient)
         from freebody.measures.displacement import Displacement
-        from freebody.measures.geometry import RIGHT, UP, ZERO
+        from freebody.measures.geometry import GROUND, ONE
 
         d = coefficient.direction
-        tip, foot = Point(d.body, d.components), Point(d.body, (ZERO, ZERO))
-        return self.row(Displacement(tip, foot, RIGHT if coefficient.axis == "x" else UP))
+        tip, foot = Point(d.body, d.components), Point(d.body, tuple(ZERO for _ in d.components))
+        axis = tuple(ONE if name == coefficient.axis else ZERO for name in "xyz"[: len(d.components)])
+        return self.row(Displacement(tip, foot, Direction(GROUND, axis)))
 
     def _expression(self, measure: Measure, inputs: dict[str, int]) -> Expr:
         """A measure as an expression in base rows, which are entered in `inputs` under names of their own."""
@@ -326,22 +315,39 @@ class Packing:
             return False
         forces = np.zeros_like(self.constant_force)
         for k, coefficient in linear.terms:
-            index, (bodies, numbers) = self.pieces[k]
-            name = KINDS[index].name
-            if name == "Angle":
-                forces[bodies[0], 2] += coefficient
-                forces[bodies[1], 2] -= coefficient
-            elif name == "Displacement" and KINDS[index].fixed:
-                for body, offset, sign in ((bodies[0], numbers[:2], 1.0), (bodies[1], numbers[2:4], -1.0)):
-                    if body != self.n_bodies and any(offset):
+            index, (bodies, _numbers) = self.pieces[k]
+            gradient = self.constant_gradient(index, self.pieces[k][1])
+            for j, body in enumerate(bodies):
+                if body != self.n_bodies:
+                    own = gradient[j * forces.shape[1] : (j + 1) * forces.shape[1]]
+                    if np.isnan(own).any():
                         return False
-                    forces[body, 0] += sign * coefficient * numbers[4]
-                    forces[body, 1] += sign * coefficient * numbers[5]
-            else:
-                return False
+                    forces[body] += coefficient * own
         self.constant_force += force * forces
-        self.constant_force[self.n_bodies] = 0.0
         return True
+
+    def constant_gradient(self, index: int, key: _Key) -> Floats:
+        """The gradient of a measure of a kind, as far as it is the same in every pose; NaN where it changes."""
+        kind, (_bodies, numbers) = self.measures.kinds[index], key
+        n = 3 * self.measures.width * kind.n_bodies
+        gradient = np.zeros(n)
+        counts = (np.arange(len(self.measures.kinds) + 1) > index).astype(int)
+        self.measures.fill(counts, np.zeros(len(counts), dtype=int), np.array([numbers]), gradient)
+        still = {*kind.unchanging, *(j for j, those in kind.vanishing if not any(numbers[i] for i in those))}
+        gradient[[j for j in range(n) if j not in still]] = np.nan
+        return gradient
+
+    def pieces_of(self, where: Where) -> set[int]:
+        """The elementary measures of which a row is made."""
+        if where[0] == "base":
+            return {k for k, _c in self.bases[where[1]].terms}
+        other = self.other[where[1]]
+        inner = (
+            [("base", row) for row in other.inputs.values()]
+            if isinstance(other, Composition)
+            else [m for _c, m in other.terms]
+        )
+        return {k for part in inner for k in self.pieces_of(part)}
 
     def written(self) -> Written:
         """What has been entered, as arrays."""

@@ -96,9 +96,8 @@ class Patrol:
     def _divided(self) -> None:
         """Divides the last step into parts."""
         states = self.motion.run.states
-        at = [3 * k + 2 for k in self.guarding.turning]
-        turned = states[stepping.Y, at] - states[stepping.OLD, at]
-        largest = float(np.abs(turned).max(initial=0.0))
+        border = self.motion.engine.border
+        largest = border.largest_turn(states[stepping.OLD], states[stepping.Y], self.guarding.turning)
         n_parts = max(4, min(MOST_PARTS, int(largest / TURN) + 1))
         if n_parts + 1 != len(self._parts):
             self._parts = np.linspace(0.0, 1.0, n_parts + 1)

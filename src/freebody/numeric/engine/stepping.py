@@ -1,8 +1,9 @@
 """Explicit steps with projection: one loop for every tableau.
 
-The state is y = (q, v, W): positions and velocities of all bodies (the fixed one last), and the work done by loads
-without a potential and by drivers. A step advances y' = (v, a, P); then q moves to the nearest pose, in the metric of
-the masses, that holds what is held, and v loses what does not. Errors count by the size of the motion: positions in
+The state is y = (q, v, W, r): positions and velocities of all bodies (the fixed one last), the work done by loads
+without a potential and by drivers, and in space the quaternions of the bodies' rotations. A step advances
+y' = (v, a, P, r'); then q and r move to the nearest pose, in the metric of the masses, that holds what is held, and v
+loses what does not. Errors count by the size of the motion: positions in
 parts of the system's length and angles in radians, or in parts of the largest move so far where that is less;
 velocities in parts of the largest speed met so far (in lengths or radians a second).
 Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 1993, sec. II.4 to II.6; Hairer & Wanner,
@@ -31,9 +32,11 @@ from freebody.numeric.engine.dynamics import (
     power,
     respond,
 )
-from freebody.numeric.engine.jit import entry, kernel, part
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, Layout, Room, example_of
+from freebody.numeric.engine.either import of_either
+from freebody.numeric.engine.jit import kernel, part
+from freebody.numeric.engine.layout import Floats, Floats2, Ints, example_of
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
+from freebody.numeric.engine.rotating import absorbed, framed, normalised, rates
 from freebody.numeric.engine.tableaus import Tableau
 
 # -- what a run is about ----------------------------------------------------------------------
@@ -105,26 +108,29 @@ class Run(NamedTuple):
 
 @part
 def slope(L, S, y, t, out):
-    n = (len(y) - 1) // 2
+    n = len(L.inverse_mass)
     q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
+    framed(S.frames, y, 2 * n + 1)
     accelerations(L, S, q, v, t)
     store_slope(L, S, y, out)
 
 
 @part
 def store_slope(L, S, y, out):
-    n = (len(y) - 1) // 2
+    n = len(L.inverse_mass)
     for i in range(n):
         out[i] = y[n + i]
         out[n + i] = S.acceleration[i]
     out[2 * n] = power(L, S)
+    rates(S.frames, y, n, 2 * n + 1, out)
 
 
 @kernel
 def project(L, S, clock, count, unit, y, t):
     """Closes the gaps of a state; True if that succeeds. Kinematics are those of the state then."""
-    n = (len(y) - 1) // 2
+    n = len(unit)
     q, v = y[:n].reshape((n // 3, 3)), y[n : 2 * n].reshape((n // 3, 3))
+    normalised(S.frames, y, 2 * n + 1)
     size = 1.0
     for i in range(n):
         size = max(size, abs(y[i]) / unit[i])
@@ -134,6 +140,7 @@ def project(L, S, clock, count, unit, y, t):
         place_enough, motion_enough = EPSILON * size, 2.0 * EPSILON * clock[SPEED]
     last_place, last_motion = math.inf, math.inf
     for attempt in range(N_PROJECTIONS):
+        framed(S.frames, y, 2 * n + 1)
         kinematics(L, S, q, v, t)
         place, motion = gaps(L, S, y[n : 2 * n])
         if not (place < math.inf and motion < math.inf):
@@ -150,6 +157,7 @@ def project(L, S, clock, count, unit, y, t):
         last_place, last_motion = place, motion
         factored(L, S)
         closed(L, S, y[:n], y[n : 2 * n])
+        absorbed(S.frames, y, 2 * n + 1)
     return False
 
 
@@ -178,8 +186,9 @@ def slope_held(L, S, clock, count, unit, held, y, t, out):
 
 @part
 def error_of(T, R, h):
-    """The estimated error of a step, 1 where it is what is allowed; NaN if it is not finite."""
-    n = (len(R.states[Y]) - 1) // 2
+    """The estimated error of a step, 1 where it is what is allowed; NaN if it is not finite. A turn by an angle changes
+    a quaternion by half of it."""
+    n = len(R.unit)
     n_slopes = T.error.shape[1]
     fastest = 0.0
     for i in range(n):
@@ -187,12 +196,20 @@ def error_of(T, R, h):
     speed = max(R.clock[SPEED], h * fastest)
     moved = min(1.0, max(R.clock[MOVED], h * speed))
     first, second = 0.0, 0.0
-    for i in range(2 * n):
+    for i in range(len(R.states[Y])):
+        if i == 2 * n:
+            continue
         e1, e2 = 0.0, 0.0
         for j in range(n_slopes):
             e1 += T.error[0, j] * R.slopes[j, i]
             e2 += T.error[1, j] * R.slopes[j, i]
-        scale = R.clock[TOLERANCE] * (R.unit[i] * moved if i < n else R.unit[i - n] * speed)
+        scale = R.clock[TOLERANCE]
+        if i < n:
+            scale *= R.unit[i] * moved
+        elif i < 2 * n:
+            scale *= R.unit[i - n] * speed
+        else:
+            scale *= 0.5 * moved
         scale += 4.0 * EPSILON * abs(R.states[Y][i])
         if scale > 0.0:
             e1, e2 = abs(e1) / scale, abs(e2) / scale
@@ -298,7 +315,7 @@ def store_outputs(L, S, R):
 def look_for_stiffness(T, R, h):
     """Counts steps whose size seems to be bounded by stability: h |df/dy| between the last stage and the new value."""
     n_stages = T.sizes[0]
-    n = (len(R.states[Y]) - 1) // 2
+    n = len(R.unit)
     above, below = 0.0, 0.0
     for i in range(n):
         u = R.unit[i]
@@ -307,6 +324,9 @@ def look_for_stiffness(T, R, h):
         above += d * d
         below += e * e
         x = (R.states[NEW][i] - R.states[OLD][i]) / u
+        below += x * x / (h * h)
+    for i in range(2 * n + 1, len(R.states[Y])):
+        x = 2.0 * (R.states[NEW][i] - R.states[OLD][i])
         below += x * x / (h * h)
     bound = 6.1 if T.sizes[2] >= 8 else 3.25
     if below > 0.0 and h * math.sqrt(above / below) > bound:
@@ -321,7 +341,7 @@ def look_for_stiffness(T, R, h):
 @part
 def accept(S, R, h):
     """The new value becomes the state."""
-    n = (len(R.states[Y]) - 1) // 2
+    n = len(R.unit)
     speed = R.clock[SPEED]
     for i in range(len(R.states[Y])):
         R.states[OLD][i] = R.states[Y][i]
@@ -330,6 +350,8 @@ def accept(S, R, h):
     for i in range(n):
         speed = max(speed, abs(R.states[Y][n + i]) / R.unit[i])
         moved = max(moved, abs(R.states[Y][i] - R.states[FIRST][i]) / R.unit[i])
+    for i in range(2 * n + 1, len(R.states[Y])):
+        moved = max(moved, 2.0 * abs(R.states[Y][i] - R.states[FIRST][i]))
     R.clock[SPEED], R.clock[MOVED] = speed, moved
     for k in range(len(S.measures)):
         S.measures[k, NEAR] = S.measures[k, BEARING]
@@ -340,11 +362,11 @@ def accept(S, R, h):
     R.count[STEPS] += 1
 
 
-_L, _S, _T, _R = (example_of(kind) for kind in (Layout, Room, Tableau, Run))
+_T, _R = example_of(Tableau), example_of(Run)
 _INT, _FLOAT, _STATE = 1, 1.0, np.zeros(1)
 
 
-@entry(_L, _S, _T, _R, _INT)
+@of_either(_T, _R, _INT)
 def advance(L, S, T, R, max_steps):
     """Makes steps to the end time, or max_steps of them, or one if the run is watched."""
     n_stages, order, is_adaptive, needs_new = T.sizes[0], T.sizes[2], T.sizes[3] > 0, T.sizes[4] > 0
@@ -435,7 +457,7 @@ def advance(L, S, T, R, max_steps):
     return REACHED if R.clock[NOW] >= R.clock[END] else PAUSED
 
 
-@entry(_L, _S, _R, _FLOAT, _STATE, _FLOAT, _STATE, _INT)
+@of_either(_R, _FLOAT, _STATE, _FLOAT, _STATE, _INT)
 def visit(L, S, R, s, y, t, out, n_times):
     """The slope of a state: that at the part s of the last step, or, for s < 0, of y as it is. Its rows, accelerations
     and multipliers stand in `S`. The gaps of the state are closed before; with n_times > 0 they are not, and the slope
@@ -452,7 +474,7 @@ def visit(L, S, R, s, y, t, out, n_times):
 _TABLE = np.zeros((1, 1))
 
 
-@entry(_L, _S, _R, _STATE, _FLOAT, _STATE, _TABLE, _TABLE, _TABLE)
+@of_either(_R, _STATE, _FLOAT, _STATE, _TABLE, _TABLE, _TABLE)
 def patrol(L, S, R, parts, t, y, values, rates, sizes):
     """What is guarded at parts of the last step (after a negative part, at the state y and the time t as they are): one
     row of values, rates and sizes for each."""

@@ -6,7 +6,7 @@ All rows are written once; which of them are held, and along which of them frict
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,8 +16,7 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
 from freebody.model.elements import VALUE, Push, RateMeasure, Rub
 from freebody.numeric.engine.complement import held_entries, schur_complement
-from freebody.numeric.engine.layout import Floats, Layout, floats, ints, pointers
-from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS, fill
+from freebody.numeric.engine.layout import Layout, floats, ints, pointers
 from freebody.numeric.engine.ordering import elimination_order
 from freebody.numeric.engine.packing import MASSLESS, Composition, Packing, Where
 from freebody.numeric.engine.tapes import Tapes
@@ -47,29 +46,46 @@ class Written:
     def __init__(self, packing: Packing) -> None:
         self.packing = packing
         self.n_bodies = packing.n_bodies
+        self.width = packing.measures.width
         self._tapes = Tapes(packing.numbers.values)
         self._write()
 
     # -- everything but what is held ----------------------------------------------------------
     def _write(self) -> None:
         p, tapes = self.packing, self._tapes
+        known = p.measures
         order = sorted(range(len(p.pieces)), key=lambda k: p.pieces[k][0])
         new_place = {old: new for new, old in enumerate(order)}
-        counts = [sum(1 for index, _ in p.pieces if index == i) for i in range(len(KINDS))]
+        counts = [sum(1 for index, _ in p.pieces if index == i) for i in range(len(known.kinds))]
         kinds = np.concatenate(([0], np.cumsum(counts)))
-        starts = np.concatenate(([0], np.cumsum([3 * k.n_bodies * c for k, c in zip(KINDS, counts, strict=True)])))
+        sizes = [3 * self.width * k.n_bodies for k in known.kinds]
+        starts = np.concatenate(([0], np.cumsum([n * c for n, c in zip(sizes, counts, strict=True)])))
         n_entries = int(starts[-1])
-        measure_bodies = np.zeros((len(order), MAX_BODIES))
-        measure_numbers = np.zeros((len(order), MAX_NUMBERS))
+        measure_bodies = np.zeros((len(order), known.max_bodies))
+        measure_numbers = np.zeros((len(order), known.max_numbers))
         for new, old in enumerate(order):
             _index, (bodies, numbers) = p.pieces[old]
             measure_bodies[new, : len(bodies)] = bodies
             measure_numbers[new, : len(numbers)] = numbers
+        begins = [
+            int(starts[p.pieces[old][0]]) + sizes[p.pieces[old][0]] * (new_place[old] - int(kinds[p.pieces[old][0]]))
+            for old in range(len(p.pieces))
+        ]
+        self._unchanging: dict[int, float] = {}
+        for old, (index, key) in enumerate(p.pieces):
+            gradient = p.constant_gradient(index, key)
+            self._unchanging |= {begins[old] + int(j): float(gradient[j]) for j in np.flatnonzero(~np.isnan(gradient))}
 
         def slots_of_measure(old: int) -> list[tuple[int, int]]:
-            index, (bodies, _numbers) = p.pieces[old]
-            begin = int(starts[index]) + 3 * len(bodies) * (new_place[old] - int(kinds[index]))
-            return [(b, begin + 3 * j) for j, b in enumerate(bodies) if b != self.n_bodies]
+            """Cells that a measure depends on, and where their gradient begins."""
+            _index, (bodies, _numbers) = p.pieces[old]
+            listed = [
+                (self.width * b + c, begins[old] + 3 * (self.width * j + c))
+                for j, b in enumerate(bodies)
+                for c in range(self.width)
+                if b != self.n_bodies
+            ]
+            return [(cell, o) for cell, o in listed if any(self._unchanging.get(o + i) != 0.0 for i in range(3))]
 
         rows = _Rows(n_entries)
         for base in p.bases:
@@ -98,8 +114,7 @@ class Written:
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
         self._limits = [self._limit(slide.rub) for slide in p.rubs]
-        self._masses = self._masses_of()
-        self._unchanging = _unchanging(n_entries, kinds, starts, measure_numbers)
+        self._masses = self._masses_of(self._driven(slots_of_measure))
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
         self._fixed: dict[str, Any] = {
@@ -130,21 +145,37 @@ class Written:
             "push_law": floats(np.array([push["law"] for push in pushes]).reshape(-1, 3)),
         }
 
-    def _masses_of(self) -> dict[str, Any]:
-        """Inverse masses, and what is lent to bodies that have none."""
-        numbers = self.packing.numbers
-        masses = np.zeros((self.n_bodies + 1, 3))
-        turns = np.zeros((self.n_bodies + 1, 3), dtype=bool)
+    def _driven(self, slots_of_measure: Callable[[int], list[tuple[int, int]]]) -> set[int]:
+        """Coordinates on which a row that may be held, or a load, can act."""
+        p = self.packing
+        wheres = [held.where for held in p.held] + [pushed[0] for pushed in p.pushed]
+        pieces = {k for where in wheres for k in p.pieces_of(where)}
+        entries = [(3 * cell + i, o + i) for k in pieces for cell, o in slots_of_measure(k) for i in range(3)]
+        constant = np.flatnonzero(p.constant_force)
+        return {c for c, o in entries if self._unchanging.get(o) != 0.0} | set(constant.tolist())
+
+    def _masses_of(self, driven: set[int]) -> dict[str, Any]:
+        """Inverse masses, and what is lent where a body has none: but not to the spin of a thin rod that nothing turns
+        about its own axis, which goes on as it is."""
+        numbers, cells, n = self.packing.numbers, self.packing.cells, 3 * self.width
+        masses = np.zeros((self.n_bodies + 1, n))
+        turns = np.zeros((self.n_bodies + 1, n), dtype=bool)
+        gyration: list[tuple[float, ...]] = []
         for k, b in enumerate(numbers.system.moving):
-            masses[k, :2] = numbers.number(b.mass)
-            masses[k, 2] = numbers.number(b.inertia) if b.turns else 0.0
-            turns[k] = (True, True, b.turns)
+            masses[k], turns[k] = cells.masses(b)
+            gyration += cells.gyration(b)
         mass = float(masses[:, 0].max(initial=0.0)) or 1.0
-        typical = np.array([mass, mass, mass * numbers.length**2])
-        lent = np.where(turns & (masses == 0.0), MASSLESS * typical, 0.0)
+        typical = np.array(cells.sizes(mass, numbers.length))
+        is_driven = np.isin(np.arange(masses.size).reshape(masses.shape), sorted(driven)) | (self.width == 1)
+        lent = np.where(turns & (masses == 0.0) & is_driven, MASSLESS * typical, 0.0)
         used = masses + lent
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
-        return {"inverse_mass": inverse.ravel(), "mass_gap": lent.ravel(), "has_gap": ints([int(lent.any())])}
+        return {
+            "inverse_mass": inverse.ravel(),
+            "mass_gap": lent.ravel(),
+            "has_gap": ints([int(lent.any())]),
+            "gyration": floats(np.array(gyration).reshape(-1, 3)),
+        }
 
     def _hold(self, k: int) -> dict[str, Any]:
         """One row that may be held."""
@@ -209,7 +240,7 @@ class Written:
         """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (rub,
         direction), and the given guards; and the order of the held rows, places among the chosen ones."""
         held = list(range(len(self._held))) if chosen is None else list(chosen)
-        sequence = elimination_order([frozenset(b for b, _o in self._held_slots[k]) for k in held])
+        sequence = elimination_order([frozenset(c // self.width for c, _o in self._held_slots[k]) for k in held])
         sorted_held = [held[k] for k in sequence]
         place = {k: n for n, k in enumerate(sorted_held)}
         entries = [
@@ -283,19 +314,6 @@ class Written:
         )
 
 
-def _unchanging(n_entries: int, kinds: Any, starts: Any, numbers: Floats) -> dict[int, float]:
-    """Gradient entries of measures that are the same in every pose, with their values."""
-    gradient = np.zeros(n_entries)
-    fill(ints(kinds), ints(starts), numbers, gradient)
-    found: dict[int, float] = {}
-    for index, kind in enumerate(KINDS):
-        size = 3 * kind.n_bodies
-        for k in range(int(kinds[index]), int(kinds[index + 1])):
-            begin = int(starts[index]) + size * (k - int(kinds[index]))
-            found |= {begin + j: float(gradient[begin + j]) for j in kind.unchanging}
-    return found
-
-
 class _Rows:
     """The slots of rows, and what must be added up to fill them."""
 
@@ -307,24 +325,24 @@ class _Rows:
         self.product_mix: list[tuple[int, int, int]] = []
         self.composed_mix: list[tuple[int, int, int, int]] = []
 
-    def _own(self, bodies: Iterable[int]) -> dict[int, int]:
-        """Entries of its own for a row, one for each body."""
+    def _own(self, cells: Iterable[int]) -> dict[int, int]:
+        """Entries of its own for a row, three for each cell."""
         own: dict[int, int] = {}
-        for body in bodies:
-            if body not in own:
-                own[body] = self.n_entries
+        for cell in cells:
+            if cell not in own:
+                own[cell] = self.n_entries
                 self.cleared.append(self.n_entries)
                 self.n_entries += 3
         self.slots.append(list(own.items()))
         return own
 
     def add_base(self, pieces: Sequence[tuple[int, int, float]]) -> None:
-        """A row of measures: (body, entries, coefficient). A single measure lends it its own entries."""
-        bodies = [b for b, _o, _c in pieces]
-        if len(set(bodies)) == len(bodies) and all(c == 1.0 for _b, _o, c in pieces):
+        """A row of measures: (cell, entries, coefficient). A single measure lends it its own entries."""
+        cells = [b for b, _o, _c in pieces]
+        if len(set(cells)) == len(cells) and all(c == 1.0 for _b, _o, c in pieces):
             self.slots.append([(b, o) for b, o, _c in pieces])
             return
-        own = self._own(bodies)
+        own = self._own(cells)
         self.mix += [(own[b], o, c) for b, o, c in pieces]
 
     def add_product(self, terms: Sequence[tuple[int, int]]) -> None:

@@ -15,11 +15,14 @@ from freebody.errors import CannotAnswer
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.measures.turn import Turn
+from freebody.model.rotations import UNIT
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.rank import CLEAR_CUT, scaled_rows
 from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
 from freebody.numeric.reference import Reference
+from freebody.numeric.start import axes_of
 from freebody.system.system import System
 
 _STILL = 1e-8  # of the slope of a measure, by the size of the system: less is no motion
@@ -70,10 +73,31 @@ def _free(reference: Reference, q: Array) -> tuple[int, Callable[[Array], Array]
 def _candidates(system: System) -> Iterator[tuple[str, Measure]]:
     yield from system.measures.items()
     yield from ((name, m) for name, m in system.offered if m not in system.measures.values())
-    for body in system.moving:
-        if body.turns:
-            yield f"angle of {body.name}", Angle(body.name)
+    yield from own_measures(system)
+
+
+def own_measures(system: System) -> Iterator[tuple[str, Measure]]:
+    """Angles and places of bodies; in space "angle of crank.x about z" is that of the body's x axis, seen along the
+    ground's z."""
+    turning = [body.name for body in system.moving if body.turns]
+    if system.space:
+        # first by the own axis that is across in a body parallel to the ground, then by the other one
+        for k in (1, 2):
+            for about in (2, 0, 1):
+                own = (about + k) % 3
+                for body in turning:
+                    yield f"angle of {body}.{'xyz'[own]} about {'xyz'[about]}", _turn(body, own, about, k)
+    else:
+        yield from ((f"angle of {body}", Angle(body)) for body in turning)
     origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
     for body in system.moving:
-        yield f"x of {body.name}", Displacement(body.mass_center, origin, RIGHT)
-        yield f"y of {body.name}", Displacement(body.mass_center, origin, UP)
+        for name, axis in zip("xyz", axes_of(system), strict=False):
+            yield f"{name} of {body.name}", Displacement(body.mass_center, origin, axis)
+
+
+def _turn(body: str, own: int, about: int, k: int) -> Turn:
+    """The angle of an axis of a body from the ground's axis of that name, about another axis of the ground."""
+    start, side = UNIT[own], UNIT[(about + 2) % 3]
+    if k == 2:
+        side = tuple(-c for c in UNIT[(about + 1) % 3])
+    return Turn(Direction(body, UNIT[own]), Direction(GROUND, start), Direction(GROUND, side))

@@ -153,5 +153,4 @@ def other_branch(mechanism: Mechanism, change: Change) -> Array | None:
     _U, size, W = np.linalg.svd(forms)
     if size[0] < 1e-7 or (len(size) > 1 and size[1] > 1e-6 * size[0]) or abs(W[-1, 1]) < 1e-6:
         return None
-    direction: Array = (W[-1, 0] * t + W[-1, 1] * p) * mechanism.D
-    return direction
+    return mechanism.chart.speeds(change.x, W[-1, 0] * t + W[-1, 1] * p)

@@ -1,6 +1,6 @@
 """The poses of a mechanism with one freedom as a curve, and Newton's steps onto it.
 
-Coordinates x are those of q by the sizes of the system. With F(x) = 0 what is held and J its gradients, the poses form
+Coordinates x are those of `chart`. With F(x) = 0 what is held and J its gradients, the poses form
 a curve with the unit tangent t, J t = 0. A pose of it in the plane through x across a direction a is found by steps
 
     [J; a^T] dx = [-F; 0],
@@ -24,6 +24,7 @@ from freebody.measures.base import Measure
 from freebody.model.elements import RateMeasure
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array, Branch, JetGeometry
+from freebody.numeric.mobility.chart import Chart
 from freebody.numeric.placing import ACCEPTED
 from freebody.numeric.reference import Reference
 
@@ -62,7 +63,7 @@ class Mechanism:
         self, reference: Reference, q: Array, measures: Sequence[Measure], released: Sequence[str], t: float
     ) -> None:
         self.reference, self.measures, self.t = reference, measures, t
-        self.D, self.turning = reference.sizes.unit_moves, reference.sizes.turning
+        self.chart = Chart.of(reference)
         self.name = reference.name_of(measures[0]).replace("the measure", "the input")
         self.without = f"without {', '.join(released)}" if released else "with all connections"
         _refuse(reference, released)
@@ -74,14 +75,17 @@ class Mechanism:
 
     def see(self, x: Array, near: Mapping[Branch, float]) -> Seen | None:
         """Weighted gaps, their gradients; None where a measure has no value."""
-        g = self.reference.geometry(x * self.D, np.zeros_like(x), self.t, near)
+        q = self.chart.q(x)
+        g = self.reference.geometry(q, np.zeros_like(q), self.t, near)
         try:
             gaps = [equation.gap(g) for equation in self.equations]
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
-        n = len(x)
-        F = self._weights * np.array([gap.value for gap in gaps])
-        J = self._weights[:, None] * np.array([gap.row(n) for gap in gaps]).reshape(len(gaps), n) * self.D
+        n = len(q)
+        own, own_rows = self.chart.own_rows(x)
+        rows = self._weights[:, None] * np.array([gap.row(n) for gap in gaps]).reshape(len(gaps), n)
+        F = np.concatenate([self._weights * np.array([gap.value for gap in gaps]), own])
+        J = np.vstack([self.chart.slopes(x, rows), own_rows])
         return (F, J, g) if np.isfinite(F).all() and np.isfinite(J).all() else None
 
     def _seen(self, x: Array) -> Seen:
@@ -110,8 +114,9 @@ class Mechanism:
 
     def bias(self, x: Array, v: Array) -> Array:
         """Second derivative of the gaps along the straight line x + v s."""
-        g = self.reference.geometry(x * self.D, v * self.D, self.t, self.near)
-        return self._weights * np.array([equation.gap(g).bias for equation in self.equations])
+        g = self.reference.geometry(self.chart.q(x), self.chart.speeds(x, v), self.t, self.near)
+        bias = self._weights * np.array([equation.gap(g).bias for equation in self.equations])
+        return np.concatenate([bias, self.chart.own_bias(v)])
 
     def station(self, x: Array, seen: Seen, heading: Array) -> Station:
         _F, J, g = seen
@@ -121,7 +126,7 @@ class Mechanism:
         parity = sense * float(np.linalg.slogdet(Vt)[0])
         jets = [self.reference.jet(g, measure) for measure in self.measures]
         values = np.array([jet.value for jet in jets])
-        slopes = np.array([jet.row(n) for jet in jets]) * self.D
+        slopes = self.chart.slopes(x, np.array([jet.row(len(g.q)) for jet in jets]))
         sigma = float(S[n - 2]) if n > 1 else 1.0
         return Station(x, sense * Vt[-1], U[:, : n - 1], sigma, parity, values, slopes, g.angles)
 
@@ -154,7 +159,8 @@ class Mechanism:
         seen = self._seen(x)
         rows = seen[1]
         if with_input:
-            slope = self.reference.jet(seen[2], self.measures[0], self.name).row(len(x)) * self.D
+            jet = self.reference.jet(seen[2], self.measures[0], self.name)
+            slope = self.chart.slopes(x, jet.row(len(seen[2].q))[None, :])[0]
             rows = np.vstack([rows, slope / (float(np.linalg.norm(slope)) or 1.0)])
         _U, S, Vt = np.linalg.svd(rows)
         cut = _SINGULAR * float(S.max(initial=0.0))
@@ -170,18 +176,18 @@ class Mechanism:
         free, rng, poses = self._null(x, with_input=False), np.random.default_rng(1), list[Array]()
         for _ in range(n if free.shape[1] else 0):
             step: Array = free @ rng.standard_normal(int(free.shape[1]))
-            q = (x + step * (size / float(np.abs(step).max()))) * self.D
+            q = self.chart.q(x + step * (size / float(np.abs(step).max())))
             fit = self.reference.placing.fit(q, self.equations, self.t, self.near)
             if fit is not None and fit.error <= ACCEPTED:
-                moved = float(np.abs(fit.q / self.D - x).max())
-                if 0.2 * size < moved < 5.0 * size:
-                    poses.append(fit.q / self.D)
+                there = self.chart.x(fit.q, near=x)
+                if 0.2 * size < float(np.abs(there - x).max()) < 5.0 * size:
+                    poses.append(there)
         return poses
 
     def movers(self, x: Array) -> str:
         """The bodies that move most in each free direction."""
         null = self._null(x, with_input=False)
-        bodies = [self.reference.most_moved(null[:, k] * self.D) for k in range(null.shape[1])]
+        bodies = [self.reference.most_moved(self.chart.speeds(x, null[:, k])) for k in range(null.shape[1])]
         return ", ".join(dict.fromkeys(bodies))
 
 

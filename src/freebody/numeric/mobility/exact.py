@@ -8,7 +8,7 @@ Source: Johansson, IEEE Trans. Comput. 66, 2017, 1281-1292 (balls).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -18,7 +18,7 @@ import flint
 from freebody.language.expression import Expr, evaluate
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Pose, Vector
+from freebody.measures.geometry import Pose, SpatialPose, Vector
 from freebody.model.elements import Component, Held, Parameter, RateMeasure
 
 _flint: Any = flint
@@ -221,7 +221,44 @@ def _functions(arithmetic: Arithmetic) -> dict[str, Any]:
 
 
 # Geometry ---------------------------------------------------------------------------------------
-Place = tuple[Dual, Dual, Dual | None]  # x, y of the mass centre and the angle; None where a body does not turn
+PlanarPlace = tuple[Dual, Dual, Dual | None]  # x, y of the mass centre and the angle; None where a body does not turn
+Place = PlanarPlace | SpatialPose[Dual]
+Quaternion = Sequence[Any]  # (w, x, y, z) of any length but zero, over numbers of one kind
+
+
+def spatial_place(center: Sequence[Dual], quaternion: Quaternion, by: Sequence[int] = ()) -> SpatialPose[Dual]:
+    """A body in space with the axes that a quaternion turns those of the ground to. by: the numbers of the derivatives
+    by its angular velocity along its own axes, where these are wanted.
+
+    Along its own axes  d(e_x) = w_z e_y - w_y e_z  and so on. Quaternions need no unit length: R is quadratic in them,
+    over the square of their length, so that rational ones make exact rotations."""
+    w, x, y, z = quaternion
+    size = w * w + x * x + y * y + z * z
+    own = [
+        ((w * w + x * x - y * y - z * z) / size, 2 * (x * y + w * z) / size, 2 * (x * z - w * y) / size),
+        (2 * (x * y - w * z) / size, (w * w - x * x + y * y - z * z) / size, 2 * (y * z + w * x) / size),
+        (2 * (x * z + w * y) / size, 2 * (y * z - w * x) / size, (w * w - x * x - y * y + z * z) / size),
+    ]
+
+    def axis(j: int) -> Vector[Dual]:
+        if not by:
+            return Vector(*map(Dual, own[j]))
+        k, n = (j + 1) % 3, (j + 2) % 3
+        return Vector(*(Dual(own[j][i], {by[n]: own[k][i], by[k]: -own[n][i]}) for i in range(3)))
+
+    return SpatialPose(Vector(*center), (axis(0), axis(1), axis(2)))
+
+
+def turned(p: Quaternion, q: Quaternion) -> list[Any]:
+    """The quaternion p o q: first the turn q, seen from the axes that p makes."""
+    a, b, c, d = p
+    w, x, y, z = q
+    return [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y + c * w + d * x - b * z,
+        a * z + d * w + b * y - c * x,
+    ]
 
 
 class DualGeometry:
@@ -231,7 +268,7 @@ class DualGeometry:
         self.arithmetic = arithmetic
         self.functions = _functions(arithmetic)
         self.places, self.values = places, values
-        self._poses: dict[str, Pose[Dual]] = {}
+        self._poses: dict[str, Pose[Dual] | SpatialPose[Dual]] = {}
         self._scalars: dict[int, tuple[Expr, Dual]] = {}
 
     def of(self, measure: Measure | RateMeasure | Component) -> Dual:
@@ -264,18 +301,25 @@ class DualGeometry:
         result: Any = evaluate(expr, {**self.values, **values} if values else self.values, self.functions)
         return result if isinstance(result, Dual) else Dual(self.arithmetic.number(result))
 
-    def pose(self, body: str) -> Pose[Dual]:
+    def pose(self, body: str) -> Pose[Dual] | SpatialPose[Dual]:
         known = self._poses.get(body)
         if known is None:
-            x, y, theta = self.places[body]
-            if theta is None:
-                zero, one = (Dual(self.arithmetic.number(k)) for k in (0, 1))
-                known = Pose(x, y, zero, one, zero)
-            else:
-                c, s = (self.arithmetic.functions[name](theta.value) for name in ("cos", "sin"))
-                known = Pose(x, y, theta, theta.chain(c, -s), theta.chain(s, c))
-            self._poses[body] = known
+            place = self.places[body]
+            known = self._poses[body] = place if isinstance(place, SpatialPose) else self._in_plane(place)
         return known
+
+    def _in_plane(self, place: PlanarPlace) -> Pose[Dual]:
+        x, y, theta = place
+        if theta is None:
+            zero, one = (Dual(self.arithmetic.number(k)) for k in (0, 1))
+            return Pose(x, y, zero, one, zero)
+        c, s = (self.arithmetic.functions[name](theta.value) for name in ("cos", "sin"))
+        return Pose(x, y, theta, theta.chain(c, -s), theta.chain(s, c))
+
+    def root(self, x: Dual) -> Dual:
+        if not x.value > 0:
+            raise ValueError("points that coincide have no direction from one to the other")
+        return self.functions["sqrt"](x)
 
     def tangent(self, v: Vector[Dual], offset: Dual) -> tuple[Dual, Dual]:
         # v = l e(a) + offset n(a):  l = sqrt(|v|^2 - offset^2),  a = atan2(v_y, v_x) - atan2(offset, l)

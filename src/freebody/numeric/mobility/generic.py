@@ -41,6 +41,8 @@ from freebody.numeric.mobility.exact import (
     Place,
     precision,
     size_of,
+    spatial_place,
+    turned,
 )
 from freebody.numeric.mobility.rank import ZERO, Rank
 from freebody.system.generic import GenericModel, generic_model
@@ -67,7 +69,8 @@ def generic_rank_of(system: System, rows: Iterable[str], seed: int = 0) -> int:
 @dataclass(frozen=True)
 class Framework:
     """The generic model of a system, with numbers for everything that its rows depend on: x, y and theta of bodies,
-    then symbols, counted on."""
+    then symbols, counted on. In space a body has x, y, z and a quaternion of any length; derivatives by its angular
+    velocity along its own axes stand where the last three parts of the quaternion do."""
 
     model: GenericModel
     columns: Mapping[str, tuple[int, ...]]  # of moving bodies
@@ -81,7 +84,7 @@ class Framework:
         n = 0
         places: dict[str, tuple[int, ...]] = {}
         for body in sorted(model.system.bodies.values(), key=lambda body: body.fixed):
-            size = 3 if body.turns else 2
+            size = (7 if body.turns else 3) if system.space else (3 if body.turns else 2)
             places[body.name] = tuple(range(n, n + size))
             n += size
         moving = {body.name for body in model.system.moving}
@@ -94,21 +97,44 @@ class Framework:
 
     @property
     def n_coordinates(self) -> int:
-        return sum(map(len, self.columns.values()))
+        return len(self.coordinates)
+
+    @cached_property
+    def coordinates(self) -> tuple[int, ...]:
+        """Where the derivatives by the coordinates of moving bodies stand."""
+        return tuple(k for at in self.columns.values() for k in at if k not in self._heads)
+
+    @cached_property
+    def _heads(self) -> frozenset[int]:
+        """The first parts of quaternions, by which there are no derivatives."""
+        return frozenset(at[3] for at in (*self.columns.values(), *self.others.values()) if len(at) == 7)
+
+    @cached_property
+    def _quaternions(self) -> Mapping[int, int]:
+        """Of the other parts of quaternions, where the first one is."""
+        return {head + k: head for head in self._heads for k in (1, 2, 3)}
 
     # -- ranks --------------------------------------------------------------------------------
     def rank(self, rows: Iterable[str] | None = None, seed: int = 0) -> Rank:
         """The rank of all rows, or of these."""
         held, assembled = self.rows_of(rows)
-        why = ""
-        for draw in range(N_DRAWS):
-            numbers = self._drawn(np.random.default_rng((seed, draw)), assembled)
+        why, best = "", None
+        ways = [(draw, turned) for draw in range(N_DRAWS) for turned in self._attitudes]
+        for draw, is_turned in ways:
+            numbers = self._drawn(np.random.default_rng((seed, draw)), is_turned=is_turned)
             try:
                 gaps = self._fitted(assembled, numbers)
                 open_rows = tuple(row for row, gap in zip(assembled, gaps, strict=True) if not gap <= CLOSED)
-                return self._rank(held, [row for row in assembled if row not in open_rows], numbers, open_rows, seed)
+                closing = [row for row in assembled if row not in open_rows]
+                found = self._rank(held, closing, numbers, open_rows, seed)
             except (Unclear, ArithmeticError, ValueError) as error:
                 why = str(error)
+                continue
+            best = best or found
+            if found.is_exact or not is_turned or len(self._attitudes) == 1:
+                return found if found.is_exact else best
+        if best is not None:
+            return best
         raise CannotAnswer(f"no random geometry was found in which all rows have a gradient: {why}")
 
     def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[Held], Sequence[Held]]:
@@ -128,7 +154,7 @@ class Framework:
     ) -> Rank:
         with precision(BITS):
             balls, error = self._refined(closing, numbers)
-            g = self.geometry(balls, range(self.n_coordinates), BALLS)
+            g = self.geometry(balls, self.coordinates, BALLS)
             eliminated = Elimination.of(unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO)
         how = (
             f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.1e}: what "
@@ -158,7 +184,11 @@ class Framework:
             return Dual(numbers[k], {k: one} if k in by else None)
 
         def place(body: str) -> Place:
-            x, y, *turning = self.columns.get(body) or self.others[body]
+            at = self.columns.get(body) or self.others[body]
+            if self.model.system.space:
+                quaternion = [numbers[k] for k in at[3:]] or [arithmetic.number(k) for k in (1, 0, 0, 0)]
+                return spatial_place([dual(k) for k in at[:3]], quaternion, [k for k in at[4:] if k in by])
+            x, y, *turning = at
             return dual(x), dual(y), dual(turning[0]) if turning else None
 
         if like is None:
@@ -179,18 +209,31 @@ class Framework:
         bodies = {k: (body, True) for body, at in (*self.columns.items(), *self.others.items()) for k in at}
         return bodies | {k: (name, False) for name, k in self.symbols.items()}
 
-    def _drawn(self, rng: np.random.Generator, assembled: Sequence[Held]) -> Array:
+    @property
+    def _attitudes(self) -> tuple[bool, ...]:
+        """Whether bodies are turned at random. In space, where rows do not close so, they stand parallel: joints close
+        then, since an axis has the same components in both of its bodies."""
+        return (True, False) if self.model.system.space else (True,)
+
+    def _drawn(self, rng: np.random.Generator, *, is_turned: bool) -> Array:
         """Bodies anywhere, symbols of about one; the ground at zero."""
         numbers = np.zeros(len(self.symbols) + sum(len(at) for at in (*self.columns.values(), *self.others.values())))
-        for body, (x, y, *turning) in (*self.columns.items(), *self.others.items()):
+        n_places = 3 if self.model.system.space else 2
+        for body, at in (*self.columns.items(), *self.others.items()):
+            places, turning = list(at[:n_places]), list(at[n_places:])
+            if body == GROUND or not is_turned:
+                numbers[turning[:1]] = 1.0 if len(turning) == 4 else 0.0
             if body == GROUND:
                 continue
-            numbers[[x, y]] = rng.uniform(-REACH, REACH, 2)
-            numbers[turning] = rng.uniform(-math.pi, math.pi, len(turning))
+            numbers[places] = rng.uniform(-REACH, REACH, n_places)
+            if not is_turned:
+                continue
+            is_angle = len(turning) == 1
+            numbers[turning] = rng.uniform(-math.pi, math.pi, 1) if is_angle else rng.standard_normal(len(turning))
         for name, k in self.symbols.items():
             match self.model.data[name].kind:
                 case "direction":
-                    numbers[k] = rng.uniform(-math.pi, math.pi)
+                    numbers[k] = rng.standard_normal() if n_places == 3 else rng.uniform(-math.pi, math.pi)
                 case "point":
                     numbers[k] = rng.standard_normal()
                 case _:
@@ -204,8 +247,7 @@ class Framework:
         if (left <= CLOSED).all():
             return left
         before = numbers.copy()
-        bodies = [k for at in self.columns.values() for k in at]
-        again = self.close(rows, numbers, [*self.symbols.values(), *bodies])
+        again = self.close(rows, numbers, [*self.symbols.values(), *self.coordinates])
         if np.count_nonzero(again <= CLOSED) >= np.count_nonzero(left <= CLOSED):
             return again
         numbers[:] = before
@@ -239,7 +281,7 @@ class Framework:
             improved = False
             for _halving in range(8):
                 there = numbers.copy()
-                there[columns] -= step
+                self._step_back(there, columns, step)
                 try:
                     new_gaps, new_gradients = self._gaps(rows, there, by, like, changed)
                 except (ArithmeticError, ValueError):
@@ -252,6 +294,18 @@ class Framework:
             if not improved:
                 break
         return np.abs(gaps)
+
+    def _step_back(self, numbers: Any, columns: Sequence[int], step: Sequence[Any] | Array) -> None:
+        """Changes numbers in place by a step backwards."""
+        turns: dict[int, list[Any]] = {}
+        for k, dx in zip(columns, step, strict=True):
+            head = self._quaternions.get(k)
+            if head is None:
+                numbers[k] = numbers[k] - dx
+            else:
+                turns.setdefault(head, [1, 0, 0, 0])[k - head] = -dx / 2
+        for head, further in turns.items():
+            numbers[head : head + 4] = turned([numbers[head + k] for k in range(4)], further)
 
     def _gaps(
         self,
@@ -271,7 +325,7 @@ class Framework:
         by = frozenset(self.symbols.values())
         gaps, gradients = self._gaps(rows, numbers, by)
         if (np.abs(gaps) > 0.0).any() and self._is_stuck(gradients, gaps):
-            by |= {k for at in self.columns.values() for k in at}
+            by |= set(self.coordinates)
             gaps, gradients = self._gaps(rows, numbers, by)
         steps: list[tuple[list[int], list[int], Any]] = []
         for part in _parts(gradients):
@@ -290,8 +344,9 @@ class Framework:
             up, down = BALLS.number(Fraction(2) ** shift), BALLS.number(Fraction(2) ** -shift)
             for part, columns, inverse in steps:
                 step = inverse @ np.array([float(left[k] * up) for k in part])
-                for k, dx in zip(columns, step, strict=True):
-                    balls[k] = (balls[k] - BALLS.number(float(dx)) * down).mid()
+                self._step_back(balls, columns, [BALLS.number(float(dx)) * down for dx in step])
+                for k in {*columns, *(self._quaternions[k] for k in columns if k in self._quaternions)}:
+                    balls[k] = balls[k].mid()
         raise Unclear(f"the random geometry closes only to {error:.0e}")
 
     def _is_stuck(self, gradients: Sequence[Gradient], gaps: Array) -> bool:

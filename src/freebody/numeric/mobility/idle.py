@@ -13,37 +13,33 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, position, unit
 from freebody.model.elements import Held
 from freebody.numeric.jets import Array, JetGeometry
+from freebody.numeric.mobility.idle_in_space import AloneInSpace
 from freebody.numeric.mobility.rank import gradients
-from freebody.numeric.mobility.scene import SAME, leaves, pinning
+from freebody.numeric.mobility.scene import SAME, joined, leaves, pinning
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
 
 
 def idle_freedoms(reference: Reference, q: Array, t: float = 0.0) -> dict[str, str]:
-    """Finite motions of one body in which nothing else moves, by body: "turns about its pin roller_pin".
+    """Finite motions of one body in which nothing else moves, by body: "turns about its pin roller_pin"."""
+    return {body: " and ".join(motions) for body, motions in idle_motions(reference, q, t).items()}
+
+
+def idle_motions(reference: Reference, q: Array, t: float = 0.0) -> dict[str, list[str]]:
+    """The same one by one.
 
     Only bodies that connections join to two others or more are asked about (fixed bodies and the ground are one): the
     last link of a chain moves alone, but what it does is the motion of the mechanism. Source: Norton, Design of
     Machinery, ch. 2 (idle or passive freedoms)."""
-    found: dict[str, str] = {}
+    found: dict[str, list[str]] = {}
     moving = reference.frame.columns
     for body in moving:
         rows = [row for row in reference.system.held if body in set(row.measure.bodies())]
-        if len({other if other in moving else GROUND for row in rows for other in _joined(row)}) > 2:
-            motions = [*_Alone(reference, q, t, body, rows).motions()]
+        if len({other if other in moving else GROUND for row in rows for other in joined(row)}) > 2:
+            alone = AloneInSpace if reference.system.space else _Alone
+            motions = [*alone(reference, q, t, body, rows).motions()]
             if motions:
-                found[body] = " and ".join(motions)
-    return found
-
-
-def _joined(row: Held) -> set[str]:
-    """The bodies that a row sees; the ground only where it has a place or an angle of it."""
-    found: set[str] = set()
-    for m in leaves(row.measure):
-        if isinstance(m, Displacement):
-            found |= {m.of.body, m.origin.body}
-        else:
-            found |= set(m.bodies())
+                found[body] = motions
     return found
 
 

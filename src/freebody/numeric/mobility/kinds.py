@@ -2,7 +2,7 @@
 
 A dependence that lasts neither to second order nor in poses near by is of this pose: momentary (see `momentary`). What
 depends in all of them is generic if random geometry has it too (see `generic`), and otherwise owed to special sizes or
-places (see `reasons`).
+places (see `reasons`, `reasons_in_space`). Where no random geometry is found in space that closes, this is not decided.
 Source: Oxley, Matroid Theory, 2nd ed. 2011; and those of the modules named.
 """
 
@@ -15,6 +15,7 @@ from typing import Literal
 
 import numpy as np
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.model.elements import Held
 from freebody.numeric.jets import TIME, Array
@@ -22,10 +23,11 @@ from freebody.numeric.mobility.generic import Framework
 from freebody.numeric.mobility.momentary import Neighbourhood
 from freebody.numeric.mobility.rank import Rank, n_independent, scaled_rows
 from freebody.numeric.mobility.reasons import listed, why_momentary, why_special
+from freebody.numeric.mobility.reasons_in_space import SpatialScene, why_momentary_in_space, why_special_in_space
 from freebody.numeric.mobility.scene import Scene, numbers_at
 from freebody.numeric.reference import Reference
 
-Kind = Literal["generic", "special geometry", "momentary"]
+Kind = Literal["generic", "special geometry", "momentary", "not decided"]
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,7 @@ class _Study:
     def __init__(self, reference: Reference, q: Array, rank: Rank, t: float) -> None:
         self.rows = rank.rows
         self.reference, self.q, self.t = reference, q, t
+        self.why_not = ""  # other geometry could not be looked at
         self.by_name = {row.name: row for row in reference.system.held}
         # drivers take part in circuits, but do not stop the mechanism from being seen in other poses
         kept = set(rank.rows)
@@ -77,16 +80,36 @@ class _Study:
     def dependence(self, circuit: Sequence[str]) -> Dependence:
         rows = [self.by_name[name] for name in circuit]
         connections = tuple(dict.fromkeys(row.connection for row in rows))
-        if self._is_generic(circuit[-1], connections):
+        try:
+            is_generic = self._is_generic(circuit[-1], connections)
+        except CannotAnswer as error:
+            if not self.reference.system.space:
+                raise
+            is_generic, self.why_not = False, str(error)
+        if is_generic:
             hold = "hold" if len(connections) > 1 else "holds"
             why = f"In every geometry {listed(connections)} {hold} the same thing more than once."
             return Dependence(tuple(circuit), connections, "generic", why)
         is_momentary, is_shaky = self._momentary(rows, connections)
+        if self.reference.system.space:
+            return self._in_space(circuit, connections, is_momentary=is_momentary, is_shaky=is_shaky)
         scene = Scene(self.framework, self.numbers, self.reference.sizes.length, circuit)
         if is_momentary:
             why = why_momentary(scene, is_shaky=is_shaky)
             return Dependence(tuple(circuit), connections, "momentary", why, is_shaky)
         return Dependence(tuple(circuit), connections, "special geometry", why_special(scene))
+
+    def _in_space(
+        self, circuit: Sequence[str], connections: tuple[str, ...], *, is_momentary: bool, is_shaky: bool
+    ) -> Dependence:
+        scene = SpatialScene(self.reference, self.q, self.t, connections)
+        if is_momentary:
+            why = why_momentary_in_space(scene, is_shaky=is_shaky)
+            return Dependence(tuple(circuit), connections, "momentary", why, is_shaky)
+        if self.why_not:
+            why = f"Whether it is so in other geometry too is not decided: {self.why_not}."
+            return Dependence(tuple(circuit), connections, "not decided", why)
+        return Dependence(tuple(circuit), connections, "special geometry", why_special_in_space(scene))
 
     # Which rows make a circuit depends on how the mechanism lies to the axes, for forces along x and y are told apart.
     # How often the connections of a circuit hold the same thing does not: if they do so as often elsewhere, nothing
@@ -99,9 +122,16 @@ class _Study:
 
     def _is_generic(self, last: str, connections: Sequence[str]) -> bool:
         together, up_to = self._rows_of(last, connections)
-        if self.framework.rank(together).rank <= self._count(together, self.q):
+        if self._elsewhere(together) <= self._count(together, self.q):
             return True
-        return self.framework.rank(up_to).rank == self.framework.rank(up_to[:-1]).rank
+        return self._elsewhere(up_to) == self._elsewhere(up_to[:-1])
+
+    def _elsewhere(self, names: Sequence[str]) -> int:
+        """The rank of rows in random geometry. Raises CannotAnswer in space, where none was found that closes them."""
+        rank = self.framework.rank(names)
+        if self.reference.system.space and not rank.is_exact:
+            raise CannotAnswer(rank.how.rpartition("; ")[2])
+        return rank.rank
 
     def _momentary(self, rows: Sequence[Held], connections: Sequence[str]) -> tuple[bool, bool]:
         """Whether the last row is independent near by, and whether a freedom is only infinitesimal."""

@@ -76,6 +76,8 @@ def assembly_modes(
 
     At most `n_starts` starts. Raises CannotAnswer for velocity constraints, if the mechanism keeps a freedom, and if
     no pose is found. Source: see the module."""
+    if reference.system.space:
+        raise CannotAnswer("assembly modes are looked for in the plane only; in space choose one by at, turned or near")
     search = _Search(reference, q, fixed, t)
     rng, poses = np.random.default_rng(seed), list[Fit]()
     n_since, n_done = 0, 0

@@ -72,7 +72,7 @@ class Neighbourhood:
         found: list[tuple[Array, float]] = []
         if self.is_rigid:
             return found
-        sizes, g = self.reference.sizes, self._geometry(np.zeros_like(self.q))
+        sizes, g, frame = self.reference.sizes, self._geometry(np.zeros_like(self.q)), self.reference.frame
         equations = [_kept(row, g) for row in self.held if not isinstance(row.measure, RateMeasure)]
         for size in SIZES:
             for seed in range(N_SEEDS):
@@ -80,8 +80,9 @@ class Neighbourhood:
                 along: Array = self.freedoms @ rng.standard_normal(int(self.freedoms.shape[1]))
                 step = along * (size / (float(sizes.relative(along).max(initial=0.0)) or 1.0))
                 with suppress(CannotAnswer):
-                    here = self.reference.placing.placed(self.q + step, equations, self.t, g.angles).q
-                    found.append((here, float(sizes.relative(here - self.q).max(initial=0.0)) / size))
+                    here = self.reference.placing.placed(frame.moved(self.q, step), equations, self.t, g.angles).q
+                    far = float(sizes.relative(frame.difference(here, self.q)).max(initial=0.0))
+                    found.append((here, far / size))
         return found
 
     def second_order(self, circuit: Sequence[Held]) -> tuple[bool, bool]:

@@ -36,7 +36,7 @@ class PathPoint:
     q: Array
     what: str
     value: float | None = None  # of the output, where that has its dead point
-    branch: Array | None = None  # at a change point: the direction (by q) of the branch that is not followed
+    branch: Array | None = None  # at a change point: the direction (by speeds) of the branch that is not followed
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ def trace(
     does not move with it, and for velocity constraints. Source: see the module."""
     outputs = outputs or {}
     mechanism = Mechanism(reference, q, (measure, *outputs.values()), released, t)
-    x, note = regular_start(mechanism, q / mechanism.D)
+    x, note = regular_start(mechanism, mechanism.chart.x(q))
     start = mechanism.first(x)
     walk = follow(mechanism, start, n_steps)
     if not walk.is_closed:
@@ -90,7 +90,7 @@ def singular_at(
     left to first order that is not left nearby; at a change point this may be so too. Raises CannotAnswer for
     velocity constraints."""
     mechanism = Mechanism(reference, q, (measure,), released, t)
-    x = q / mechanism.D
+    x = mechanism.chart.x(q)
     poses = mechanism.nearby(x)
     if not poses:
         return []
@@ -120,7 +120,7 @@ def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], 
     notes = [note, *(_ending(mechanism, stations[-k], walk.ends[k]) for k in (0, 1))]
     return Path(
         inputs=inputs,
-        poses=np.array([station.x for station in stations]) * mechanism.D,
+        poses=np.array([mechanism.chart.q(station.x) for station in stations]),
         is_closed=walk.is_closed,
         is_unbounded="far" in walk.ends,
         full_turn=full_turn,
@@ -158,7 +158,7 @@ def _dead_points(mechanism: Mechanism, stations: Sequence[Station], k: int, name
         kind: Kind = "dead point" if k == 0 else "output dead point"
         what = f"{end} limit of {name}" if k == 0 else f"{name} is {extreme}"
         value = float(here.values[k]) if k else None
-        yield i + part * (j - i), PathPoint(kind, float(here.values[0]), here.x * mechanism.D, what, value)
+        yield i + part * (j - i), PathPoint(kind, float(here.values[0]), mechanism.chart.q(here.x), what, value)
 
 
 def _still(mechanism: Mechanism, a: Station, b: Station, k: int) -> tuple[Station, float]:
@@ -189,7 +189,7 @@ def _still(mechanism: Mechanism, a: Station, b: Station, k: int) -> tuple[Statio
 def _change_points(mechanism: Mechanism, walk: Walk) -> Iterator[_Placed]:
     found = [(i + 0.5, change) for i, change in enumerate(walk.changes) if change is not None]
     for place, change in [*found, *touches(mechanism, walk)]:
-        q = change.x * mechanism.D
+        q = mechanism.chart.q(change.x)
         g = mechanism.reference.geometry(q, np.zeros_like(q), mechanism.t, walk.stations[int(place)].near)
         value = mechanism.reference.jet(g, mechanism.measures[0], mechanism.name).value
         branch = other_branch(mechanism, change)

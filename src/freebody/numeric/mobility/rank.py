@@ -17,28 +17,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from freebody.errors import FreebodyError, InputError
-from freebody.language.expression import Expr
-from freebody.model.elements import Held, RateMeasure, RigidBody
+from freebody.model.elements import Held
 from freebody.model.names import did_you_mean
-from freebody.numeric.jets import TIME, Array
+from freebody.numeric.jets import Array
+from freebody.numeric.mobility.balls import Balls, refined, row_lengths
 from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
-from freebody.numeric.mobility.exact import (
-    BALLS,
-    BITS,
-    Dual,
-    DualGeometry,
-    Place,
-    decimal,
-    parameter_ball,
-    precision,
-    size_of,
-)
+from freebody.numeric.mobility.exact import BITS, precision
 from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import RANK_CUT, stack
@@ -47,7 +36,6 @@ ROUNDED_CUT = 1e-7  # below this part of the largest they do at poses that are o
 _MARGIN = 10.0  # of a smallest singular value found by iteration
 CLEAR_CUT = 1e-6  # rows whose smallest singular value is above this part of the largest are independent
 ZERO = 1e-45  # rests of the elimination below this count as zero
-N_STEPS = 40
 
 
 @dataclass(frozen=True)
@@ -146,14 +134,7 @@ def gradients(reference: Reference, q: Array, rows: Sequence[Held], t: float = 0
 
 def unit_length(J: Array) -> Array:
     """Rows brought to unit length, but for those that are zero."""
-    return J / _lengths(J)[:, None]
-
-
-def _lengths(J: Array) -> Array:
-    """Of the rows; of one that is zero, that of the longest."""
-    sizes: Array = np.linalg.norm(J, axis=1)
-    largest = float(sizes.max(initial=0.0)) or 1.0
-    return np.where(sizes > 1e-12 * largest, sizes, largest)
+    return J / row_lengths(J)[:, None]
 
 
 def n_independent(J: Array) -> int:
@@ -192,14 +173,19 @@ def _in_floats(J: Array, rank: int) -> tuple[Elimination, str]:
 def _in_balls(
     reference: Reference, q: Array, t: float, rows: Sequence[Held]
 ) -> tuple[Elimination | None, str, tuple[float, ...]]:
-    """The rows eliminated at a pose known to many digits, how that was found, and the pose; None, and why not."""
+    """The rows eliminated at a pose known to many digits, how that was found, and the pose; None, and why not.
+
+    Where only some rows are asked for, the pose is one in which the others hold too, if there is such a one."""
     why = ""
-    for bits in (BITS, 2 * BITS):
+    everything = reference.system.held
+    ways = [(bits, closing) for bits in (BITS, 2 * BITS) for closing in (everything, rows)]
+    for bits, closing in ways if len(rows) < len(everything) else ways[::2]:
         with precision(bits):
             try:
-                model = _Balls(reference, rows, t)
-                coordinates, pose = _refined(model, q, 2.0 ** (64 - bits))
-                eliminated = Elimination.of(unit_rows(model.gradients(coordinates), model.scale), ZERO)
+                model = Balls(reference, rows, t, gradients(reference, q, rows, t))
+                all_ = model if closing is rows else Balls(reference, closing, t, gradients(reference, q, closing, t))
+                here, pose = refined(all_, q, 2.0 ** (64 - bits))
+                eliminated = Elimination.of(unit_rows(model.gradients(here), model.scale), ZERO)
             except (Unclear, FreebodyError, ArithmeticError, ValueError) as error:
                 why = str(error)
                 continue
@@ -207,159 +193,5 @@ def _in_balls(
             f"elimination in balls of {bits} bits, {pose}: what is below {ZERO:g} counts as zero, "
             f"no pivot is smaller than {eliminated.smallest:.1e}"
         )
-        return eliminated, how, _pose(coordinates)
+        return eliminated, how, _pose(model.coordinates(here))
     return None, why, _pose(q)
-
-
-class _Balls:
-    """Some rows of a system in balls, at poses of which every coordinate is a ball."""
-
-    def __init__(self, reference: Reference, rows: Sequence[Held], t: float) -> None:
-        self.reference, self.rows, self.t = reference, rows, t
-        parameters, numbers = reference.system.parameters, reference.frame.values
-        self.values = {name: Dual(parameter_ball(parameters.get(name), x)) for name, x in numbers.items()}
-        self.values[TIME] = Dual(BALLS.number(decimal(t)))
-        self._plain = DualGeometry({}, self.values, BALLS)
-        self.fixed = {body: self._fixed(reference.system.bodies[body]) for body in reference.frame.fixed}
-        self._origins: dict[int, Any] = {}
-
-    def number(self, expr: Expr) -> Any:
-        return self._plain.scalar(expr).value
-
-    def scale(self, column: int) -> float:
-        return float(self.reference.sizes.unit_moves[column])
-
-    def _fixed(self, body: RigidBody) -> Place:
-        """Where a fixed body is, from what the model says."""
-        start = body.start.with_guess()
-        theta = BALLS.number(0) if start.angle is None else self.number(start.angle)
-        x, y = self._mass_center(body, theta) if start.at is not None else (BALLS.number(0), BALLS.number(0))
-        return Dual(x), Dual(y), Dual(theta)
-
-    def _mass_center(self, body: RigidBody, theta: Any) -> tuple[Any, Any]:
-        start = body.start.with_guess()
-        if start.at is None:
-            raise ValueError(f"{body.name} has no place")
-        point, place = start.at
-        (px, py), (x, y) = ([self.number(c) for c in pair] for pair in (body.points[point], place))
-        c, s = (BALLS.functions[name](theta) for name in ("cos", "sin"))
-        return x - (c * px - s * py), y - (s * px + c * py)
-
-    def geometry(self, coordinates: Sequence[Any], *, with_gradient: bool) -> DualGeometry:
-        one = BALLS.number(1)
-        places: dict[str, Place] = dict(self.fixed)
-        for body, columns in self.reference.frame.columns.items():
-            x, y, *theta = (Dual(coordinates[k], {k: one} if with_gradient else None) for k in columns)
-            places[body] = x, y, theta[0] if theta else None
-        return DualGeometry(places, self.values, BALLS)
-
-    def gradients(self, coordinates: Sequence[Any]) -> list[dict[int, Any]]:
-        g = self.geometry(coordinates, with_gradient=True)
-        return [g.of(row.measure).gradient for row in self.rows]
-
-    def count_from(self, coordinates: Sequence[Any]) -> None:
-        """Measures of which only changes mean something keep the value that they have here."""
-        g = self.geometry(coordinates, with_gradient=False)
-        self._origins = {
-            k: g.of(row.measure).value
-            for k, row in enumerate(self.rows)
-            if not isinstance(row.measure, RateMeasure) and row.measure.incremental and row.target is None
-        }
-
-    def gaps(self, coordinates: Sequence[Any]) -> list[Any]:
-        """How far every row is from its target; zero for one that is only a rate."""
-        g = self.geometry(coordinates, with_gradient=False)
-        return [
-            BALLS.number(0) if isinstance(row.measure, RateMeasure) else g.gap(row, self._origins.get(k, 0)).value
-            for k, row in enumerate(self.rows)
-        ]
-
-    def meant(self, q: Array, within: float) -> tuple[list[Any], list[int]]:
-        """Coordinates as they may be meant: as the model states them, or short decimals and simple parts of pi that
-        are as near as `within` (by the size of the system); and which have no such value."""
-        found: list[Any] = [None] * len(q)
-        length = self.reference.sizes.length
-        for body in self.reference.system.moving:
-            x, y, *turning = self.reference.columns(body.name)
-            theta = BALLS.number(0)
-            for k in turning:
-                stated = None if body.start.angle is None else self.number(body.start.angle)
-                found[k] = _nearest(q[k], [stated, *_angles(float(q[k]))], within)
-                theta = BALLS.number(Fraction(float(q[k]))) if found[k] is None else found[k]
-            stated_xy = self._mass_center(body, theta) if body.start.at is not None else (None, None)
-            for k, stated in zip((x, y), stated_xy, strict=True):
-                found[k] = _nearest(q[k], [stated, *_decimals(float(q[k]))], within * length)
-        unknown = [k for k, x in enumerate(found) if x is None]
-        return [BALLS.number(Fraction(float(q[k]))) if x is None else x for k, x in enumerate(found)], unknown
-
-
-def _decimals(x: float) -> list[Any]:
-    return [BALLS.number(f) for f in (Fraction(x).limit_denominator(1000), decimal(round(x, 9)))]
-
-
-def _angles(x: float) -> list[Any]:
-    turns = Fraction(x / math.pi).limit_denominator(720)
-    return [BALLS.pi() * BALLS.number(turns), *_decimals(x)]
-
-
-def _nearest(x: float, candidates: Sequence[Any], within: float) -> Any:
-    """The first candidate that is near enough."""
-    return next((c for c in candidates if c is not None and abs(float(c) - x) <= within), None)
-
-
-def _refined(model: _Balls, q: Array, tolerance: float) -> tuple[list[Any], str]:
-    """A pose near q that closes all rows to the tolerance, and what it is. Raises Unclear if none is found."""
-    for within in (1e-12, 2e-6):
-        coordinates, _unknown = model.meant(q, within)
-        model.count_from(coordinates)
-        if max(map(size_of, model.gaps(coordinates)), default=0.0) <= tolerance:
-            return coordinates, "at the pose in the exact numbers of the model"
-    # what is known exactly stays if it can: a slide that is level is to stay level to all digits
-    _coordinates, unknown = model.meant(q, 1e-12)
-    # redundant rows that only keep their start values may contradict each other by the rounding of q: then they
-    # count from a pose in which the others hold
-    closing = [row for row in model.rows if not (isinstance(row.measure, RateMeasure) or row.measure.incremental)]
-    fewer = _Balls(model.reference, closing, model.t)
-    error: Unclear | None = None
-    for free in (unknown, list(range(len(q)))):
-        for some in (model, fewer) if len(closing) < len(model.rows) else (model,):
-            try:
-                coordinates, how = _by_newton(some, q, free, tolerance)
-            except Unclear as fault:
-                error = error or fault
-                continue
-            if some is fewer:
-                model.count_from(coordinates)
-            return coordinates, how
-    raise error or Unclear("no row closes")
-
-
-def _by_newton(model: _Balls, q: Array, free: Sequence[int], tolerance: float) -> tuple[list[Any], str]:
-    """Steps of one pseudo-inverse from what q is meant to be, in the free coordinates, until the rows close."""
-    coordinates, _unknown = model.meant(q, 1e-12)
-    model.count_from(coordinates)
-    D = model.reference.sizes.unit_moves
-    J = gradients(model.reference, q, model.rows, model.t) * D
-    weights = 1.0 / _lengths(J)
-    U, singular, Vt = np.linalg.svd(weights[:, None] * J[:, free], full_matrices=False)
-    rank = int(np.count_nonzero(singular > RANK_CUT * singular.max(initial=0.0)))
-    error = math.inf
-    for _ in range(N_STEPS):
-        gaps = model.gaps(coordinates)
-        before, error = error, max((size_of(gap) * w for gap, w in zip(gaps, weights, strict=True)), default=0.0)
-        if error <= tolerance:
-            return coordinates, f"at the pose refined to {error:.1e}"
-        if not error < 0.1 * before:
-            raise Unclear(f"the pose closes only to {before:.1g} with the numbers given")
-        # the step in floats, of gaps brought to about one
-        shift = -math.frexp(error)[1]
-        scaled = weights * np.array([float(_times_two(gap, shift)) for gap in gaps])
-        step = D[free] * (Vt[:rank].T @ ((U[:, :rank].T @ scaled) / singular[:rank]))
-        for k, dx in zip(free, step, strict=True):
-            coordinates[k] = (coordinates[k] - _times_two(BALLS.number(float(dx)), -shift)).mid()
-    raise Unclear(f"the pose closes only to {error:.1g} after {N_STEPS} steps")
-
-
-def _times_two(x: Any, n: int) -> Any:
-    """x 2^n"""
-    return x * (BALLS.number(1) * 2**n if n >= 0 else BALLS.number(Fraction(1, 2**-n)))

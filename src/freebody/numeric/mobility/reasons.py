@@ -56,14 +56,14 @@ def listed(names: Sequence[str]) -> str:
 
 # -- special geometry -------------------------------------------------------------------------
 def _parallel_bars(scene: Scene) -> Iterator[str]:
-    for group in _groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
+    for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
             yield f"{listed(names)} are equally long ({group[0].length:.6g} m) and parallel"
 
 
 def _equal_bars(scene: Scene) -> Iterator[str]:
-    for group in _groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
+    for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
             yield f"{listed(names)} are equally long ({group[0].length:.6g} m)"
@@ -74,7 +74,7 @@ def _same_length(scene: Scene, a: Bar, b: Bar) -> bool:
 
 
 def _guides_alike(scene: Scene) -> Iterator[str]:
-    for group in _groups(scene.guides, lambda a, b: _is_parallel(a.along, b.along)):
+    for group in in_groups(scene.guides, lambda a, b: _is_parallel(a.along, b.along)):
         kept = [guide for guide in group if scene.rests_on(guide.change)]
         if len(kept) < 2:
             continue
@@ -92,11 +92,11 @@ def _round_bodies(scene: Scene) -> Iterator[str]:
         for name in scene.bodies
         if (radius := bodies[name].radius) is not None and free_symbols(radius) & used
     ]
-    for group in _groups(wheels, lambda a, b: _is_near(scene, a[2], b[2])):
+    for group in in_groups(wheels, lambda a, b: _is_near(scene, a[2], b[2])):
         names = [name for name, _r, _place in group]
         if len(group) > 1 and any(scene.rests_on(_recentred(scene, name)) for name in names):
             yield f"{listed(names)} are concentric"
-    for group in _groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME * scene.size):
+    for group in in_groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME * scene.size):
         names = [
             name
             for name, radius, _place in group
@@ -134,7 +134,7 @@ def _points_together(scene: Scene) -> Iterator[str]:
     """Points of one body that have different names and the same place."""
     points = {str(point): point for row in scene.rows for m in leaves(row.measure) for point in _points(m)}
     placed = [(name, point, scene.place(point)) for name, point in points.items()]
-    for group in _groups(placed, lambda a, b: a[1].body == b[1].body and _is_near(scene, a[2], b[2])):
+    for group in in_groups(placed, lambda a, b: a[1].body == b[1].body and _is_near(scene, a[2], b[2])):
         if len(group) > 1 and any(scene.rests_on(scene.shift(point)) for _name, point, _place in group):
             yield f"{listed([name for name, *_rest in group])} are at the same place"
 
@@ -228,7 +228,7 @@ def _lie_in_line(places: Mapping[str, Array], size: float) -> str:
     return f"{listed(list(places))} lie in line" if is_line else ""
 
 
-def _groups(items: Iterable[T], alike: Callable[[T, T], bool]) -> list[list[T]]:
+def in_groups(items: Iterable[T], alike: Callable[[T, T], bool]) -> list[list[T]]:
     """Items in groups, each like the first of its group."""
     groups: list[list[T]] = []
     for item in items:

@@ -17,7 +17,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import GROUND, RIGHT, UP, Point, position, unit
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, position, unit
 from freebody.model.elements import Held, RateMeasure
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.exact import FLOATS, DualGeometry
@@ -71,12 +71,13 @@ class Guide:
 
 
 def numbers_at(framework: Framework, reference: Reference, q: Array, t: float = 0.0) -> Array:
-    """The numbers of a generic model at one pose, symbols without a value so that the rows close."""
+    """The numbers of a generic model of the plane at one pose, symbols without a value so that the rows close."""
     numbers = np.zeros(1 + max(framework.names, default=0))
     g = reference.geometry(q, np.zeros_like(q), t)
     for body, columns in (*framework.columns.items(), *framework.others.items()):
         if body != GROUND:
             pose = g.pose(body)
+            assert isinstance(pose, Pose)
             numbers[list(columns)] = [pose.x.value, pose.y.value, pose.angle.value][: len(columns)]
     unknown: list[int] = []
     for name, k in framework.symbols.items():
@@ -216,6 +217,17 @@ def pinning(row: Held) -> Displacement | None:
     """The measure of a row that holds a point of one body on a point of another."""
     m = row.measure
     return m if isinstance(m, Displacement) and m.along in (RIGHT, UP) and row.target is None else None
+
+
+def joined(row: Held) -> set[str]:
+    """The bodies that a row sees; the ground only where it has a place or an angle of it."""
+    found: set[str] = set()
+    for m in leaves(row.measure):
+        if isinstance(m, Displacement):
+            found |= {m.of.body, m.origin.body}
+        else:
+            found |= set(m.bodies())
+    return found
 
 
 def leaves(measure: Measure | RateMeasure) -> Iterator[Measure]:

@@ -64,7 +64,7 @@ def follow(mechanism: Mechanism, start: Station, n_steps: int) -> Walk:
         changes.append(change)
         if last is not None:
             return Walk(stations, changes, ("", "closed"), is_closed=True)
-        if float(np.abs(there.x - start.x)[~mechanism.turning].max(initial=0.0)) > FAR:
+        if float(np.abs(there.x - start.x)[~mechanism.chart.turning].max(initial=0.0)) > FAR:
             end = "far"
             break
         chord = float(np.linalg.norm(there.x - here.x))
@@ -88,16 +88,16 @@ def _next(mechanism: Mechanism, here: Station, length: float, bend: Array) -> St
 
 def _closing(mechanism: Mechanism, start: Station, here: Station, length: float) -> Station | None:
     """The start again, up to full turns, if it lies within two steps ahead."""
-    turns = np.where(mechanism.turning, math.tau * np.round((here.x - start.x) / math.tau), 0.0)
-    way = start.x + turns - here.x
+    x, tangent = mechanism.chart.again(start.x, start.tangent, here.x)
+    way = x - here.x
     ahead, distance = float(way @ here.tangent), float(np.linalg.norm(way))
-    if not 0.0 < ahead <= 2.0 * length or distance > 1.1 * ahead or _angle(start.tangent, here.tangent) > 2.5 * _TURN:
+    if not 0.0 < ahead <= 2.0 * length or distance > 1.1 * ahead or _angle(tangent, here.tangent) > 2.5 * _TURN:
         return None
-    found = mechanism.corrected(start.x + turns, start.tangent, here.near)
-    if found is None or float(np.linalg.norm(found[0] - start.x - turns)) > 1e-6:
+    found = mechanism.corrected(x, tangent, here.near)
+    if found is None or float(np.linalg.norm(found[0] - x)) > 1e-6:
         return None
     there = mechanism.station(*found, here.tangent)
-    return there if _angle(start.tangent, there.tangent) < 1e-4 else None
+    return there if _angle(tangent, there.tangent) < 1e-4 else None
 
 
 def _angle(a: Array, b: Array) -> float:
@@ -108,7 +108,8 @@ def touches(mechanism: Mechanism, walk: Walk) -> Iterator[tuple[int, Change]]:
     """Change points where the determinant keeps its sign, with the station that they are near to."""
     stations, changes = list(walk.stations), list(walk.changes)
     if walk.is_closed:
-        stations.append(replace(stations[1], x=stations[1].x + stations[-1].x - stations[0].x))
+        x, tangent = mechanism.chart.again(stations[1].x, stations[1].tangent, stations[-1].x)
+        stations.append(replace(stations[1], x=x, tangent=tangent))
         changes.append(changes[0])
     low = 0.5 * max(station.sigma for station in stations)
     for i in range(1, len(stations) - 1):

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from freebody.connections.contact import Pair
 from freebody.connections.outlines import Hollow, Outline, Round, Straight
 from freebody.language.expression import ZERO, Expr, Symbol
-from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.numbers import Numbers
@@ -137,7 +137,7 @@ def _numbers(outline: Outline, numbers: Numbers, *, is_fixed: bool) -> Iterator[
     """The numbers of an outline in the order of `Shape.columns`."""
     gx, gy, c, s = numbers.fixed_pose(outline.body) if is_fixed else (0.0, 0.0, 1.0, 0.0)
 
-    def turned(components: tuple[Expr, Expr]) -> tuple[float, float]:
+    def turned(components: Components) -> tuple[float, float]:
         x, y = (numbers.number(e) for e in components)
         return c * x - s * y, s * x + c * y
 

@@ -12,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, n_operations
 from freebody.measures.distance import Distance
+from freebody.measures.geometry import Pose
 from freebody.model.elements import Bound, Held, Start
 from freebody.numeric.contact.start import assembled_touching, gap_of
 from freebody.numeric.jets import Array
@@ -134,6 +135,7 @@ class Home:
         starts: dict[str, Start] = {}
         for body in phase.system.moving:
             pose, (vx, vy, w) = model.poses[body.name], model.velocities[body.name]
+            assert isinstance(pose, Pose)
             name = body.default_point
             px, py = (model.geometry.scalar(e) for e in body.points[name])
             place = pose.x + pose.cos * px - pose.sin * py, pose.y + pose.sin * px + pose.cos * py

@@ -18,10 +18,10 @@ from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import StartState, start_from_bodies, start_state
 from freebody.symbolic.phases.course import Course, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import Mode, in_mode
 from freebody.system.system import System
@@ -73,7 +73,7 @@ class _Given(Setup):
             raise CannotAnswer("the phase cannot be assembled at its start")
         starts = [d.sample() for d in self.draws]
         general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
-        self.model = SymbolicModel(system, [*starts, *general])
+        self.model = symbolic_model(system, [*starts, *general])
 
 
 class Phase:

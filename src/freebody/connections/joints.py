@@ -1,0 +1,144 @@
+"""What the joints of space are made of: two points, an axis on each body, and the rows that hold them together.
+
+An axis of a joint is fixed in the first body and, by the same components unless another one is named, in the second:
+the joint is at zero where both bodies stand parallel. With b, c on the first body, b x c = a its axis, and a', b' on
+the second, the rows
+
+    b . a' = 0,  c . a' = 0     keep the axes parallel; their multipliers are moments on the second body about c and -b,
+    b . c' = 0                  keeps the bodies from turning about the axis; its multiplier is a moment about -a.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ZERO, Direction, Point
+from freebody.measures.turn import Alignment, Turn
+from freebody.model.elements import Attitude, Held
+from freebody.model.rotations import UNIT, perpendiculars
+from freebody.model.spec import Heading, Spec
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+AXES = tuple(Direction(GROUND, along, name) for along, name in zip(UNIT, "xyz", strict=True))
+
+
+@dataclass(frozen=True)
+class Joint:
+    """Two points and an axis on each of their bodies, with two directions across it."""
+
+    first: Point
+    second: Point
+    axis: Direction
+    b: Direction
+    c: Direction
+    axis2: Direction
+    b2: Direction
+    c2: Direction
+
+    @property
+    def angle(self) -> Measure:
+        """How far the second body has turned about the axis of the first."""
+        return Turn(self.b2, self.b, self.c)
+
+    @property
+    def travel(self) -> Measure:
+        """How far the second point is along the axis."""
+        return Displacement(self.second, self.first, self.axis)
+
+    def meeting(self) -> list[Held]:
+        """The points coincide."""
+        return meeting(self.first, self.second)
+
+    def on_the_axis(self) -> list[Held]:
+        """The second point is on the axis of the first body."""
+        across = zip((self.b, self.c), across_names(self.axis), strict=True)
+        return [Held(name, "force", Displacement(self.second, self.first, along)) for along, name in across]
+
+    def parallel(self) -> list[Held]:
+        """The axes are parallel."""
+        one, other = across_names(self.axis)
+        return [
+            Held(f"moment {other}", "moment", Alignment(self.axis2, self.b)),
+            Held(f"moment {one}", "moment", Alignment(self.axis2, self.c), sign=-1),
+        ]
+
+    def not_turning(self) -> Held:
+        """The bodies do not turn about the axis against each other."""
+        return Held("moment about axis", "moment", Alignment(self.c2, self.b), sign=-1)
+
+    def attitude(self, *, turns: bool) -> Attitude:
+        """How the second body is turned: about the axis, or not at all."""
+        rows = tuple(row.component for row in self.parallel())
+        angle = ((UNIT[2], "angle", self.angle),) if turns else ()
+        before = (self.b.components, self.c.components, self.axis.components)
+        after = (self.b2.components, self.c2.components, self.axis2.components)
+        if not turns:
+            rows = (*rows, self.not_turning().component)
+        return Attitude(self.first.body, self.second.body, before, after, angle, rows)
+
+
+def meeting(first: Point, second: Point) -> list[Held]:
+    """Two points coincide. The multipliers are the force on the second body along x, y and z."""
+    return [Held(axis.name, "force", Displacement(second, first, axis)) for axis in AXES]
+
+
+def across_names(axis: Direction) -> tuple[str, str]:
+    """What the directions across an axis are called: y and z for x, else 1 and 2."""
+    for k in range(3):
+        if axis.components == UNIT[k]:
+            return "xyz"[(k + 1) % 3], "xyz"[(k + 2) % 3]
+    return "1", "2"
+
+
+def read_joint(
+    names: Names, spec: Spec, first: str, second: str, about: Heading, second_axis: Heading | None, key: str = "about"
+) -> Joint | None:
+    """The points and axes of a joint; None after noting a problem."""
+    if not is_spatial(names, spec):
+        return None
+    one, other = names.point(first, "first"), names.point(second, "second")
+    if one.body == other.body:
+        names.problem(f"joins {one.body} to itself; name points of two bodies", spec)
+        return None
+    for point, field in ((one, "first"), (other, "second")):
+        if not names.known(point.body).turns:
+            names.problem(f"{point.body} is a particle, which cannot turn; give it a body with inertia", spec, field)
+            return None
+    axis = own_direction(names, about, one.body, key)
+    if second_axis is None and axis.body == other.body != one.body:
+        axis = Direction(one.body, axis.components, axis.name)
+    if axis.body != one.body:
+        names.problem(
+            f"the axis is fixed in {axis.body}, but it must be on {one.body}, the body of first; give the one on "
+            f"{other.body} as second_axis",
+            spec,
+            key,
+        )
+        return None
+    axis2 = Direction(other.body, axis.components, axis.name)
+    if second_axis is not None:
+        axis2 = own_direction(names, second_axis, other.body, "second_axis")
+        if axis2.body != other.body:
+            names.problem(f"second_axis must be fixed in {other.body}, the body of second", spec, "second_axis")
+            return None
+    b, c = (Direction(one.body, v) for v in perpendiculars(axis.components))
+    b2, c2 = (Direction(other.body, v) for v in perpendiculars(axis2.components))
+    return Joint(one, other, axis, b, c, axis2, b2, c2)
+
+
+def own_direction(names: Names, value: Heading, body: str, *path: str | int) -> Direction:
+    """A direction by components along the axes of a body, where it names no other."""
+    found = names.direction(value, *path, body=body)
+    return Direction(found.body, (*found.components, *(ZERO,) * (3 - len(found.components))), found.name)
+
+
+def is_spatial(names: Names, spec: Spec) -> bool:
+    """Notes a problem in the plane."""
+    if not names.space:
+        names.problem(f"{spec.kind} is a joint of space: write space: true, or use pin, slider or slot in the plane")
+    return names.space

@@ -1,0 +1,94 @@
+"""A point on a line or in a plane: a ball in a tube, a ball on a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.joints import across_names, is_spatial
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import Direction, Point
+from freebody.model.elements import Held
+from freebody.model.rotations import perpendiculars
+from freebody.model.spec import Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class PointOnLine(Connection, kind="point_on_line"):
+    """`point_on_line: {point: shaft.B, through: ground.A, along: x}`: a point stays on the line through a point of
+    another body, along a direction of that body; a bearing that holds across its axis alone (2 rows)."""
+
+    point: str
+    through: str
+    along: Heading
+
+    example = """
+space: true
+bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
+connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}}}
+"""
+
+    def _line(self, names: Names) -> tuple[Point, Point, Direction] | None:
+        if not is_spatial(names, self):
+            return None
+        point, through = names.point(self.point, "point"), names.point(self.through, "through")
+        along = names.direction(self.along, "along", body=through.body)
+        if point.body == through.body or along.body == point.body:
+            names.problem(f"the point and the line are both on {point.body}; name points of two bodies")
+            return None
+        return point, through, along
+
+    def rows(self, names: Names) -> list[Held]:
+        line = self._line(names)
+        if line is None:
+            return []
+        point, through, along = line
+        across = [Direction(along.body, v) for v in perpendiculars(along.components)]
+        return [
+            Held(name, "force", Displacement(point, through, direction))
+            for name, direction in zip(across_names(along), across, strict=True)
+        ]
+
+    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
+        line = self._line(names)
+        if line is not None:
+            yield "travel", Displacement(*line)
+
+
+class PointOnPlane(Connection, kind="point_on_plane"):
+    """`point_on_plane: {point: leg.foot, on: ground.floor}`: a point stays in a plane of another body, without friction
+    (1 row)."""
+
+    point: str
+    on: str
+
+    example = """
+space: true
+ground: {planes: {floor: {normal: up}}}
+bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
+connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        if not is_spatial(names, self):
+            return []
+        point, plane = names.point(self.point, "point"), names.plane(self.on, "on")
+        if plane is None:
+            from freebody.model.names import did_you_mean
+
+            known = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.planes]
+            names.problem(
+                f"{self.on} is no plane.{did_you_mean(self.on, known)} "
+                "A plane: ground: {planes: {floor: {normal: up}}}",
+                None,
+                "on",
+            )
+            return []
+        if point.body == plane.normal.body:
+            names.problem(f"the point and the plane are both on {point.body}")
+            return []
+        return [Held("contact", "normal force", Displacement(point, plane.through, plane.normal))]

@@ -1,0 +1,113 @@
+"""Rolling without slip on a plane in space: the rim of a disk, a sphere, a cone.
+
+With n the normal of the plane and C the centre, what touches the plane is lowest:
+
+    rim of a disk with axis a    at C - R u,  u = (n - (n.a) a)/|n x a|,  which is h - R |n x a| above the plane,
+    sphere                       at C - R n,  h - R above it.
+
+Its material point has no velocity in the plane (2 nonholonomic rows); for a rim along the way it rolls, t = n x a/|n x
+a|, and across it, n x t. A cone touches along a line from its apex: the apex keeps its place, the axis its angle to the
+plane, and the angular velocity has no part along n, so that it lies along that line. Source: Neimark & Fufaev, Dynamics
+of Nonholonomic Systems, 1972, ch. I sec. 2.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.joints import across_names
+from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination, Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import ONE, Direction
+from freebody.measures.turn import Alignment
+from freebody.model.elements import Held, Plane, RateMeasure, RigidBody
+from freebody.model.rotations import perpendiculars
+from freebody.model.spins import body_axes, spin, velocity_of_place
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Plane) -> list[Held]:
+    """The rows of rolling on a plane, by the form of the body."""
+    if body.name == plane.normal.body:
+        names.problem(f"{body.name} cannot roll on a plane of its own")
+        return []
+    if body.round == "cone":
+        return _cone(body, plane)
+    if body.round not in ("disk", "sphere") or radius is None:
+        names.problem(f"{body.name} is not round; make it a disk, ring, cylinder, sphere or cone", None, "body")
+        return []
+    return _sphere(body, radius, plane) if body.round == "sphere" else _rim(body, radius, plane)
+
+
+def _along(plane: Plane) -> list[tuple[str, Direction]]:
+    owner = plane.normal.body
+    directions = [Direction(owner, v) for v in perpendiculars(plane.normal.components)]
+    return list(zip(across_names(plane.normal), directions, strict=True))
+
+
+def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) -> list[Held]:
+    return [
+        Held(
+            f"no slip {name}",
+            "friction force",
+            velocity_of_place(body.center, arm, along, plane.through),
+            needs="contact",
+        )
+        for name, along in _along(plane)
+    ]
+
+
+def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
+    across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
+    n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
+    size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
+    height = Displacement(body.center, plane.through, plane.normal)
+    gap = Composed(Symbol("h") - radius * size, (("h", height), *n), LENGTH)
+    arm = [-radius * Symbol(name) / size for name, _ in n]
+    p, q = (along for _name, along in _along(plane))
+    axis = Direction(body.name, body.axis)
+    seen = (("ap", Alignment(axis, p)), ("aq", Alignment(axis, q)), *n)
+    ap, aq = Symbol("ap") / size, Symbol("aq") / size
+    rows = [Held("contact", "normal force", gap, unilateral=True)]
+    # n x a = (a.p) q - (a.q) p, and n x (n x a) = -(a.p) p - (a.q) q
+    for name, along_p, along_q in (("along", -aq, ap), ("across", -ap, -aq)):
+        terms: list[tuple[Measure, Measure]] = []
+        for share, direction in ((along_p, p), (along_q, q)):
+            center = Displacement(body.center, plane.through, direction)
+            terms.append((Composed(share, seen, DIMENSIONLESS), center))
+            terms += [
+                (Composed(share * c, seen, LENGTH), Alignment(b, direction)) for c, b in zip(arm, across, strict=True)
+            ]
+        slip = RateMeasure(tuple(terms), LENGTH)
+        rows.append(Held(f"no slip {name}", f"friction force {name}", slip, needs="contact"))
+    return rows
+
+
+def _sphere(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
+    height = Displacement(body.center, plane.through, plane.normal)
+    arm: list[tuple[Measure, Direction]] = [
+        (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
+    ]
+    return [Held("contact", "normal force", height, radius, unilateral=True), *_slips(body, arm, plane)]
+
+
+def _cone(body: RigidBody, plane: Plane) -> list[Held]:
+    radius, height = body.sizes
+    apex = body.point("apex")
+    tilt = Alignment(Direction(body.name, body.axis), plane.normal)
+    kept = [
+        Held(f"apex {name}", "force", Combination(((ONE, Displacement(apex, plane.through, along)),), LENGTH))
+        for name, along in _along(plane)
+    ]
+    sine = radius / Call("sqrt", radius * radius + height * height)
+    return [
+        Held("contact", "normal force", Displacement(apex, plane.through, plane.normal)),
+        Held("line", "moment", tilt, sine),
+        *kept,
+        Held("no slip", "friction moment", spin(body.name, plane.normal, plane.normal.body)),
+    ]

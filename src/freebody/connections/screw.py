@@ -1,0 +1,53 @@
+"""Screw joint: a cylindrical joint whose travel follows its angle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.joints import read_joint
+from freebody.language.expression import PI, divide
+from freebody.language.units import LENGTH
+from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.geometry import ONE
+from freebody.model.elements import Attitude, Held
+from freebody.model.spec import Formula, Heading
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Screw(Connection, kind="screw"):
+    """`screw: {first: ground.A, second: nut, about: x, pitch: 2 mm}`: a cylindrical joint in which a turn of the second
+    body moves it by the pitch along the axis (5 rows). A negative pitch is a left-hand thread."""
+
+    first: str
+    second: str
+    about: Heading
+    pitch: Formula
+    second_axis: Heading | None = None
+
+    example = """
+space: true
+bodies: {nut: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
+connections: {it: {screw: {first: ground.A, second: nut, about: x, pitch: 0.1 m}}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        if joint is None:
+            return []
+        lead = divide(names.formula(self.pitch, LENGTH, "pitch"), 2 * PI)
+        thread = Combination(((ONE, joint.travel), (-lead, joint.angle)), LENGTH)
+        return [*joint.on_the_axis(), *joint.parallel(), Held("thread", "thread force", thread)]
+
+    def attitude(self, names: Names) -> Attitude | None:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        return None if joint is None else joint.attitude(turns=True)
+
+    def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        if joint is not None:
+            yield "angle", joint.angle

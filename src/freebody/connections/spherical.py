@@ -1,0 +1,34 @@
+"""Spherical joint (ball and socket): two points coincide, the bodies turn freely about them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from freebody.connections.base import Connection
+from freebody.connections.joints import is_spatial, meeting
+from freebody.model.elements import Held
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+class Spherical(Connection, kind="spherical"):
+    """`spherical: [ground.A, rod.start]`. Holds r_second - r_first = 0 (3 rows)."""
+
+    first: str
+    second: str
+
+    example = """
+space: true
+bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
+connections: {it: {spherical: [ground.A, rod.left]}}
+"""
+
+    def rows(self, names: Names) -> list[Held]:
+        if not is_spatial(names, self):
+            return []
+        first, second = names.point(self.first, "first"), names.point(self.second, "second")
+        if first.body == second.body:
+            names.problem(f"joins {first.body} to itself; name points of two bodies")
+            return []
+        return meeting(first, second)

@@ -1,0 +1,180 @@
+"""A picture of a motion in space, ready for any canvas: pieces, names, and what the picture has to hold."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from freebody.present.figures import Array
+from freebody.present.space.bodies import body_pieces, convex
+from freebody.present.space.cuts import Cuts
+from freebody.present.space.figures import Place, Poses, Sheet, Triple
+from freebody.present.space.joints import Joints
+from freebody.present.space.loads import Loads
+from freebody.present.space.pieces import Piece
+from freebody.present.space.scene import Scene
+from freebody.present.space.shells import Shells
+from freebody.present.space.solids import basis, plate
+from freebody.present.space.stands import Stands
+from freebody.present.space.view import AZIMUTH, ELEVATION, STRENGTH, View
+
+_SYMBOL = 0.026  # of the size of a scene
+_TINY = 1e-9  # [m] a scene of less has no lengths at all
+_N_KEYS = 40
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A scene on its way. symbol: [m] the size of symbols; low, high: (3,) [m] corners of a box round the motion."""
+
+    scene: Scene
+    poses: Poses
+    symbol: float
+    low: Array
+    high: Array
+    pieces: list[Piece] = field(default_factory=list[Piece])
+    has_lengths: bool = True  # or all of them are made up
+
+    @classmethod
+    def of(cls, scene: Scene, centers: Array, axes: Array) -> Drawing:
+        """centers: (n_times, n_moving, 3) [m] of mass centres; axes: (n_times, n_moving, 3, 3), whose columns are the
+        axes of the bodies, in the order of `scene.names`."""
+        poses = scene.poses(np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64))
+        low, high = _extent(scene, poses)
+        size = float(np.linalg.norm(high - low))
+        size = size if size > _TINY else 0.0
+        shells = Shells(scene, poses, size)
+        for form in shells.forms.values():
+            way = poses.centers[:, form.index]
+            low, high = (
+                np.minimum(low, way.min(axis=0) - shells.radius),
+                np.maximum(high, way.max(axis=0) + shells.radius),
+            )
+        u = _SYMBOL * (float(np.linalg.norm(high - low)) or 1.0)
+        drawing = cls(scene, poses, u, low - u, high + u, has_lengths=size > 0.0)
+        used = _used(scene)
+        for form in scene.forms:
+            if form.index in shells.forms:
+                drawing.pieces.extend(shells.pieces(form, u))
+                continue
+            own = dict.fromkeys(place.at for place in used if place.body == form.index)
+            drawing.pieces.extend(body_pieces(form, own, u, is_fixed=scene.is_fixed(form.index)))
+        cuts, stands = Cuts(scene, poses, u), Stands(scene, poses, u)
+        drawing.pieces.extend(Joints(scene, poses, u, cuts, stands, shells).pieces())
+        drawing.pieces.extend(Loads(scene, poses, u, cuts, stands, shells).pieces())
+        drawing._frame()
+        sheets = [*scene.ties.sheets, *_flats(scene)]
+        drawing.pieces[:0] = [drawing._sheet(sheet) for sheet in _different(sheets, poses)]
+        drawing._frame()
+        return drawing
+
+    @property
+    def size(self) -> float:
+        """[m] the diagonal of the box round the motion."""
+        return float(np.linalg.norm(self.high - self.low))
+
+    def view(self, angles: tuple[float, float] = (AZIMUTH, ELEVATION), *, perspective: bool = False) -> View:
+        """A view of the middle of the motion from azimuth and elevation [deg]."""
+        distance = STRENGTH * self.size if perspective else math.inf
+        return View.of(self.scene.up, angles, (self.low + self.high) / 2, distance)
+
+    def key_frames(self) -> Sequence[int]:
+        """A few frames that stand for all."""
+        n = self.poses.n_times
+        return sorted({round(k * (n - 1) / _N_KEYS) for k in range(_N_KEYS + 1)})
+
+    def bounds(self, view: View) -> tuple[Array, Array]:
+        """(2,), (2,) [m] corners on paper of everything at any time."""
+        seen = [view.seen(points) for points in self._points()]
+        corners = np.concatenate(seen)[:, :2]
+        return corners.min(axis=0), corners.max(axis=0)
+
+    def _points(self) -> Iterator[Array]:
+        """(n, 3) [m] where pieces are, at the key frames."""
+        for piece in self.pieces:
+            is_still = self.scene.is_fixed(piece.turn) and self.scene.is_fixed(piece.place.body) and piece.end is None
+            for k in self.key_frames()[: 1 if is_still else None]:
+                points, _lines = piece.placed(self.poses, k)
+                yield points
+                if piece.radius:
+                    yield points + piece.radius * np.concatenate((np.eye(3), -np.eye(3)))
+
+    def _frame(self) -> None:
+        points = np.concatenate([*self._points(), self.low[None], self.high[None]])
+        self.low[:], self.high[:] = points.min(axis=0), points.max(axis=0)
+
+    def _sheet(self, sheet: Sheet) -> Piece:
+        """A plane as far as bodies move over it, with a grid of a round distance."""
+        points = np.concatenate(list(self._points()))
+        axes = basis(self.poses.heading(sheet.normal, 0))
+        over = (points - self.poses.place(sheet.through, 0)) @ axes.T
+        low, high = over.min(axis=0)[:2], over.max(axis=0)[:2]
+        step = round_length(float((high - low).max()) / 6)
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        half = np.maximum(half, 0.5 * half.max())
+        low, high = step * np.floor((middle - half) / step - 0.4), step * np.ceil((middle + half) / step + 0.4)
+        corners = np.array([(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])])
+        lines: list[Array] = []
+        for k in (0, 1):
+            for level in np.arange(low[k] + step, high[k] - 0.5 * step, step):
+                line = np.zeros((2, 3))
+                line[:, k], line[:, 1 - k] = level, (low[1 - k], high[1 - k])
+                lines.append(line)
+        body = sheet.normal.body
+        back = axes @ self.poses.axes[0, body]
+        flat = plate(np.column_stack((corners, np.zeros(4)))).moved(back)
+        place = Place(body, self.poses.back(body, self.poses.place(sheet.through, 0), 0))
+        return Piece(flat, place, body, "plane", lines=tuple(line @ back for line in lines))
+
+
+def round_length(value: float) -> float:
+    """The largest of 1, 2, 5, 10, ... times a power of ten that is not above a value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return power * max(m for m in (1.0, 2.0, 5.0) if m * power <= value * (1 + 1e-9))
+
+
+def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:
+    """(3,), (3,) corners of a box round all bodies and joined points on their way."""
+    corners: list[Array] = [poses.way(place) for place in _used(scene)]
+    for form in scene.forms:
+        way = poses.centers[:, form.index]
+        if form.solid in ("ring", "sphere"):
+            middle = poses.way(Place(form.index, form.center))
+            corners += [middle + form.sizes[0] * s for s in (-1.0, 1.0)]
+        solid = convex(form, 0.0)
+        points = np.array([*form.points.values()]) if solid is None else solid.points
+        corners.append((way[:, None] + np.einsum("tij,nj->tni", poses.axes[:, form.index], points)).reshape(-1, 3))
+    every = np.concatenate(corners) if corners else np.zeros((1, 3))
+    return every.min(axis=0), every.max(axis=0)
+
+
+def _used(scene: Scene) -> list[Place]:
+    """The places at which something is joined."""
+    ties = scene.ties
+    found = [place for joint in ties.joints for place in (joint.first, joint.second)]
+    found += [place for link in ties.links for place in link] + [place for string in ties.strings for place in string]
+    found += [place for spring in ties.springs for place in (spring.first, spring.second)]
+    found += [load.place for load in ties.arrows if not load.turns]
+    return list(dict.fromkeys(found))
+
+
+def _flats(scene: Scene) -> Iterator[Sheet]:
+    """The planes in which joints keep bodies."""
+    for joint in scene.ties.joints:
+        if joint.n_places == 1 and joint.axis is not None:
+            yield Sheet(joint.first, joint.axis)
+
+
+def _different(sheets: Sequence[Sheet], poses: Poses) -> Iterator[Sheet]:
+    """Each plane once."""
+    seen: set[tuple[int, Triple, float]] = set()
+    for sheet in sheets:
+        normal = poses.heading(sheet.normal, 0)
+        x, y, z = (round(float(c), 6) + 0.0 for c in normal)
+        key = sheet.normal.body, (x, y, z), round(float(normal @ poses.place(sheet.through, 0)), 6)
+        if key not in seen:
+            seen.add(key)
+            yield sheet

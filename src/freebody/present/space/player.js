@@ -1,0 +1,457 @@
+// -- places at a frame, which may lie between two
+const n_moving = data.names.length;
+function column(k, f) {
+  const track = data.columns[k], i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last);
+  return track[i] + (f - i) * (track[j] - track[i]);
+}
+function quaternion(body, f) {
+  // along the shorter turn between two frames
+  const i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last), s = f - i;
+  const p = [3, 4, 5, 6].map((c) => data.columns[7 * body + c][i]);
+  let q = [3, 4, 5, 6].map((c) => data.columns[7 * body + c][j]), cosine = dot(p, q);
+  if (cosine < 0) { q = q.map((c) => -c); cosine = -cosine; }
+  const h = Math.acos(Math.min(1, cosine)), sine = Math.sin(h);
+  const a = sine < 1e-6 ? 1 - s : Math.sin((1 - s) * h) / sine, b = sine < 1e-6 ? s : Math.sin(s * h) / sine;
+  const mixed = p.map((c, k) => a * c + b * q[k]), size = Math.hypot(...mixed) || 1;
+  return mixed.map((c) => c / size);
+}
+function pose(body, f) {
+  // the centre and the rows of the rotation
+  if (body >= n_moving) return data.fixed[body - n_moving];
+  const [w, x, y, z] = quaternion(body, f);
+  return [[0, 1, 2].map((c) => column(7 * body + c, f)), [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ]];
+}
+const dot = (a, b) => a.reduce((sum, c, k) => sum + c * b[k], 0);
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => { const l = Math.hypot(...a) || 1; return a.map((c) => c / l); };
+const turned = (R, p) => [dot(R[0], p), dot(R[1], p), dot(R[2], p)];
+const plus = (a, b) => a.map((c, k) => c + b[k]);
+function position([body, ...at], f) {
+  const [center, R] = pose(body, f);
+  return plus(center, turned(R, at));
+}
+function frameAlong(w) {
+  // rows of a right-handed frame whose third is w
+  const u0 = Math.abs(w[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], s = dot(u0, w), u = unit(u0.map((c, k) => c - s * w[k]));
+  return [u, cross(w, u), w];
+}
+
+// -- the view
+const camera = { azimuth: 0, elevation: 0, zoom: 1, axes: null };
+function look(azimuth, elevation) {
+  const a = azimuth * Math.PI / 180, e = Math.max(-89.9, Math.min(89.9, elevation)) * Math.PI / 180;
+  const [front, right, up] = data.frame;
+  const mix = (p, u, q, v) => u.map((c, k) => p * c + q * v[k]);
+  const towards = mix(Math.cos(e), mix(Math.cos(a), front, Math.sin(a), right), Math.sin(e), up);
+  const across = mix(Math.cos(a), right, -Math.sin(a), front);
+  Object.assign(camera, { azimuth, elevation: e * 180 / Math.PI, axes: [across, cross(towards, across), towards] });
+}
+function seen(p) {
+  const local = turned(camera.axes, p.map((c, k) => c - data.middle[k]));
+  if (!data.distance) return local;
+  const grown = data.distance / (data.distance - Math.min(local[2], 0.9 * data.distance));
+  return local.map((c) => grown * c);
+}
+
+// -- pieces as they are seen
+function shot(piece, poses) {
+  const at = plus(poses[piece.place[0]][0], turned(poses[piece.place[0]][1], piece.place.slice(1)));
+  let place;
+  if (piece.end) {
+    const end = plus(poses[piece.end[0]][0], turned(poses[piece.end[0]][1], piece.end.slice(1)));
+    const way = end.map((c, k) => c - at[k]), [u, v] = frameAlong(Math.hypot(...way) > 1e-12 ? unit(way) : [0, 0, 1]);
+    place = (p) => seen(at.map((c, k) => c + p[0] * u[k] + p[1] * v[k] + p[2] * way[k]));
+  } else {
+    const R = poses[piece.turn][1];
+    place = (p) => seen(plus(at, turned(R, p)));
+  }
+  const points = piece.points.map(place), lines = piece.lines.map((line) => line.map(place));
+  if (piece.radius) {
+    const edge = seen(at.map((c, k) => c + piece.radius * camera.axes[0][k]));
+    const radius = Math.hypot(edge[0] - points[0][0], edge[1] - points[0][1]);
+    return closed({ piece, points, lines, normals: [], radius, outline: disc(points[0], radius, 24), depth: points[0][2] });
+  }
+  const normals = piece.faces.map((face) => {
+    const o = points[face[0]], n = [0, 0, 0];
+    for (let k = 1; k + 1 < face.length; k++) {
+      const c = cross(points[face[k]].map((v, i) => v - o[i]), points[face[k + 1]].map((v, i) => v - o[i]));
+      n[0] += c[0]; n[1] += c[1]; n[2] += c[2];
+    }
+    return n;
+  });
+  const depth = points.reduce((sum, p) => sum + p[2], 0) / points.length;
+  return closed({ piece, points, lines, normals, outline: hull(points), depth, radius: 0 });
+}
+function closed(taken) {
+  const xs = taken.outline.map((p) => p[0]), ys = taken.outline.map((p) => p[1]);
+  taken.box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  return taken;
+}
+function disc([x, y], radius, n) {
+  return Array.from({ length: n }, (_, k) => [x + radius * Math.cos(2 * Math.PI * k / n), y + radius * Math.sin(2 * Math.PI * k / n)]);
+}
+function hull(points) {
+  const ordered = points.map(([x, y]) => [x, y]).sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const chain = (list) => {
+    const kept = [];
+    for (const p of list) {
+      while (kept.length > 1) {
+        const a = kept[kept.length - 2], b = kept[kept.length - 1];
+        if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 1e-15) break;
+        kept.pop();
+      }
+      kept.push(p);
+    }
+    kept.pop();
+    return kept;
+  };
+  return [...chain(ordered), ...chain(ordered.reverse())];
+}
+
+// -- what is in front of what: by one line of sight through the middle of where two pieces overlap
+function overlap(a, b) {
+  let kept = a;
+  for (let i = 0; i < b.length && kept.length; i++) {
+    const p = b[i], q = b[(i + 1) % b.length], found = [];
+    const side = ([x, y]) => (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+    for (let k = 0; k < kept.length; k++) {
+      const now = kept[k], after = kept[(k + 1) % kept.length], s = side(now), t = side(after);
+      if (s >= 0) found.push(now);
+      if (s * t < 0) found.push([now[0] + s / (s - t) * (after[0] - now[0]), now[1] + s / (s - t) * (after[1] - now[1])]);
+    }
+    kept = found;
+  }
+  return kept;
+}
+function area(outline) {
+  return 0.5 * outline.reduce((sum, p, k) => { const q = outline[(k + 1) % outline.length]; return sum + p[0] * q[1] - q[0] * p[1]; }, 0);
+}
+function depths(taken, [x, y]) {
+  if (taken.radius) {
+    const [cx, cy, cz] = taken.points[0], half = Math.sqrt(Math.max(0, taken.radius ** 2 - (x - cx) ** 2 - (y - cy) ** 2));
+    return [cz - half, cz + half];
+  }
+  let back = -Infinity, front = Infinity;
+  taken.normals.forEach((n, k) => {
+    if (Math.abs(n[2]) <= 1e-6 * Math.hypot(...n)) return;
+    const p = taken.points[taken.piece.faces[k][0]], depth = p[2] + (n[0] * (p[0] - x) + n[1] * (p[1] - y)) / n[2];
+    if (n[2] > 0) front = Math.min(front, depth); else back = Math.max(back, depth);
+  });
+  if (front === Infinity) front = taken.depth;
+  return [back === -Infinity ? front : back, front];
+}
+function compare(a, b) {
+  const both = overlap(a.outline, b.outline);
+  if (both.length < 3 || Math.abs(area(both)) < 1e-6 * Math.min(area(a.outline), area(b.outline))) return 0;
+  const at = [0, 1].map((c) => both.reduce((sum, p) => sum + p[c], 0) / both.length);
+  const [backA, frontA] = depths(a, at), [backB, frontB] = depths(b, at);
+  const slack = 1e-6 * (frontA - backA + frontB - backB);
+  if (backA >= frontB - slack) return 1;
+  if (backB >= frontA - slack) return -1;
+  return frontA > frontB ? 1 : -1;
+}
+function backToFront(all) {
+  all.sort((a, b) => a.depth - b.depth);
+  const behind = all.map(() => []);
+  for (let i = 0; i < all.length; i++) {
+    for (let j = i + 1; j < all.length; j++) {
+      const a = all[i].box, b = all[j].box;
+      if (a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3]) continue;
+      const sign = compare(all[i], all[j]);
+      if (sign > 0) behind[i].push(j); else if (sign < 0) behind[j].push(i);
+    }
+  }
+  const order = [], done = new Set();
+  const visit = (k) => {
+    if (done.has(k)) return;
+    done.add(k);
+    behind[k].sort((a, b) => a - b).forEach(visit);
+    order.push(all[k]);
+  };
+  all.forEach((_, k) => visit(k));
+  return order;
+}
+
+// -- drawing
+function theme() { return data.themes[darkPaper.matches ? "dark" : "light"]; }
+function color(name, body) { const t = theme(); return name === "body" ? t.bodies[body % t.bodies.length] : t[name]; }
+function mixed(name, body, share) {
+  const parts = [color(name, body), theme().paper].map((hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)));
+  return "rgb(" + parts[0].map((c, k) => Math.round(share * c + (1 - share) * parts[1][k])).join(",") + ")";
+}
+function onPaper([x, y]) { return [view.x + view.scale * x, view.y - view.scale * y]; }
+function way(points, isClosed) {
+  pen.beginPath();
+  for (const p of points) pen.lineTo(...onPaper(p));
+  if (isClosed) pen.closePath();
+}
+function fill(points, paint, alpha) {
+  way(points, true);
+  pen.globalAlpha = alpha;
+  pen.fillStyle = paint;
+  pen.fill();
+  pen.globalAlpha = 1;
+}
+function rule(paint, width, alpha, dashed) {
+  pen.strokeStyle = paint;
+  pen.lineWidth = 1.25 * width;
+  pen.globalAlpha = alpha;
+  pen.setLineDash(dashed ? data.dashes.map((d) => 1.25 * d) : []);
+  pen.stroke();
+  pen.globalAlpha = 1;
+}
+function paint(taken) {
+  const { piece, lines } = taken, style = data.looks[piece.look], tone = (share) => mixed(style.color, piece.color, share);
+  if (piece.radius) paintBall(taken, style, tone);
+  else if (piece.hint) for (const line of lines) { way(line); rule(tone(1), style.fine, 1); }
+  else {
+    paintFaces(taken, style, tone);
+    for (const line of lines) { way(line); rule(tone(0.6), style.fine, 1); }
+    paintEdges(taken, style, tone);
+  }
+}
+function paintBall({ points, lines, radius }, style, tone) {
+  const middle = points[0], outline = disc(middle, radius, 48);
+  fill(outline, tone(style.tint), style.cover);
+  if (style.shade) {
+    const lit = disc([middle[0] + 0.18 * radius * data.light[0], middle[1] + 0.18 * radius * data.light[1]], 0.88 * radius, 48);
+    fill(darkPaper.matches ? lit : [...outline, outline[0], lit[0], ...lit.reverse()], tone(1), 0.35 * style.shade);
+  }
+  for (const line of lines) {
+    for (let k = 0; k < line.length - 1;) {
+      const isNear = line[k][2] > middle[2], run = [line[k]];
+      while (++k < line.length && run.push(line[k]) && (line[k][2] > middle[2]) === isNear);
+      way(run);
+      rule(tone(1), style.fine, isNear ? 1 : style.hidden, !isNear);
+    }
+  }
+  way(outline, true);
+  rule(tone(1), style.width, 1);
+}
+function paintFaces({ piece, points, normals, outline }, style, tone) {
+  if (piece.smooth) {
+    fill(outline, tone(style.tint), style.cover);
+    if (style.is_seamed) rule(tone(style.tint), 0.6, 1);
+  }
+  piece.faces.forEach((face, k) => {
+    if (normals[k][2] <= 0 || piece.open.includes(k)) return;
+    // on dark paper what the light meets has more colour
+    const lit = Math.max(0, dot(unit(normals[k]), data.light)), corners = face.map((i) => points[i]);
+    const more = style.shade * (darkPaper.matches ? lit : 1 - lit);
+    if (piece.smooth) { if (more > 0.01) fill(corners, tone(1), more * style.cover); return; }
+    const paper = tone(style.tint + more * (1 - style.tint));
+    fill(corners, paper, style.cover);
+    if (style.is_seamed) rule(paper, 0.6, 1);
+  });
+}
+function paintEdges({ piece, points, normals }, style, tone) {
+  if (!style.width) return;
+  const isFront = (k) => normals[k][2] > 0, kinds = { hidden: [], seen: [], marks: [] };
+  for (const [a, b, left, right, kind] of piece.edges) {
+    const n = isFront(left) + isFront(right);
+    if (kind === 1) { if (n) kinds.marks.push([a, b]); }
+    else if (n && (kind === 2 || n === 1)) kinds.seen.push([a, b]);
+    else if (kind === 2 && !n && style.hidden) kinds.hidden.push([a, b]);
+  }
+  const trace = (edges) => {
+    let end = -1;
+    pen.beginPath();
+    for (const [a, b] of edges) {
+      if (a !== end) pen.moveTo(...onPaper(points[a]));
+      pen.lineTo(...onPaper(points[b]));
+      end = b;
+    }
+  };
+  if (kinds.hidden.length) { trace(kinds.hidden); rule(tone(1), style.fine, style.hidden, true); }
+  if (kinds.marks.length) { trace(kinds.marks); rule(tone(1), style.fine, 0.8); }
+  if (kinds.seen.length) { trace(kinds.seen); rule(tone(1), style.width, 1); }
+}
+function measure() {
+  const box = canvas.getBoundingClientRect(), ratio = devicePixelRatio || 1;
+  canvas.width = Math.round(box.width * ratio);
+  canvas.height = Math.round(box.height * ratio);
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  view = { width: box.width, height: box.height };
+  draw();
+}
+function fit() {
+  const [x0, y0, x1, y1] = data.bounds, room = 34, foot = 96;
+  view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - room - foot) / (y1 - y0));
+  // the middle of the picture as it is at first
+  view.x = view.width / 2 - view.scale * (x0 + x1) / 2;
+  view.y = (view.height - foot + room) / 2 + view.scale * (y0 + y1) / 2;
+}
+function draw() {
+  if (!view) return;
+  fit();
+  pen.clearRect(0, 0, view.width, view.height);
+  pen.lineCap = pen.lineJoin = "round";
+  const n_bodies = n_moving + data.fixed.length, poses = Array.from({ length: n_bodies }, (_, body) => pose(body, at));
+  const all = data.pieces.map((piece) => shot(piece, poses)), flats = all.filter((s) => s.piece.look === "plane");
+  flats.filter((s) => s.normals[0][2] > 0).forEach(paint);
+  for (const k of traced) traceOf(data.points[k]);
+  backToFront(all.filter((s) => s.piece.look !== "plane")).forEach(paint);
+  flats.filter((s) => s.normals[0][2] <= 0).forEach(paint);
+  pen.setLineDash([]);
+  pen.font = "13px system-ui, sans-serif";
+  pen.textBaseline = "middle";
+  if (byId("names").checked) labels(all);
+  corner();
+  const t = data.t0 + at * data.dt;
+  byId("time").textContent = "t = " + t.toFixed(3) + " s";
+  byId("scrub").value = Math.round(at);
+  byId("scrub").setAttribute("aria-valuetext", t.toFixed(2) + " seconds");
+}
+function traceOf(point) {
+  const track = [];
+  for (let i = 0; i <= Math.floor(at); i++) track.push(seen(position(point.place, i)));
+  track.push(seen(position(point.place, at)));
+  way(track);
+  rule(color("body", point.color), 1.4, 1);
+}
+
+// -- names beside their bodies: each keeps its side until another one is clearly better
+const sides = new Map();
+let drawn = 0;
+function labels(all) {
+  const isDue = drawn++ % 12 === 0 || !playing, placed = [];
+  const ink = new Map();
+  for (const taken of all) {
+    if (taken.piece.look === "plane") continue;
+    const owner = data.looks[taken.piece.look].of_body ? taken.piece.turn : -1, spots = ink.get(owner) || [];
+    ink.set(owner, spots);
+    const outline = taken.outline.map(onPaper);
+    outline.forEach((p, k) => {
+      const q = outline[(k + 1) % outline.length], n = Math.min(60, Math.ceil(Math.hypot(q[0] - p[0], q[1] - p[1]) / 5));
+      for (let i = 0; i < n; i++) spots.push([p[0] + i / n * (q[0] - p[0]), p[1] + i / n * (q[1] - p[1])]);
+    });
+  }
+  for (const { body, text } of data.labels) {
+    const own = ink.get(body);
+    if (!own) continue;
+    const half = [pen.measureText(text).width / 2 + 2, 8], low = [0, 1].map((c) => Math.min(...own.map((p) => p[c])));
+    const middle = [0, 1].map((c) => (low[c] + Math.max(...own.map((p) => p[c]))) / 2);
+    const others = [...ink].filter(([k]) => k !== body).flatMap(([, spots]) => spots);
+    const covers = (spot, p, more) => Math.abs(p[0] - spot[0]) < half[0] + more && Math.abs(p[1] - spot[1]) < half[1] + more;
+    const spotAt = (k) => {
+      // just outside of the body in a direction from its middle, or its middle
+      if (k === 12) return middle;
+      const a = Math.PI / 4 + 2 * Math.PI * k / 12, e = [Math.cos(a), -Math.sin(a)];
+      const far = Math.max(...own.map((p) => (p[0] - middle[0]) * e[0] + (p[1] - middle[1]) * e[1]));
+      let spot = middle;
+      for (let s = far + Math.abs(e[0]) * half[0] + Math.abs(e[1]) * half[1] + 5; s > 0; s -= 3) {
+        const next = [middle[0] + s * e[0], middle[1] + s * e[1]];
+        if (own.some((p) => covers(next, p, 3))) break;
+        spot = next;
+      }
+      return spot;
+    };
+    const cost = (spot, k) => {
+      const hits = placed.filter((o) => Math.abs(o.spot[0] - spot[0]) < o.half[0] + half[0] && Math.abs(o.spot[1] - spot[1]) < o.half[1] + half[1]);
+      const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
+      const gap = (list) => Math.min(1e9, ...list.map((p) => Math.hypot(Math.max(0, Math.abs(p[0] - spot[0]) - half[0]), Math.max(0, Math.abs(p[1] - spot[1]) - half[1]))));
+      const below = others.filter((p) => covers(spot, p, 0)).length + own.filter((p) => covers(spot, p, 0)).length;
+      const isOnOthers = all.some((s) => s.piece.turn !== body && s.piece.look !== "plane" && contains(s.outline.map(onPaper), spot));
+      return 100 * (hits.length + isOut) + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap(own) - gap(others)) / 26))
+        + 0.06 * gap(own) + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(body) === k ? 2 : 0);
+    };
+    if (isDue || !sides.has(body)) {
+      let best = Infinity, side = 0;
+      for (let k = 0; k <= 12; k++) { const c = cost(spotAt(k), k); if (c < best) { best = c; side = k; } }
+      sides.set(body, side);
+    }
+    placed.push({ spot: spotAt(sides.get(body)), half, text });
+  }
+  pen.textAlign = "center";
+  for (const { spot, text } of placed) write(text, spot, theme().ink);
+}
+function contains(outline, [x, y]) {
+  // on paper y runs down, so the outline is clockwise
+  return outline.every((p, k) => { const q = outline[(k + 1) % outline.length]; return (q[0] - p[0]) * (y - p[1]) <= (q[1] - p[1]) * (x - p[0]); });
+}
+function write(text, [x, y], paint) {
+  pen.lineWidth = 3;
+  pen.strokeStyle = theme().paper;
+  pen.fillStyle = paint;
+  pen.strokeText(text, x, y);
+  pen.fillText(text, x, y);
+}
+function corner() {
+  // the axes of the ground with their length, and the direction of gravity
+  const x = 58, y = view.height - 60, ink = theme().ink;
+  let length = 10 ** Math.floor(Math.log10(42 / view.scale));
+  for (const m of [5, 2]) if (length * m * view.scale <= 42) { length *= m; break; }
+  const size = length * view.scale;
+  pen.textAlign = "center";
+  for (const k of [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b])) {
+    const along = [camera.axes[0][k], -camera.axes[1][k]], l = Math.hypot(...along);
+    arrow([x, y], along.map((c) => size * c), theme().muted);
+    const away = l * size > 4 ? along.map((c) => c / l) : [-0.7, 0.7];
+    write("xyz"[k], [x + size * along[0] + 10 * away[0], y + size * along[1] + 10 * away[1]], ink);
+  }
+  pen.textAlign = "left";
+  if (data.has_lengths) write("axes " + Number(length.toPrecision(1)) + " m long", [x + 66, y + 8], theme().muted);
+  if (data.gravity) {
+    const down = [dot(camera.axes[0], data.gravity), -dot(camera.axes[1], data.gravity)];
+    arrow([x + 196, y - 20], down.map((c) => 38 * c), theme().force);
+    write("g", [x + 204, y - 4], ink);
+  }
+}
+function arrow([x, y], [dx, dy], paint) {
+  const l = Math.hypot(dx, dy), e = [dx / (l || 1), dy / (l || 1)], s = Math.min(8, l / 2);
+  pen.beginPath();
+  pen.moveTo(x, y);
+  pen.lineTo(x + dx - 0.8 * s * e[0], y + dy - 0.8 * s * e[1]);
+  pen.strokeStyle = pen.fillStyle = paint;
+  pen.lineWidth = 1.5;
+  pen.stroke();
+  if (l < 3) return;
+  pen.beginPath();
+  pen.moveTo(x + dx, y + dy);
+  pen.lineTo(x + dx - s * (e[0] - 0.4 * e[1]), y + dy - s * (e[1] + 0.4 * e[0]));
+  pen.lineTo(x + dx - s * (e[0] + 0.4 * e[1]), y + dy - s * (e[1] - 0.4 * e[0]));
+  pen.fill();
+}
+
+// -- turning the view
+function turn(azimuth, elevation) { look(camera.azimuth + azimuth, camera.elevation + elevation); draw(); }
+function zoom(factor) { camera.zoom = Math.max(0.2, Math.min(20, camera.zoom * factor)); draw(); }
+function resetView() { camera.zoom = 1; look(...data.angles); draw(); }
+const fingers = new Map();
+const spread = () => { const [a, b] = [...fingers.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
+canvas.style.touchAction = "none";
+canvas.style.cursor = "grab";
+canvas.addEventListener("pointerdown", (event) => {
+  fingers.set(event.pointerId, [event.clientX, event.clientY]);
+  canvas.setPointerCapture(event.pointerId);
+});
+canvas.addEventListener("pointermove", (event) => {
+  const start = fingers.get(event.pointerId);
+  if (!start) return;
+  const before = fingers.size === 2 ? spread() : 0;
+  fingers.set(event.pointerId, [event.clientX, event.clientY]);
+  if (before) zoom(spread() / before);
+  else if (fingers.size === 1) turn(0.4 * (start[0] - event.clientX), 0.4 * (event.clientY - start[1]));
+});
+for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId));
+canvas.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(-0.0015 * event.deltaY)); }, { passive: false });
+canvas.addEventListener("dblclick", resetView);
+document.addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT" || event.target.type === "range") return;
+  const views = { ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] };
+  const others = {
+    "+": () => zoom(1.2), "=": () => zoom(1.2), "-": () => zoom(1 / 1.2), 0: resetView,
+    ",": () => go(Math.ceil(at) - 1), ".": () => go(Math.floor(at) + 1),
+  };
+  if (event.key in views) turn(...views[event.key]);
+  else if (event.key in others) others[event.key]();
+  else return;
+  event.preventDefault();
+  event.stopImmediatePropagation();
+});
+resetView();
+

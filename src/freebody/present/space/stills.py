@@ -1,0 +1,224 @@
+"""Pictures in space of single instants, drawn with Matplotlib: to axes, or to a file."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.present.figures import Array
+from freebody.present.files import written
+from freebody.present.space.corner import corner_marks
+from freebody.present.space.drawing import Drawing
+from freebody.present.space.labels import Ink, names
+from freebody.present.space.looks import FORCE, OF_BODIES
+from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
+from freebody.present.space.scene import Scene
+from freebody.present.space.view import AZIMUTH, ELEVATION, View
+from freebody.present.theme import THEMES, Theme
+
+SUFFIXES = (".svg", ".png", ".pdf")
+_WIDTH = 7.2  # inches
+_SHAPES = (0.55, 1.1)  # height by width
+_LETTER, _FONT = 0.56, 9.0  # width of a letter by its height; points
+_PER_INCH = 72.0
+_PATIENCE = 10  # frames
+
+
+def draw(
+    scene: Scene,
+    center: Array,
+    axes: Array,
+    path: str | Path,
+    *,
+    title: str = "",
+    view: tuple[float, float] = (AZIMUTH, ELEVATION),
+    perspective: bool = False,
+    dark: bool = False,
+) -> Path:
+    """Writes a picture of one instant as `.svg`, `.png` or `.pdf`, by the suffix of the path.
+
+    center: (n_moving, 3) [m] of the mass centres; axes: (n_moving, 3, 3), whose columns are the bodies' axes, in the
+    order of `scene.names`. view: azimuth and elevation of the viewer [deg]. Returns the path. Raises InputError for
+    another suffix, poses that do not fit, or a file that cannot be written."""
+    path = Path(path)
+    if path.suffix.lower() not in SUFFIXES:
+        raise InputError(f"{path.name}: a picture is written as {', '.join(SUFFIXES)}; give one of these suffixes")
+    center, axes = checked(scene, center, axes, 1)
+    drawing = Drawing.of(scene, center, axes)
+    figure = figure_of(drawing, view, perspective=perspective, title=title, dark=dark)
+    paint_frame(figure, drawing, 0)
+    with written(path):
+        figure.canvas_figure.savefig(path, dpi=150, facecolor=figure.theme.paper, metadata=_metadata(path, title))
+        if path.suffix.lower() == ".svg":
+            described(path, title or scene.title, description(scene))
+    return path
+
+
+def checked(scene: Scene, centers: Array, axes: Array, n_times: int) -> tuple[Array, Array]:
+    """Poses of the moving bodies at some times, (n_times, n, 3) and (n_times, n, 3, 3). Raises InputError if they do
+    not fit."""
+    n = len(scene.names)
+    centers, axes = np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64)
+    if n_times == 1 and centers.shape == (n, 3) and axes.shape == (n, 3, 3):
+        centers, axes = centers[None], axes[None]
+    if centers.shape != (n_times, n, 3) or axes.shape != (n_times, n, 3, 3):
+        raise InputError(
+            f"a picture of {n} moving bodies needs centres ({n_times}, {n}, 3) and axes ({n_times}, {n}, 3, 3), not "
+            f"{centers.shape} and {axes.shape}"
+        )
+    if not (np.isfinite(centers).all() and np.isfinite(axes).all()):
+        raise InputError("the poses of a picture must be finite numbers")
+    return centers, axes
+
+
+def description(scene: Scene) -> str:
+    """What a picture shows, in words."""
+    return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.forms)}"
+
+
+def described(path: Path, title: str, words: str) -> None:
+    """Puts the title and the description of a picture into an SVG file."""
+    text = path.read_text(encoding="utf-8")
+    start = text.index("<svg")
+    end = text.index(">", start)
+    head = text[start:end] + ' role="img" aria-labelledby="picture-title picture-description"'
+    inside = f'<title id="picture-title">{html.escape(title)}</title>'
+    inside += f'<desc id="picture-description">{html.escape(words)}</desc>'
+    path.write_text(f"{text[:start]}{head}>\n {inside}{text[end + 1 :]}", encoding="utf-8")
+
+
+def _metadata(path: Path, title: str) -> dict[str, Any]:
+    key = "Description" if path.suffix.lower() == ".png" else "Title"
+    return {key: title} if title else {}
+
+
+# -- figures ----------------------------------------------------------------------------------
+class Stage:
+    """A Matplotlib figure for one view of a drawing."""
+
+    def __init__(self, figure: Any, axes: Any, view: View, theme: Theme, *, dark: bool, letter: float) -> None:
+        self.canvas_figure, self.axes, self.view, self.theme = figure, axes, view, theme
+        self.is_dark = dark
+        self.force = FORCE["dark" if dark else "light"]
+        self.letter = letter  # [m] on paper, height of a letter
+        self.low, self.high = np.zeros(2), np.zeros(2)
+        self.choices: dict[str, int] = {}
+
+
+def figure_of(
+    drawing: Drawing,
+    angles: tuple[float, float],
+    *,
+    perspective: bool = False,
+    title: str = "",
+    dark: bool = False,
+    width: float = _WIDTH,
+    is_film: bool = False,
+) -> Stage:
+    """An empty figure, as wide as said [inches] and as high as it needs; for a film an even number of pixels."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    view, theme = drawing.view(angles, perspective=perspective), THEMES["dark" if dark else "light"]
+    low, high = drawing.bounds(view)
+    wide, tall = high - low
+    # room for names round the bodies, and a strip below for the axes
+    head, foot = (0.45 if title else 0.12), 1.25
+    room = 0.4
+    shape = min(_SHAPES[1], max(_SHAPES[0], tall / wide))
+    height = shape * (width - 2 * room)
+    scale = min((width - 2 * room) / wide, height / tall)  # inches by metre
+    page = height + 0.5 * room + head + foot
+    page = round(50 * page) / 50 if is_film else page
+    figure: Any = Figure(figsize=(width, page), dpi=100)
+    FigureCanvasAgg(figure)
+    figure.set_facecolor(theme.paper)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_axis_off()
+    stage = Stage(figure, axes, view, theme, dark=dark, letter=_FONT / _PER_INCH / scale)
+    middle = 0.5 * (low + high)
+    stage.low = middle - np.array((0.5 * width, 0.5 * height + foot)) / scale
+    stage.high = stage.low + np.array((width, page)) / scale
+    axes.set_xlim(stage.low[0], stage.high[0])
+    axes.set_ylim(stage.low[1], stage.high[1])
+    if title:
+        look: dict[str, Any] = {"fontsize": 11, "color": theme.ink, "parse_math": False}
+        figure.text(0.5, 1.0 - 0.24 / page, title, ha="center", va="center", **look)
+    return stage
+
+
+def paint_frame(stage: Stage, drawing: Drawing, frame: int) -> list[Any]:
+    """Draws one instant; returns the artists. In a film names look for better places now and then."""
+    taken = shots(drawing, frame, stage.view)
+    marks: list[Mark] = []
+    owned: dict[int, list[tuple[Shot, list[Mark]]]] = {}
+    for shot in taken:
+        painted = list(paint(shot, is_dark=stage.is_dark))
+        marks += painted
+        if shot.piece.look != "plane":
+            owned.setdefault(owner(shot), []).append((shot, painted))
+    letter = (_LETTER * stage.letter, stage.letter)
+    corner, words = corner_marks(drawing, stage.view, stage.low, stage.letter)
+    artists = [_collection(stage, [*marks, *corner])]
+    for at, text, color in words:
+        artists.append(_text(stage, at, text, color))
+    bodies = {form.index: form.name for form in drawing.scene.forms}
+    foot = stage.low + np.array((0.0, 8.0 * stage.letter))
+    inks = {index: Ink.of(own, stage.letter) for index, own in owned.items()}
+    found = names(inks, bodies, letter, (foot, stage.high), stage.choices, stays=frame % _PATIENCE != 0)
+    stage.choices = {name.text: name.choice for name in found}
+    artists.extend(_text(stage, name.at, name.text, "ink") for name in found)
+    return artists
+
+
+def owner(shot: Shot) -> int:
+    """The index of the body that a piece is, -1 for what joins bodies."""
+    return shot.piece.turn if shot.piece.look in OF_BODIES else -1
+
+
+def _text(stage: Stage, at: Array, text: str, color: str) -> Any:
+    from matplotlib.patheffects import withStroke
+
+    halo = [withStroke(linewidth=2.5, foreground=stage.theme.paper)]
+    ink = _hex(stage, color, -1)
+    look: Mapping[str, Any] = {"fontsize": _FONT, "parse_math": False, "path_effects": halo, "zorder": 9}
+    return stage.axes.text(at[0], at[1], text, ha="center", va="center_baseline", color=ink, **look)
+
+
+def _collection(stage: Stage, marks: Sequence[Mark]) -> Any:
+    from matplotlib.collections import PathCollection
+    from matplotlib.path import Path as Way
+
+    rims = [np.concatenate((m.points, m.points[:1])) if m.is_closed else m.points for m in marks]
+    ways = [Way(rim, closed=m.is_closed) for rim, m in zip(rims, marks, strict=True)]
+    colors = [(*_mixed(stage, m), m.alpha) for m in marks]
+    clear = (0.0, 0.0, 0.0, 0.0)
+    collection = PathCollection(
+        ways,
+        facecolors=[color if m.is_area else clear for color, m in zip(colors, marks, strict=True)],
+        edgecolors=[clear if m.is_area else color for color, m in zip(colors, marks, strict=True)],
+        linewidths=[m.width for m in marks],
+        linestyles=[(0, DASHES) if m.is_dashed else "-" for m in marks],
+        capstyle="round",
+        joinstyle="round",
+    )
+    return stage.axes.add_collection(collection, autolim=False)
+
+
+def _mixed(stage: Stage, mark: Mark) -> tuple[float, ...]:
+    """The colour of a mark: its share of its colour, the rest paper."""
+    color, paper = _rgb(_hex(stage, mark.color, mark.body)), _rgb(stage.theme.paper)
+    return tuple(mark.share * c + (1 - mark.share) * p for c, p in zip(color, paper, strict=True))
+
+
+def _hex(stage: Stage, name: str, body: int) -> str:
+    return stage.force if name == "force" else stage.theme.color(name, body)
+
+
+def _rgb(color: str) -> tuple[float, ...]:
+    return tuple(int(color[k : k + 2], 16) / 255 for k in (1, 3, 5))

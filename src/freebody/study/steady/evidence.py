@@ -1,0 +1,149 @@
+"""The second opinion on steady motion: poses and rates in numbers, on the numeric route."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.model.question import Quantity
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.study.answer import Evidence
+from freebody.study.draws import SEED, Draw
+from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.study.steady.motion import Solutions, Steady
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
+
+_RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones first
+_TOLERANCE = 1e-7
+
+
+def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:
+    """With the claimed rates, at a general pose, no coordinate may accelerate."""
+    witness = Witness(question, "accelerations of the full system at random poses with these rates", _TOLERANCE)
+    for draw, found in _motions(setup, steady, solutions):
+        gaps = [_unevenness(setup, steady, draw, snapshot) for snapshot in found]
+        witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
+    return witness.evidence()
+
+
+def during_steady_motion(
+    setup: Setup,
+    question: str,
+    steady: Steady,
+    solutions: Solutions | None,
+    quantity: Quantity,
+    elements: tuple[Ratio, ...],
+) -> Evidence:
+    """The quantity in steady motions of the full system."""
+    witness = Witness(question, "floating-point solve of all bodies and constraints in steady motion", _TOLERANCE)
+    for draw, found in _motions(setup, steady, solutions):
+        for snapshot in found:
+            if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
+                raise CannotAnswer("the steady motion by which the answer would be checked is none in numbers")
+            numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
+            witness.compare(draw, element_at(setup, elements, draw, snapshot), numeric)
+    return witness.evidence()
+
+
+def _motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
+    """Steady motions, one for each root, at as many draws as are needed."""
+    n = 0
+    for k, draw in enumerate(setup.draw_stream()):
+        if n >= MIN_DRAWS:
+            return
+        found = _motion(setup, steady, solutions, draw, k)
+        if found:
+            n += 1
+            yield draw, found
+
+
+def _motion(setup: Setup, steady: Steady, solutions: Solutions | None, draw: Draw, k: int) -> list[Snapshot]:
+    """Rates at random, larger and larger until there is a steady motion with them."""
+    rng = np.random.default_rng(SEED + k)
+    q = general_pose(setup, draw, k)
+    for size in _RATES:
+        for _ in range(2):
+            rates = {c.speed: size * float(rng.uniform(0.5, 1.5)) for c in steady.cyclic}
+            with suppress(CannotAnswer):
+                return _with_roots(setup, steady, solutions, draw, q, rates)
+    return []
+
+
+def _with_roots(
+    setup: Setup, steady: Steady, solutions: Solutions | None, draw: Draw, q: Array, rates: dict[int, float]
+) -> list[Snapshot]:
+    first = moving(steady, draw, q, rates)
+    if solutions is None:
+        return [first]
+    place = next((c for c in steady.others if c.index == solutions.index), None)
+    found: list[Snapshot] = []
+    for x in solutions.roots:
+        (value,) = element_at(setup, (x,), draw, first)
+        more = {s: element_at(setup, (y,), draw, first)[0] for s, y in solutions.with_them.items()}
+        if place is None:
+            found.append(moving(steady, draw, q, rates | more | {solutions.index: value}))
+        else:
+            found.append(moving(steady, draw, _placed(steady, draw, q, place, value), rates))
+    return found
+
+
+def _placed(steady: Steady, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
+    measure = steady.model.measure_of(place)
+    if measure is None:
+        raise NotReal(f"{place.name} is no measure")
+    kept = [(m, v) for c, m, v in _places(steady, draw, q) if c is not place]
+    return draw.reference.pose_near(q, [*kept, (measure, value)])
+
+
+def _places(steady: Steady, draw: Draw, q: Array) -> list[tuple[Coordinate, Measure, float]]:
+    """The coordinates that are measures, with their values at a pose."""
+    here = draw.reference.snapshot(q, np.zeros_like(q))
+    measures = [(c, steady.model.measure_of(c)) for c in steady.model.coordinates]
+    return [(c, m, here.value(m)) for c, m in measures if m is not None]
+
+
+def general_pose(setup: Setup, draw: Draw, k: int) -> Array:
+    """Near the start, on the branch of the formulas."""
+    for size in (0.3, 0.1, 0.03):
+        snapshot = draw.anywhere(SEED + k, 0.0, size)
+        if setup.is_on_branch(draw, snapshot):
+            return snapshot.q
+    return draw.q
+
+
+def moving(steady: Steady, draw: Draw, q: Array, rates: dict[int, float]) -> Snapshot:
+    """Cyclic coordinates with given rates, the others at rest."""
+    wanted: list[tuple[Measure, float]] = []
+    for c in steady.model.coordinates:
+        measure = steady.model.measure_of(c)
+        if measure is None and c in steady.cyclic:
+            raise CannotAnswer(f"{c.name} is no measure of the model, so its rate cannot be checked")
+        if measure is not None:
+            wanted.append((measure, rates.get(c.speed, 0.0)))
+    return draw.reference.snapshot(q, draw.reference.velocities(q, wanted, with_start=False))
+
+
+def coordinate_accelerations(steady: Steady, draw: Draw, snapshot: Snapshot) -> Array:
+    """Of the coordinates that are measures, by the engine."""
+    seen = draw.seen(snapshot)
+    measures = [steady.model.measure_of(c) for c in steady.model.coordinates]
+    return np.array([seen.acceleration(m) for m in measures if m is not None])
+
+
+def _unevenness(setup: Setup, steady: Steady, draw: Draw, snapshot: Snapshot) -> float:
+    """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled."""
+    here = coordinate_accelerations(steady, draw, snapshot)
+    others = [
+        coordinate_accelerations(steady, draw, draw.reference.snapshot(snapshot.q, factor * snapshot.v))
+        for factor in (0.0, 2.0)
+    ]
+    sizes = np.maximum(np.abs(others[0]), np.abs(others[1]))
+    return float(np.max(np.abs(here) / np.maximum(sizes, 1.0), initial=0.0))

@@ -1,0 +1,216 @@
+"""The least and the largest value of a quantity over a turn of an angle it depends on.
+
+The derivative along the angle is a quotient in the field. Where its numerator vanishes can be an extremum, where the
+denominator of the quantity does it grows without bound; what is under a root must not become negative on the way. All
+three are questions for the zeros of factors, which `turning.py` finds, or proves not to exist.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import to_text
+from freebody.model.question import Question
+from freebody.model.steady_questions import Extremes
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.study.steady.finding import Finding, odd_part
+from freebody.study.steady.loops import explicit
+from freebody.study.steady.turning import Place, Turning
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of, times
+from freebody.symbolic.tidy import tidy
+
+_SMALL = 1e-9
+
+
+@dataclass(frozen=True)
+class Extremum:
+    """A stationary value, and where it is reached."""
+
+    value: Ratio
+    places: tuple[Place, ...]
+
+
+def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
+    """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
+    from freebody.study.steady.round_turn import over_a_turn
+
+    model = setup.model
+    value = quantity_value(q.of, setup.system, setup.state)
+    if isinstance(value, tuple):
+        raise CannotAnswer("a vector has no extremes; ask for its size or for a component along a direction")
+    x = explicit(model, model.field.lowest_terms(model.field.element(value)))
+    c = _angle(model, q, x)
+    x = _at_start(setup, question, x, c)
+    turning = Turning(model, c)
+    turning.check(x)
+    search = _Search(turning)
+    search.must_exist(x)
+    search.must_go_round(setup)
+    least, largest = search.ordered(search.stationary(x))
+    evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
+    notes = [_where("least", least, c), _where("largest", largest, c), *turning.notes]
+    return Finding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
+
+
+def _kept(setup: Setup, turning: Turning) -> list[Condition]:
+    """Conditions of the model that are not settled for the whole turn."""
+    holding = setup.holding(setup.state)
+    return [k for k in holding if k.purpose != "as at the start" or not turning.occurs_in(k.element)]
+
+
+def _angle(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
+    """The coordinate that makes the turn."""
+    inside = model.field.ingredients(x)
+    moving = [c for c in model.coordinates if c.index in inside]
+    if not moving:
+        raise CannotAnswer("the quantity is the same in every pose")
+    if q.over is None:
+        if len(moving) > 1:
+            names = ", ".join(c.name for c in moving)
+            raise CannotAnswer(
+                f"it depends on {names}; say over a turn of which: extremes of ... over a turn of {moving[0].name}"
+            )
+        return moving[0]
+    measure = model.system.measures[q.over]
+    for c in moving:
+        if model.measure_of(c) == measure:
+            return c
+    raise CannotAnswer(f"it does not depend on {q.over}, but on {', '.join(c.name for c in moving)}")
+
+
+def _at_start(setup: Setup, question: Question, x: Ratio, c: Coordinate) -> Ratio:
+    """With everything but the angle as it is at the start, if so asked."""
+    if not question.at_start:
+        return x
+    return setup.model.field.follow(x, {k: v for k, v in setup.start.values.items() if k != c.index})
+
+
+def _where(which: str, e: Extremum, c: Coordinate) -> str:
+    return f"{which} at " + " and ".join(dict.fromkeys(p.text(c.name) for p in e.places))
+
+
+class _Search:
+    """Stationary values over the turn, and what must be positive for them."""
+
+    def __init__(self, turning: Turning) -> None:
+        self.turning = turning
+        self.field = turning.model.field
+        self.conditions: list[Condition] = []
+
+    def stationary(self, x: Ratio) -> list[Extremum]:
+        """All stationary values, each once."""
+        slope = self.field.lowest_terms(self.field.derivative(x, self.turning.angle.index))
+        if slope.is_zero():
+            raise CannotAnswer("the quantity is the same all round the turn")
+        places = [p for p in self.turning.zeros(slope.numerator()) if self._exists(p)]
+        values: list[Extremum] = []
+        for place in places:
+            value = self.turning.at(x, place)
+            same = next((k for k, e in enumerate(values) if e.value == value), None)
+            if same is None:
+                values.append(Extremum(value, (place,)))
+            else:
+                values[same] = Extremum(value, (*values[same].places, place))
+        if not values:
+            raise CannotAnswer("no pose is stationary: the quantity has no extremes over a turn")
+        return values
+
+    def _exists(self, place: Place) -> bool:
+        """Whether a place is real: for all admissible values, or as at the samples, which is a condition then."""
+        for x in place.must_be_positive:
+            numbers = [v for v in self.turning.model.at_samples(x) if not math.isnan(v)]
+            condition, possible = require(odd_part(x), ">=", "there is such a pose")
+            if not possible:
+                return False
+            if condition is None:
+                continue
+            if all(v < 0 for v in numbers):
+                self._add(-x, "")
+                return False
+            if not all(v >= 0 for v in numbers):
+                raise CannotAnswer(f"how many extremes there are depends on {condition.text()}")
+            self.conditions.append(condition)
+        return True
+
+    def must_exist(self, x: Ratio) -> None:
+        """Denominators must not vanish on the way, and what is under roots must not become negative."""
+        made_of = sorted(self.field.ingredients(x))
+        for index in (i for i in made_of if self.field.generators[i].kind == "root" and self.turning.moves(i)):
+            for base, exponent in self.field.factor(self.field.radicand(index).num)[1]:
+                if exponent % 2 and self.turning.occurs_in(base):
+                    self._keep_sign(base, "there is no full turn", "a full turn is possible", may_touch=True)
+        for base, _exponent in self.field.factor(x.denominator().num)[1]:
+            if self.turning.occurs_in(base):
+                norm = self.turning.norm(base)
+                if self.turning.occurs_in(norm):
+                    self._keep_sign(norm, "it grows without bound", "it stays finite", may_touch=False)
+
+    def must_go_round(self, setup: Setup) -> None:
+        """What the formulas take to be positive, as it is at the start, must be so all round."""
+        model = setup.model
+        for assumed in model.assumed:
+            x = explicit(model, setup.state.here(model.elimination.express(assumed)))
+            if self.turning.occurs_in(x):
+                why = "the formula is that of one branch only, which a turn leaves"
+                self._keep_sign(self.turning.norm(x), why, "as at the start", may_touch=False)
+
+    def _keep_sign(self, base: Ratio, otherwise: str, purpose: str, *, may_touch: bool) -> None:
+        """One sign all round: that of all stationary values."""
+        inner = _Search(self.turning)
+        values = [e.value for e in inner.stationary(base)]
+        self.conditions += inner.conditions
+        if may_touch:
+            values = [v for v in values if not v.is_zero()]
+        samples = [self.turning.model.at_samples(v) for v in values]
+        signs = {v > 0 for row in samples for v in row if not math.isnan(v)}
+        if len(signs) != 1 or any(v.is_zero() for v in values):
+            raise CannotAnswer(f"{otherwise}: {to_text(tidy(base))} vanishes on the way")
+        is_positive = signs.pop()
+        for v in values:
+            self._add(v if is_positive else -v, purpose)
+
+    def _add(self, x: Ratio, purpose: str) -> None:
+        condition, possible = require(odd_part(x), ">", purpose)
+        if not possible:
+            raise CannotAnswer(f"for no admissible values {purpose}: {to_text(tidy(x))} is not positive")
+        if condition is not None and all(condition.element != known.element for known in self.conditions):
+            self.conditions.append(condition)
+
+    def ordered(self, found: list[Extremum]) -> tuple[Extremum, Extremum]:
+        """Least and largest: by sign, else as at the samples, which is a condition then."""
+        rows = list(zip(*(self.turning.model.at_samples(e.value) for e in found), strict=True))
+        rows = [row for row in rows if not any(map(math.isnan, row))]
+        if not rows:
+            raise CannotAnswer("the stationary values are not real at the model's own values")
+        least = self._first(found, rows, 1)
+        largest = self._first(found, rows, -1)
+        return least, largest
+
+    def _first(self, found: list[Extremum], rows: list[tuple[float, ...]], way: int) -> Extremum:
+        best = {min(range(len(row)), key=lambda k, row=row: way * row[k]) for row in rows}
+        if len(best) != 1:
+            candidates = ", ".join(to_text(tidy(found[k].value)) for k in sorted(best))
+            raise CannotAnswer(f"which of {candidates} is the extreme one depends on the parameter values")
+        chosen = found[best.pop()]
+        for e in found:
+            gap = way * (e.value - chosen.value)
+            if e is not chosen and _sign(gap) not in (Sign.POSITIVE, Sign.NONNEGATIVE):
+                self._add(gap, "which extreme is which")
+        return chosen
+
+
+def _sign(x: Ratio) -> Sign:
+    """The sign; that of a multiple of an arc is the sign of what it is the arc of."""
+    f = x.field
+    arcs = [i for i in x.generators() if f.arguments.get(i, ("",))[0] in ("asin", "atan")]
+    if len(arcs) == 1 and x.den is None:
+        slope = f.partial(x, arcs[0])
+        if slope * f.variable(arcs[0]) == x:
+            return times(sign_of(slope), sign_of(f.arguments[arcs[0]][1]))
+    return sign_of(x)

@@ -1,0 +1,45 @@
+"""What the questions about steady motion find, on its way to an answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from freebody.study.answer import Evidence
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+
+
+@dataclass
+class Finding:
+    """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
+
+    element: Ratio | tuple[Ratio, ...]
+    evidence: Evidence
+    conditions: list[Condition] = field(default_factory=list[Condition])
+    notes: list[str] = field(default_factory=list[str])
+    says: list[str] = field(default_factory=list[str])
+    may_be_complex: bool = False  # roots in it need not be real
+    unit: str | None = None  # where it is not that of the quantity
+
+
+def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:
+    """Roots of squares by their values: sqrt(cos^2) is cos, with the sign that it has at the start, which is noted."""
+    f = model.field
+    plain: dict[int, Ratio] = {}
+    for index in sorted(x.generators()):
+        if f.generators[index].kind == "root" and f.generators[index].made_of:
+            root = f.sqrt(f.radicand(index), model.is_negative)
+            if index not in root.generators():
+                plain[index] = root
+    return f.lowest_terms(f.substitute(x, plain)) if plain else x
+
+
+def odd_part(x: Ratio) -> Ratio:
+    """An element of the same sign without factors that occur an even number of times, where these do not vanish."""
+    f = x.field
+    unit, factors = f.factor(x.num * x.denominator().num)
+    result = f.element(1 if unit > 0 else -1)
+    for base, exponent in factors:
+        result = result * base if exponent % 2 else result
+    return result

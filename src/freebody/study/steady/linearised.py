@@ -1,0 +1,119 @@
+"""The second opinion on stability: the full system linearised in numbers about the same steady motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.study.answer import Evidence
+from freebody.study.draws import Draw
+from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
+from freebody.study.setup import Setup
+from freebody.study.steady.evidence import coordinate_accelerations, moving
+from freebody.study.steady.stability import Linear
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
+
+_TOLERANCE = 1e-5
+_FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition
+_STEP = 1e-4  # rad, m
+_CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exponent
+
+
+def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) -> Evidence:
+    """The characteristic polynomial of the full system is the same, and its exponents grow where a sign is negative."""
+    witness = Witness(question, "numerical linearisation of the full system with slow and fast rates", _TOLERANCE)
+    verdicts = Witness(question, "exponents of the numerical linearisation", _TOLERANCE)
+    for draw in setup.draws:
+        for factor in _FACTORS:
+            try:
+                about = _About(setup, linear, draw, factor)
+                coefficients = np.array(element_at(setup, tuple(linear.coefficients), draw, about.snapshot))
+                values = element_at(setup, tuple(signs), draw, about.snapshot)
+            except NotReal:
+                continue
+            matrix = about.matrix()
+            exact = np.roots(coefficients[::-1])
+            size = float(np.abs(exact).max(initial=0.0)) or 1.0
+            powers = size ** np.arange(len(coefficients))[::-1]
+            numeric = np.poly(matrix)[::-1]
+            witness.compare(draw, tuple(coefficients / coefficients[-1] / powers), tuple(numeric / powers))
+            grows = float(exact.real.max(initial=0.0)) / size
+            if not _CLEARLY_STABLE < grows < _CLEARLY_NOT and _is_clear(values):
+                verdicts.compare(draw, float(all(v > 0 for v in values)), float(grows <= _CLEARLY_STABLE))
+        if len(witness.pairs) >= 4 * MIN_DRAWS:
+            break
+    verdicts.evidence()
+    return witness.evidence()
+
+
+def _is_clear(values: Sequence[float]) -> bool:
+    largest = max(map(abs, values))
+    return all(abs(v) > 1e-9 * largest for v in values)
+
+
+class _About:
+    """A steady motion of one draw in numbers."""
+
+    def __init__(self, setup: Setup, linear: Linear, draw: Draw, factor: float) -> None:
+        self.steady, self.draw = linear.steady, draw
+        self.others, self.cyclic = (self._measured(c) for c in (self.steady.others, self.steady.cyclic))
+        start = draw.start()
+        self.places = np.array([start.value(m) for _c, m in self.others], dtype=np.float64)
+        q = self._pose(self.places)
+        rates = {c.speed: self._rate(c, m, start, factor, linear) for c, m in self.cyclic}
+        first = moving(self.steady, draw, q, rates)
+        rates |= {index: element_at(setup, (x,), draw, first)[0] for index, x in linear.rates.items()}
+        self.rates = np.array([rates[c.speed] for c, _m in self.cyclic], dtype=np.float64)
+        self.snapshot = moving(self.steady, draw, q, rates)
+
+    def _measured(self, coordinates: Sequence[Coordinate]) -> list[tuple[Coordinate, Measure]]:
+        found: list[tuple[Coordinate, Measure]] = []
+        for c in coordinates:
+            measure = self.steady.model.measure_of(c)
+            if measure is None:
+                raise CannotAnswer(f"{c.name} is no measure of the model, so its stability cannot be checked")
+            found.append((c, measure))
+        return found
+
+    @staticmethod
+    def _rate(c: Coordinate, measure: Measure, start: Snapshot, factor: float, linear: Linear) -> float:
+        if c.speed in linear.rates and linear.rates[c.speed].is_zero():
+            return 0.0
+        rate = start.rate(measure)
+        return factor * (rate if abs(rate) > 1e-6 else 3.0)
+
+    def _pose(self, places: Array) -> Array:
+        wanted = [(m, float(x)) for (_c, m), x in zip(self.others, places, strict=True)]
+        return self.draw.reference.pose_near(self.draw.q, wanted)
+
+    def matrix(self) -> Array:
+        """Of d/dt (x, x', y), by central differences."""
+        n, k = len(self.places), len(self.rates)
+        size = float(np.abs(self.rates).max(initial=1.0))
+        columns: list[Array] = []
+        for j in range(2 * n + k):
+            step = _STEP if j < n else 1e-2 * size
+            ahead, back = (self._accelerations(j, e * step) for e in (1.0, -1.0))
+            columns.append((ahead - back) / (2 * step))
+        slopes = np.array(columns).T
+        top = np.zeros((n, 2 * n + k))
+        top[:, n : 2 * n] = np.eye(n)
+        return np.vstack([top, slopes])
+
+    def _accelerations(self, j: int, away: float) -> Array:
+        """Of x and y, with one of (x, x', y) changed."""
+        n = len(self.places)
+        state = np.concatenate([self.places, np.zeros(n), self.rates])
+        state[j] += away
+        q = self._pose(state[:n])
+        speeds = [c.speed for c, _m in self.others] + [c.speed for c, _m in self.cyclic]
+        rates = dict(zip(speeds, map(float, state[n:]), strict=True))
+        found = coordinate_accelerations(self.steady, self.draw, moving(self.steady, self.draw, q, rates))
+        order = [self.steady.model.coordinates.index(c) for c, _m in (*self.others, *self.cyclic)]
+        return found[order]

@@ -1,0 +1,316 @@
+"""Steady motion: the coordinates on which the equations of motion depend stay constant, the others run evenly.
+
+A coordinate is cyclic where neither the mass matrix M nor the forces F of M(q) du/dt = F(q, u) contain it. With the
+speeds of the others and all accelerations zero, what is left is F(q, u) = 0: conditions between the rates of the cyclic
+coordinates and the values of the others. Sources: Routh, Dynamics of a System of Rigid Bodies, Advanced Part, 1905,
+ch. III; for the top Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 5.7; for rolling bodies Neimark &
+Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, cast
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import to_text
+from freebody.model.question import OfMeasure, Question
+from freebody.model.steady_questions import SteadyValue
+from freebody.study.eom import primitive_part
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.study.steady.finding import Finding, odd_part, without_square_roots
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.motion import zeros_of
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+
+MOST_ROOTS = 4
+
+
+@dataclass
+class Steady:
+    """The steady motions of a model."""
+
+    model: SymbolicModel
+
+    @cached_property
+    def cyclic(self) -> tuple[Coordinate, ...]:
+        """Coordinates that the equations of motion do not contain."""
+        needed = self.needed
+        return tuple(c for c in self.model.coordinates if c.index not in needed)
+
+    @cached_property
+    def others(self) -> tuple[Coordinate, ...]:
+        return tuple(c for c in self.model.coordinates if c not in self.cyclic)
+
+    @cached_property
+    def needed(self) -> set[int]:
+        """Coordinates on which the equations depend, and those on which the speeds of these depend."""
+        m = self.model
+        entries = [x for row in m.mass_matrix for x in row] + self.forces
+        needed = {g for x in entries for g in m.field.ingredients(x)}
+        todo = [c for c in m.dependent if c.index in needed]
+        for c in todo:
+            needed |= m.field.ingredients(m.dependent_speed(c))
+            todo += [d for d in m.dependent if d.index in needed and d not in todo]
+        return needed
+
+    @cached_property
+    def forces(self) -> list[Ratio]:
+        m = self.model
+        return [without_square_roots(m, m.in_independent_speeds(x)) for x in m.forcing]
+
+    @cached_property
+    def still(self) -> dict[int, Ratio]:
+        """The speeds of what stays constant."""
+        return {c.speed: self.model.field.zero for c in self.others}
+
+    @cached_property
+    def equations(self) -> tuple[Ratio, ...]:
+        """What has to vanish, each without the factors in which no rate occurs. Raises CannotAnswer where the motion
+        cannot be steady: where forces depend on time, or bound coordinates go on moving."""
+        m, f = self.model, self.model.field
+        found: list[Ratio] = []
+        for d in m.dependent:
+            if d.index in self.needed and not m.vanishes(f.substitute(m.dependent_speed(d), self.still)):
+                raise CannotAnswer(f"the equations of motion depend on {d.name}, which moves on: nothing is steady")
+        for force in self.forces:
+            x = f.lowest_terms(f.substitute(force, self.still))
+            if m.vanishes(x):
+                continue
+            if any(f.generators[g].kind == "time" for g in f.ingredients(x)):
+                raise CannotAnswer("the forces depend on time, so that no motion is steady")
+            equation = self._with_rates(x)
+            if all(equation != other and equation != -other for other in found):
+                found.append(equation)
+        return tuple(found)
+
+    def _with_rates(self, x: Ratio) -> Ratio:
+        """The factors that contain a rate; all that can vanish where none does."""
+        product = x.field.one
+        for base, _exponent in x.field.factor(x.num)[1]:
+            if x.field.ingredients(base) & {c.speed for c in self.cyclic}:
+                product = product * base
+        return primitive_part(x) if product == 1 else product
+
+    @cached_property
+    def always(self) -> list[Ratio]:
+        """Factors without rates: where they vanish, every rate is steady."""
+        f = self.model.field
+        if len(self.equations) != 1:
+            return []
+        forces = [x for x in (f.substitute(force, self.still) for force in self.forces) if not self.model.vanishes(x)]
+        factors = [base for base, _e in f.factor(forces[0].num)[1] if not base.is_constant()]
+        speeds = {c.speed for c in self.cyclic}
+        if all(not f.ingredients(base) & speeds for base in factors):
+            return []
+        return [base for base in factors if not f.ingredients(base) & speeds] if len(forces) == 1 else []
+
+    def texts(self) -> list[str]:
+        return [f"0 = {to_text(tidy(x))}" for x in self.equations]
+
+    # -- solving ------------------------------------------------------------------------------
+    def solved_for(self, speed: int) -> Solutions:
+        """The rate, by the other rates and the pose. Raises CannotAnswer where it stays open or has no closed form."""
+        name = to_text(self.model.field.generators[speed].display)
+        equations = list(self.equations)
+        if not equations:
+            raise CannotAnswer(f"every value of {name} is steady: nothing depends on the coordinates that run")
+        if len(equations) > 1:
+            return self._linear(speed, name)
+        equation = equations[0]
+        if speed not in equation.generators():
+            raise CannotAnswer(f"steady motion leaves {name} open; its condition is {self.texts()[0]}")
+        return self._roots(equation, speed, name)
+
+    def _roots(self, equation: Ratio, speed: int, name: str) -> Solutions:
+        f, found = self.model.field, Solutions(speed)
+        for base, _exponent in f.factor(equation.num)[1]:
+            if speed not in base.generators():
+                continue
+            c = base.coefficients(speed)
+            if len(c) == 2 and c[0].is_zero():
+                found.notes.append(f"{name} = 0 is steady, too")
+            elif len(c) == 2:
+                found.roots.append(f.lowest_terms(-c[0] / c[1]))
+            elif len(c) == 3 and c[1].is_zero():
+                found.roots.append(f.lowest_terms(f.sqrt(-c[0] / c[2], self.model.is_negative)))
+                found.notes.append("in either sense: the opposite rate is steady, too")
+            elif len(c) == 3:
+                found.roots += self._both_roots(c)
+            else:
+                raise CannotAnswer(
+                    f"{name} is a root of a polynomial of degree {len(c) - 1} that does not factor: {self.texts()[0]}"
+                )
+        return found
+
+    def _both_roots(self, c: list[Ratio]) -> list[Ratio]:
+        """Of c_0 + c_1 x + c_2 x^2, the smaller first."""
+        root = self.model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], self.model.is_negative)
+        both = [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+        signs = [v for v in self.model.at_samples(c[2]) if v == v]
+        return both[::-1] if signs and signs[0] < 0 else both
+
+    def _linear(self, speed: int, name: str) -> Solutions:
+        f, columns = self.model.field, [speed, *(c.speed for c in self.cyclic if c.speed != speed)]
+        rows: list[Row] = []
+        for equation in self.equations:
+            row: Row = {}
+            rest = equation
+            for column in columns:
+                slope = f.partial(equation, column)
+                if slope.generators() & set(columns):
+                    raise CannotAnswer(
+                        f"{name} follows from {len(self.equations)} equations that are not linear in the rates: "
+                        + "; ".join(self.texts())
+                    )
+                if not slope.is_zero():
+                    row[column], rest = slope, rest - slope * f.variable(column)
+            rows.append(row if rest.is_zero() else {**row, RHS: -rest})
+        done = solve(f, rows, columns, self.model.vanishes, in_order=True)
+        if done.contradictory:
+            raise CannotAnswer("no rates make this pose steady: " + "; ".join(self.texts()))
+        if speed not in done.pivots:
+            raise CannotAnswer(f"steady motion leaves {name} open; its conditions are " + "; ".join(self.texts()))
+        values: dict[int, Ratio] = {}
+        for column, row in done.pivots.items():
+            total = row.get(RHS, f.zero)
+            for free, coefficient in row.items():
+                if free != RHS:
+                    total = total + coefficient * f.variable(free)
+            values[column] = f.lowest_terms(total)
+        return Solutions(speed, [values.pop(speed)], with_them=values)
+
+    def at_position(self, c: Coordinate) -> Solutions:
+        """The values of a coordinate that stays constant."""
+        if not any(c.index in self.model.field.ingredients(x) for x in self.equations):
+            raise CannotAnswer(f"steady motion leaves {c.name} open")
+        if len(self.equations) != 1:
+            raise CannotAnswer(f"{c.name} follows from {len(self.equations)} equations: " + "; ".join(self.texts()))
+        assumed = list(self.model.assumed)
+        roots = zeros_of(self.model, self.equations[0], c)
+        self.model.assumed = assumed  # signs of roots do not matter, since both are among the zeros
+        if not roots or len(roots) > MOST_ROOTS:
+            raise CannotAnswer(f"the condition of steady motion has no closed form for {c.name}: {self.texts()[0]}")
+        return self._on_one_side(Solutions(c.index, roots), c)
+
+    def _on_one_side(self, solutions: Solutions, c: Coordinate) -> Solutions:
+        """Of two opposite values, the one with the sign that the coordinate has at the start."""
+        numbers = self.model.start_numbers(c.index)
+        is_negative = bool(numbers) and numbers[0] < 0
+        kept: list[Ratio] = []
+        for x in solutions.roots:
+            if any(x == -y for y in kept):
+                solutions.notes.append(f"the opposite value of {c.name} is steady, too")
+                kept = [-y if x == -y and is_negative else y for y in kept]
+            else:
+                kept.append(x)
+        return Solutions(solutions.index, kept, solutions.notes)
+
+    def any_solution(self) -> Solutions | None:
+        """Some way to be steady, for evidence; None where every rate is."""
+        if not self.equations:
+            return None
+        for c in self.cyclic:
+            try:
+                found = self.solved_for(c.speed)
+            except CannotAnswer:
+                continue
+            if found.roots:
+                return found
+        for c in self.others:
+            try:
+                return self.at_position(c)
+            except CannotAnswer:
+                continue
+        raise CannotAnswer("no steady motion has a closed form, to check it by: " + "; ".join(self.texts()))
+
+    # -- the instant --------------------------------------------------------------------------
+    @cached_property
+    def state(self) -> SymbolicState:
+        """A general instant of a steady motion: without accelerations."""
+        even = copy.copy(self.model)
+        even.__dict__.pop("_multipliers", None)
+        even.__dict__["solved_accelerations"] = dict.fromkeys(even.accelerations, even.field.zero)
+        return SymbolicState(even, self.still)
+
+
+@dataclass
+class Solutions:
+    """Values of a rate or a coordinate (`index`) with which a motion is steady, and of rates that go with them."""
+
+    index: int
+    roots: list[Ratio] = field(default_factory=list[Ratio])
+    notes: list[str] = field(default_factory=list[str])
+    with_them: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
+
+
+def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
+    """A rate or a place by the conditions of steady motion, or any other quantity during one."""
+    from freebody.study.steady.evidence import in_steady_motion
+
+    steady = Steady(setup.model)
+    unknown = _unknown(steady, q)
+    if unknown is None:
+        return _during(setup, question, q, steady)
+    solutions = steady.at_position(unknown) if _is_place(q) else steady.solved_for(unknown.speed)
+    if not solutions.roots:
+        raise CannotAnswer("; ".join(solutions.notes) or "there is no such motion")
+    evidence = in_steady_motion(setup, question.text, steady, solutions)
+    notes = solutions.notes + [f"every rate is steady where 0 = {to_text(tidy(x))}" for x in steady.always]
+    roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
+    conditions = [c for x in roots for c in _ranges(x)] + setup.holding(steady.state)
+    return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
+
+
+def _unknown(steady: Steady, q: SteadyValue) -> Coordinate | None:
+    """The coordinate whose rate or, if it stays constant, whose value is asked for."""
+    if not isinstance(q.of, OfMeasure) or q.of.order > 1:
+        return None
+    among = steady.others if q.of.order == 0 else steady.cyclic
+    return next((c for c in among if steady.model.measure_of(c) == q.of.measure), None)
+
+
+def _is_place(q: SteadyValue) -> bool:
+    return isinstance(q.of, OfMeasure) and q.of.order == 0
+
+
+def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:
+    if not question.at_start:
+        return x
+    given = setup.start.values
+    return setup.model.field.follow(x, {k: v for k, v in given.items() if solutions is None or k != solutions.index})
+
+
+def _ranges(x: Ratio) -> list[Condition]:
+    """-1 <= u <= 1 for the arcs in an answer."""
+    f, found = x.field, list[Condition]()
+    for index in sorted(x.generators()):
+        name, argument = f.arguments.get(index, ("", x))
+        if name in ("acos", "asin"):
+            for room in (1 - argument, 1 + argument):
+                condition, possible = require(odd_part(room), ">=", "there is such a motion")
+                if not possible:
+                    raise CannotAnswer("there is no such motion for any admissible values")
+                found += [] if condition is None else [condition]
+    return found
+
+
+def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> Finding:
+    from freebody.study.steady.evidence import during_steady_motion
+
+    f = setup.model.field
+    value = quantity_value(q.of, setup.system, steady.state)
+    parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
+    elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
+    texts = steady.texts()
+    evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
+    notes = [f"steady while {'; '.join(texts)}"] if texts else ["every such motion is steady"]
+    shown = tuple(_at_start(setup, question, x, None) for x in elements)
+    return Finding(shown[0] if not isinstance(value, tuple) else shown, evidence, setup.holding(steady.state), notes)

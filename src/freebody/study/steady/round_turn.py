@@ -1,0 +1,108 @@
+"""The second opinion on extremes: the numeric route in the extremal poses, and in others round the turn."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.model.question import Quantity
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.study.answer import Evidence
+from freebody.study.draws import Draw
+from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, NotReal, Witness, element_at, holds
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.study.steady.extremes import Extremum
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.model import Coordinate
+
+N_POSES = 24
+_NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side
+_RATE = 0.83  # of the angle, where the quantity depends on it
+
+
+def over_a_turn(
+    setup: Setup,
+    question: str,
+    quantity: Quantity,
+    c: Coordinate,
+    least: Extremum,
+    largest: Extremum,
+    conditions: list[Condition],
+) -> Evidence:
+    """At the extremal poses the full system has these values, in the others values between them."""
+    route = f"the full system at the extremal poses and at {N_POSES} others round the turn"
+    reached = Witness(question, route, INSTANT_TOLERANCE)
+    between = Witness(question, route, INSTANT_TOLERANCE)
+    for draw in setup.draw_stream():
+        if len(reached.pairs) >= MIN_DRAWS:
+            break
+        turn = _Round(setup, draw, c, quantity)
+        try:
+            if not all(holds(setup, k, draw, turn.start) for k in conditions):
+                continue
+            low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
+            poses = [turn.angle_of(e) for e in (least, largest)]
+        except NotReal:
+            continue
+        reached.compare(draw, (low, high), tuple(map(turn.at, poses)))
+        outside = max(max(low - value, value - high, 0.0) for value in turn.values())
+        between.compare(draw, 1.0, 1.0 + outside / max(abs(low), abs(high)))
+    between.evidence()
+    return reached.evidence()
+
+
+class _Round:
+    """A full turn of one draw, the other coordinates as at its start."""
+
+    def __init__(self, setup: Setup, draw: Draw, c: Coordinate, quantity: Quantity) -> None:
+        self.setup, self.draw, self.quantity, self.c = setup, draw, quantity, c
+        model = setup.model
+        measure = model.measure_of(c)
+        if measure is None:
+            raise CannotAnswer(f"{c.name} is no measure of the model, so its turn cannot be checked")
+        self.measure = measure
+        still = draw.reference.snapshot(draw.q, np.zeros_like(draw.q))
+        measures = [(k, model.measure_of(k)) for k in model.coordinates if k is not c]
+        self.kept: list[tuple[Measure, float]] = [(m, still.value(m)) for _k, m in measures if m is not None]
+        self.here = still.value(measure)
+        self.start = self._snapshot(draw.q)
+
+    def _snapshot(self, q: Array) -> Snapshot:
+        rates = [(self.measure, _RATE), *((m, 0.3) for m, _value in self.kept)]
+        return self.draw.reference.snapshot(q, self.draw.reference.velocities(q, rates, with_start=False))
+
+    def angle_of(self, e: Extremum) -> float:
+        """How far an extremal pose is from the start."""
+        cos, sin = element_at(self.setup, (e.places[0].cos, e.places[0].sin), self.draw, self.start)
+        away = math.remainder(math.atan2(sin, cos) - self.here, math.tau)
+        return max(-_NEARLY_HALF, min(_NEARLY_HALF, away))
+
+    def at(self, away: float) -> float:
+        """The quantity at an angle from the start, reached in small steps."""
+        n = max(1, math.ceil(abs(away) / 0.2))
+        q = self.draw.q
+        for k in range(1, n + 1):
+            q = self._pose(q, away * k / n)
+        return self._value(q)
+
+    def values(self) -> list[float]:
+        """At poses all round the turn."""
+        found: list[float] = []
+        step = math.tau / N_POSES
+        for way in (1.0, -1.0):
+            q = self.draw.q
+            for k in range(N_POSES // 2):
+                q = self._pose(q, way * step * (k + 0.5))
+                found.append(self._value(q))
+        return found
+
+    def _pose(self, q: Array, away: float) -> Array:
+        return self.draw.reference.pose_near(q, [*self.kept, (self.measure, self.here + away)])
+
+    def _value(self, q: Array) -> float:
+        return float(quantity_value(self.quantity, self.setup.system, self.draw.seen(self._snapshot(q))))

@@ -1,0 +1,243 @@
+"""Zeros of an element round a turn of an angle, on which it depends through cosine c and sine s (and roots of these).
+
+A factor of its numerator is solved where it is
+
+    c or s                                  at quarters of the turn
+    a polynomial in c, or in s, of degree 1 or 2
+    a c + b s + d                           c = (-a d -+ b w)/n,  s = (-b d +- a w)/n,  n = a^2 + b^2,  w^2 = n - d^2
+    one with a root                         by its norm, whose zeros contain its own
+
+Any other factor must have no zero: its sign is followed round the turn in ball arithmetic at random admissible values.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import flint
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import to_text
+from freebody.study.steady.finding import without_square_roots
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import functions
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.tidy import tidy
+
+_SMALL = 1e-9
+_DEEPEST = 14  # halvings of a sixteenth of a turn
+_flint: Any = flint
+_QUARTERS = {(1, 0): "0", (0, 1): "90°", (-1, 0): "180°", (0, -1): "-90°"}
+
+
+@dataclass(frozen=True)
+class Place:
+    """A pose of the turn by cosine and sine; real while some elements are not negative."""
+
+    cos: Ratio
+    sin: Ratio
+    must_be_positive: tuple[Ratio, ...] = ()
+
+    def text(self, name: str) -> str:
+        both = self.cos.fraction(), self.sin.fraction()
+        if None not in both and both in _QUARTERS:
+            return f"{to_text(tidy_name(name))} = {_QUARTERS[both]}"  # type: ignore[index]
+        shown = to_text(tidy_name(name))
+        return f"cos({shown}) = {to_text(tidy(self.cos))}, sin({shown}) = {to_text(tidy(self.sin))}"
+
+
+def tidy_name(name: str) -> Any:
+    from freebody.language.expression import Symbol
+
+    return Symbol(name)
+
+
+class Turning:
+    """One angle of a model on its way round."""
+
+    def __init__(self, model: SymbolicModel, angle: Coordinate) -> None:
+        self.model, self.angle, self.field = model, angle, model.field
+        self.notes: list[str] = []
+        pair = self.field.pair_of(angle.index)
+        if pair is None:
+            raise CannotAnswer(f"it depends on {angle.name} in another way than by its cosine and sine")
+        self.cos, self.sin = pair
+
+    def moves(self, index: int) -> bool:
+        return self.angle.index in {index} | self.field.generators[index].made_of
+
+    def occurs_in(self, x: Ratio) -> bool:
+        return any(map(self.moves, x.generators()))
+
+    def check(self, x: Ratio) -> None:
+        """Raises CannotAnswer where the angle occurs outside of its cosine, its sine and what is made of these."""
+        for index in sorted(self.field.ingredients(x)):
+            kind = self.field.generators[index].kind
+            if index == self.angle.index and index in x.generators():
+                raise CannotAnswer(f"it grows with every turn of {self.angle.name}")
+            if self.moves(index) and kind in ("cos", "sin") and index not in (self.cos, self.sin):
+                raise CannotAnswer(
+                    f"it depends on a part or a multiple of {self.angle.name}, and has no closed form here"
+                )
+
+    def at(self, x: Ratio, place: Place) -> Ratio:
+        """The element in a place. Raises CannotAnswer where it has no finite value."""
+        try:
+            value = self.field.follow(x, {self.cos: place.cos, self.sin: place.sin})
+        except ZeroDivisionError:
+            raise CannotAnswer(f"it grows without bound near {place.text(self.angle.name)}") from None
+        return self._with_arcs(without_square_roots(self.model, self.field.lowest_terms(value)))
+
+    def _with_arcs(self, x: Ratio) -> Ratio:
+        """Acute angles of known cosine and sine by the arcs of their sines."""
+        arcs: dict[int, Ratio] = {}
+        for index in x.generators() & self.field.known_pairs.keys():
+            cos, sin = self.field.known_pairs[index]
+            if all(v > 0 for v in self.model.at_samples(cos)):
+                sign = -1 if sign_of(sin) is Sign.NEGATIVE else 1
+                arcs[index] = sign * functions(self.field, self.model.is_negative)["asin"](sign * sin)
+        return self.field.substitute(x, arcs)
+
+    # -- zeros --------------------------------------------------------------------------------
+    def zeros(self, x: Ratio) -> list[Place]:
+        """Places in which a numerator vanishes."""
+        found: list[Place] = []
+        for base, _exponent in self.field.factor(x.num)[1]:
+            if self.occurs_in(base):
+                found += [p for p in self._factor(base) if all(p.cos != k.cos or p.sin != k.sin for k in found)]
+        return found
+
+    def roots_in(self, x: Ratio) -> list[int]:
+        """The roots in it that move, the inner ones first."""
+        return [i for i in sorted(x.generators()) if self.field.generators[i].kind == "root" and self.moves(i)]
+
+    def norm(self, x: Ratio) -> Ratio:
+        """The product over both signs of every root in it that moves."""
+        for index in reversed(self.roots_in(x)):
+            p, q = (*x.coefficients(index), self.field.zero)[:2]
+            x = p * p - q * q * self.field.radicand(index)
+        return x
+
+    def _factor(self, base: Ratio) -> list[Place]:
+        if self.roots_in(base):
+            return self._with_root(base)
+        own = [i for i in base.generators() if self.moves(i)]
+        if any(i not in (self.cos, self.sin) for i in own):
+            raise CannotAnswer(f"where {to_text(tidy(base))} vanishes has no closed form")
+        if own == [self.cos]:
+            return self._in_one(base, self.cos, lambda u, w: ((u, w), (u, -w)))
+        if own == [self.sin]:
+            return self._in_one(base, self.sin, lambda u, w: ((w, u), (-w, u)))
+        in_sin = self._even_in(base)
+        if in_sin is not None:
+            return self._factor(in_sin)
+        linear = self._linear(base)
+        if linear is None:
+            self._prove_no_zero(base)
+            return []
+        return linear
+
+    def _with_root(self, base: Ratio) -> list[Place]:
+        if len(base.generators()) == 1:
+            return []  # the root itself: there it ends, and `must_exist` sees to it
+        norm = self.norm(base)
+        if not self.occurs_in(norm):
+            return []
+        return [p for p in self.zeros(norm.numerator()) if self._vanishes(base, p)]
+
+    def _vanishes(self, base: Ratio, place: Place) -> bool:
+        value = self.at(base, place)
+        if value.is_zero() or any(sign_of(x) in (Sign.NEGATIVE,) for x in place.must_be_positive):
+            return value.is_zero()
+        numbers = [v for v in self.model.at_samples(value) if not math.isnan(v)]
+        return bool(numbers) and all(abs(v) < _SMALL for v in numbers)
+
+    def _even_in(self, base: Ratio) -> Ratio | None:
+        """A polynomial in c and s that is one in s alone, with c^2 = 1 - s^2."""
+        parts = base.coefficients(self.cos)
+        if any(not p.is_zero() for p in parts[1::2]):
+            return None
+        s = self.field.variable(self.sin)
+        total = self.field.zero
+        for k, p in enumerate(parts[::2]):
+            total = total + p * (1 - s * s) ** k
+        return None if total.generators() >= {self.cos} else total
+
+    def _in_one(
+        self, base: Ratio, index: int, both: Callable[[Ratio, Ratio], tuple[tuple[Ratio, Ratio], ...]]
+    ) -> list[Place]:
+        """Zeros of a polynomial in the cosine, or in the sine, alone."""
+        f, c = self.field, base.coefficients(index)
+        if len(c) > 3:
+            self._prove_no_zero(base)
+            return []
+        if len(c) == 2:
+            values, real = [-c[0] / c[1]], ()
+        else:
+            inside = c[1] * c[1] - 4 * c[0] * c[2]
+            if sign_of(inside) is Sign.NEGATIVE:
+                return []
+            root = f.sqrt(inside)
+            values, real = [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])], (inside,)
+        found: list[Place] = []
+        for u in values:
+            room = 1 - u * u
+            if room.is_zero():
+                found.append(Place(*both(u, f.zero)[0], real))
+            elif sign_of(room) is not Sign.NEGATIVE:
+                found += [Place(cos, sin, (*real, room)) for cos, sin in both(u, f.sqrt(room))]
+        return found
+
+    def _linear(self, base: Ratio) -> list[Place] | None:
+        """a c + b s + d = 0."""
+        f = self.field
+        in_cos = base.coefficients(self.cos)
+        if len(in_cos) > 2:
+            return None
+        a, in_sin = in_cos[1], in_cos[0].coefficients(self.sin)
+        if self.sin in a.generators() or len(in_sin) > 2:
+            return None
+        d, b = in_sin[0], in_sin[1]
+        square = a * a + b * b
+        room = square - d * d
+        if sign_of(room) is Sign.NEGATIVE:
+            return []
+        w = f.sqrt(room)
+        must = () if d.is_zero() else (room,)
+        return [
+            Place(f.lowest_terms((-a * d - e * b * w) / square), f.lowest_terms((-b * d + e * a * w) / square), must)
+            for e in (1, -1)
+        ]
+
+    # -- proofs -------------------------------------------------------------------------------
+    def _prove_no_zero(self, base: Ratio) -> None:
+        """Raises CannotAnswer unless the factor keeps its sign round the turn at all samples."""
+        shown, starts = to_text(tidy(base)), [s for s in self.model.samples if s.is_start]
+        for sample in starts:
+            if not self._keeps_its_sign(base, self.model.numbers(sample)):
+                raise CannotAnswer(f"where {shown} = 0 has no closed form")
+        self.notes.append(
+            f"{shown} does not vanish on the way: shown in ball arithmetic for {len(starts)} sets of parameter values"
+        )
+
+    def _keeps_its_sign(self, base: Ratio, values: dict[int, Any]) -> bool:
+        arb = _flint.arb
+        fixed = {i: arb(float(values[i])) for i in base.generators() if not self.moves(i)}
+
+        def excludes_zero(middle: Any, half: Any, depth: int) -> bool:
+            angle = arb(middle, half)
+            x = self.field.evaluate(base, fixed | {self.cos: angle.cos(), self.sin: angle.sin()})
+            if not x.contains(0):
+                return True
+            if depth == 0:
+                return False
+            return excludes_zero(middle - half / 2, half / 2, depth - 1) and excludes_zero(
+                middle + half / 2, half / 2, depth - 1
+            )
+
+        width = math.pi / 8
+        return all(excludes_zero((k + 0.5) * width, 0.51 * width, _DEEPEST) for k in range(16))

@@ -1,0 +1,28 @@
+"""What has to be positive for stability, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.study.steady.finding import odd_part
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.routh import without_implied
+from freebody.symbolic.signs import Sign, sign_of
+
+
+def stable_if(elements: Sequence[Ratio]) -> str:
+    """Says for which admissible values all elements are positive, and so small disturbances stay small."""
+    if any(sign_of(x) is Sign.ZERO for x in elements):
+        return "neutral: a small disturbance neither oscillates nor grows exponentially"
+    open_: list[Ratio] = []
+    for x in elements:
+        condition, possible = require(odd_part(x), ">")
+        if not possible:
+            return "unstable for all admissible values"
+        if condition is not None:
+            open_.append(condition.element)
+    left = without_implied(open_)
+    if not left:
+        return "stable for all admissible values"
+    return "stable if " + " and ".join(Condition(x, ">").text() for x in left)

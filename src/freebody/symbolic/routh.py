@@ -1,0 +1,98 @@
+"""When small disturbances die out or stay small: conditions on a characteristic polynomial, in the field.
+
+hurwitz      c_0 + c_1 s + ... + c_n s^n has all roots in the left half plane if and only if the first column of Routh's
+             array is positive. Source: Routh, A Treatise on the Stability of a Given State of Motion, 1877; Gantmacher,
+             Applications of the Theory of Matrices, 1959, ch. V.
+oscillating  a polynomial in s^2 (conservative and gyroscopic forces) has imaginary roots only if and only if all values
+             of s^2 are real and negative. Source: Merkin, Introduction to the Theory of Stability, 1997, ch. 6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.signs import Sign, sign_of
+
+MOST_ROWS = 8
+_MOST_SQUARES = 3
+
+
+def determinant(A: Sequence[Sequence[Ratio]]) -> Ratio:
+    """Laplace expansion; matrices here are small. Raises CannotAnswer for more than eight rows."""
+    if len(A) == 1:
+        return A[0][0]
+    if len(A) > MOST_ROWS:
+        raise CannotAnswer(f"more than {MOST_ROWS} degrees of freedom; ask for numbers")
+    total = A[0][0].field.zero
+    for k, entry in enumerate(A[0]):
+        if not entry.is_zero():
+            minor = [[*row[:k], *row[k + 1 :]] for row in A[1:]]
+            total = total + (-1) ** k * entry * determinant(minor)
+    return total
+
+
+def hurwitz(c: Sequence[Ratio]) -> list[Ratio]:
+    """What has to be positive; c: from the constant term up, at least degree 1. Raises CannotAnswer where Routh's array
+    breaks off, which it does only where the polynomial is not stable."""
+    field, n = c[0].field, len(c) - 1
+    down = [x / c[-1] for x in reversed(c)]
+    above, row = down[0::2], down[1::2]
+    column: list[Ratio] = []
+    for _ in range(n):
+        if not row or row[0].is_zero():
+            raise CannotAnswer("a root of the characteristic polynomial does not lie in the left half plane")
+        column.append(row[0])
+        after = [*row[1:], field.zero]
+        below = [field.lowest_terms(x - above[0] * y / row[0]) for x, y in zip(above[1:], after, strict=False)]
+        above, row = row, below
+    return column
+
+
+def oscillating(c: Sequence[Ratio]) -> list[Ratio]:
+    """What has to be positive so that c_0 + c_1 m + ... has real negative roots m only, all different. Raises
+    CannotAnswer for more than three."""
+    n = len(c) - 1
+    if n > _MOST_SQUARES:
+        raise CannotAnswer(
+            f"the characteristic polynomial is of degree {n} in the squared exponent and does not factor"
+        )
+    ratios = [x / c[-1] for x in c[:-1]]
+    if n == 1:
+        return ratios
+    if n == 2:
+        return [ratios[1] * ratios[1] - 4 * ratios[0], *ratios]
+    r, q, p = ratios
+    return [p * p * q * q - 4 * q * q * q - 4 * p * p * p * r + 18 * p * q * r - 27 * r * r, *ratios]
+
+
+def squares(c: Sequence[Ratio], is_negative: Callable[[Ratio], bool] | None = None) -> list[Ratio] | None:
+    """The roots m of a linear or quadratic polynomial; None for others."""
+    if len(c) == 2:
+        return [-c[0] / c[1]]
+    if len(c) == 3:
+        root = c[0].field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], is_negative)
+        return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+    return None
+
+
+def without_implied(elements: Sequence[Ratio]) -> list[Ratio]:
+    """Elements that have to be positive, without those that are so wherever another one is."""
+    kept = list(dict.fromkeys(elements))
+    for x in list(kept):
+        if any(y is not x and _follows(x, y) for y in kept):
+            kept.remove(x)
+    return kept
+
+
+def _follows(x: Ratio, y: Ratio) -> bool:
+    """Whether x - k y >= 0 for a positive number k."""
+    field = x.field
+    own, other = field.terms(x.num), field.terms(y.num)
+    for monomial in own.keys() & other.keys():
+        if own[monomial] * other[monomial] > 0:
+            rest = x.numerator() * abs(other[monomial]) - y.numerator() * abs(own[monomial])
+            if sign_of(rest) in (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO):
+                return True
+    return False

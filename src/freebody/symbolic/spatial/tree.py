@@ -1,0 +1,127 @@
+"""How the bodies of a system in space are turned: from one to the next by constant rotations and named angles.
+
+A body with a chain of its own (`turned: [psi about y]`) follows it. Otherwise a joint leads to it from a body that is
+placed already (`Attitude`). What no joint reaches turns freely, by three angles about z, y and x from the ground. The
+rows by which the tree goes hold by construction; all others are equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from freebody.language.expression import Symbol
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND, ONE, ZERO, Components
+from freebody.model.elements import Attitude, Rotation
+from freebody.model.names import Names
+from freebody.model.rotations import UNIT, Columns, angles_of, rotation, transposed
+from freebody.system.system import System
+
+_DEFAULT = (("yaw", (ZERO, ZERO, ONE)), ("pitch", (ZERO, ONE, ZERO)), ("roll", (ONE, ZERO, ZERO)))
+
+
+@dataclass(frozen=True)
+class Step:
+    """A rotation by a constant matrix, or by a named angle (times `sign`) about an axis."""
+
+    constant: Columns = UNIT
+    axis: Components = ()
+    name: str = ""
+    sign: int = 1
+
+
+@dataclass(frozen=True)
+class Link:
+    """How a body is turned from another one."""
+
+    body: str
+    parent: str
+    steps: tuple[Step, ...]
+    chain: tuple[Rotation, ...] = ()  # of three named angles, which have a singular pose
+
+
+@dataclass(frozen=True)
+class Tree:
+    """The links in an order in which every parent comes before, every angle in them as a measure, and the names of the
+    rows that hold by construction."""
+
+    links: tuple[Link, ...]
+    angles: dict[str, Measure]
+    rows: frozenset[str]
+
+
+def tree_of(system: System) -> Tree:
+    """The tree of a system in space."""
+    return _Grower(system).tree()
+
+
+class _Grower:
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.links: list[Link] = []
+        self.angles: dict[str, Measure] = {}
+        self.rows: set[str] = set()
+        self.placed = {b.name for b in system.bodies.values() if b.fixed or not b.turns}
+        self._names = {m: name for name, m in (*system.offered, *system.measures.items())}
+
+    def tree(self) -> Tree:
+        waiting = [b.name for b in self.system.moving if b.turns]
+        while waiting:
+            name = self._next(waiting)
+            self.placed.add(name)
+            waiting.remove(name)
+        return Tree(tuple(self.links), self.angles, frozenset(self.rows))
+
+    def _next(self, waiting: Sequence[str]) -> str:
+        """Places one more body: by its chain, by the joint with the fewest angles, or freely."""
+        for name in waiting:
+            body = self.system.bodies[name]
+            if body.chain and body.frame in self.placed:
+                self._by_chain(name)
+                return name
+        usable = [a for a in self.system.attitudes if self._new(a, waiting) is not None]
+        if usable:
+            joint = min(usable, key=lambda a: len(a.turns))
+            name = str(self._new(joint, waiting))
+            self._by_joint(joint, name)
+            return name
+        name = next((n for n in waiting if not self.system.bodies[n].chain), waiting[0])
+        self._free(name)
+        return name
+
+    def _new(self, a: Attitude, waiting: Sequence[str]) -> str | None:
+        """The body to which a joint leads."""
+        ends = (a.first, a.second)
+        new = [b for b in ends if b in waiting and not self.system.bodies[b].chain]
+        known = [b for b in ends if b in self.placed and self.system.bodies[b].turns]
+        return new[0] if len(new) == len(known) == 1 else None
+
+    def _by_chain(self, name: str) -> None:
+        body = self.system.bodies[name]
+        for turn in body.chain:
+            if turn.name:
+                self.angles[turn.name] = self.system.measures[turn.name]
+        self.links.append(Link(name, body.frame, tuple(map(_step, body.chain)), body.chain))
+
+    def _free(self, name: str) -> None:
+        chain = tuple(Rotation(axis, Symbol(f"{label}_{name}"), f"{label}_{name}") for label, axis in _DEFAULT)
+        self.angles |= angles_of(Names(), chain, name, GROUND)
+        self.links.append(Link(name, GROUND, tuple(map(_step, chain)), chain))
+
+    def _by_joint(self, a: Attitude, name: str) -> None:
+        self.rows |= {f"{a.connection}.{component}" for component in a.components}
+        turns: list[Step] = []
+        for axis, own, measure in a.turns:
+            label = self._names.get(measure, f"{a.connection}_{own}")
+            self.angles[label] = measure
+            turns.append(Step(axis=axis, name=label))
+        steps = [Step(a.before), *turns, Step(transposed(a.after))]
+        if name == a.first:  # backwards
+            turned = [Step(axis=t.axis, name=t.name, sign=-1) for t in reversed(turns)]
+            steps = [Step(a.after), *turned, Step(transposed(a.before))]
+        self.links.append(Link(name, a.second if name == a.first else a.first, tuple(steps)))
+
+
+def _step(turn: Rotation) -> Step:
+    return Step(axis=turn.axis, name=turn.name) if turn.name else Step(rotation(turn.axis, turn.by))
