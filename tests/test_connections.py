@@ -542,6 +542,163 @@ start: {x: 0, rate(x): v0}
             "x when slipping ends": "m*v0**2/(2*F)",
         },
     ),
+    # a block hinged at the middle of one face: I = m (a^2 + b^2)/12 + m a^2/4
+    "revolute joint of a hinged block": (
+        "revolute",
+        """
+space: true
+parameters: {m: 2 kg, a: 0.6 m, b: 0.2 m, g: 9.81 m/s^2}
+bodies: {block: {box: {mass: m, size: [a, b, 0.1 m]}}}
+connections: {it: {revolute: {first: ground.A, second: block.left, about: z}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of block about z}
+start: {theta: 0}
+""",
+        {"acceleration of theta": "-m*g*a/2*cos(theta)/(m*(a**2 + b**2)/12 + m*a**2/4)", "degrees of freedom": "1"},
+    ),
+    "prismatic joint along a slope": (
+        "prismatic",
+        """
+space: true
+parameters: {m: 2 kg, alpha: 30 deg, g: 9.81 m/s^2}
+bodies: {block: {box: {mass: m, size: [0.1 m, 0.1 m, 0.1 m]}}}
+connections: {it: {prismatic: {first: ground.A, second: block, along: [0, sin(alpha), cos(alpha)]}}}
+loads: {weight: {gravity: g}}
+measures: {s: "travel of block along [0, sin(alpha), cos(alpha)]"}
+start: {s: 0}
+""",
+        {"acceleration of s": "-g*sin(alpha)", "reaction of it along x": "0"},
+    ),
+    # travel and turn do not know of each other
+    "cylindrical joint of a falling collar": (
+        "cylindrical",
+        """
+space: true
+parameters: {m: 2 kg, J: 0.1 kg m^2, T: 0.4 N m, g: 9.81 m/s^2}
+bodies: {collar: {body: {mass: m, inertia: [J, J, J]}}}
+connections: {it: {cylindrical: {first: ground.A, second: collar, about: y}}}
+loads: {weight: {gravity: g}, twist: {torque: {on: collar, about: y, magnitude: T}}}
+measures: {s: y of collar, phi: angle of collar about y}
+start: {s: 0, phi: 0}
+""",
+        {"acceleration of s": "-g", "acceleration of phi": "T/J"},
+    ),
+    # (m + J (2 pi/p)^2) s'' = -m g
+    "screw joint of a nut under its weight": (
+        "screw",
+        """
+space: true
+parameters: {m: 2 kg, J: 0.1 kg m^2, p: 0.05 m, g: 9.81 m/s^2}
+bodies: {nut: {body: {mass: m, inertia: [J, J, J]}}}
+connections: {it: {screw: {first: ground.A, second: nut, about: y, pitch: p}}}
+loads: {weight: {gravity: g}}
+measures: {s: y of nut}
+start: {s: 0}
+""",
+        {"acceleration of s": "-m*g/(m + J*(2*pi/p)**2)"},
+    ),
+    # (A + m l^2) theta'' = m g l sin(theta) from rest
+    "spherical joint of a standing pendulum": (
+        "spherical",
+        """
+space: {up: z}
+parameters: {m: 2 kg, A: 0.1 kg m^2, l: 0.3 m, g: 9.81 m/s^2}
+bodies:
+  bob: {body: {mass: m, inertia: [A, A, A]}, points: {foot: [0, 0, -l]}, turned: [psi about z, theta about x, phi about z]}
+connections: {it: {spherical: [ground.A, bob.foot]}}
+loads: {weight: {gravity: g}}
+start: {theta: 40 deg, psi: 0, phi: 0}
+""",
+        {"acceleration of theta at start": "m*g*l*sin(2*pi/9)/(A + m*l**2)", "degrees of freedom": "3"},
+    ),
+    "universal joint of a hanging body": (
+        "universal",
+        """
+space: true
+parameters: {m: 2 kg, A: 0.1 kg m^2, l: 0.3 m, g: 9.81 m/s^2}
+bodies: {bob: {body: {mass: m, inertia: [A, A, A]}, points: {top: [0, l, 0]}, turned: [q about x, p about z]}}
+connections: {it: {universal: {first: ground.A, second: bob.top, arm: x, second_arm: z}}}
+loads: {weight: {gravity: g}}
+start: {q: 0, p: 20 deg}
+""",
+        {"acceleration of p at start": "-m*g*l*sin(pi/9)/(A + m*l**2)", "degrees of freedom": "2"},
+    ),
+    # shafts at an angle turn equally fast
+    "constant-velocity joint of two bent shafts": (
+        "constant_velocity",
+        """
+space: true
+parameters: {alpha: 30 deg, J: 0.1 kg m^2}
+frames: {bent: {turned: alpha about x}}
+bodies:
+  drive: {body: {inertia: [J, J, J]}}
+  driven: {body: {inertia: [J, J, J]}, near: {turned: alpha about x}}
+connections:
+  a: {revolute: {first: ground.O, second: drive, about: z}}
+  b: {revolute: {first: ground.O, second: driven, about: bent.z, second_axis: z}}
+  it: {constant_velocity: {first: drive, second: driven, about: z}}
+measures: {psi: angle of drive about z}
+start: {psi: 0, rate(psi): 3 rad/s}
+""",
+        {"ratio of angular velocity of driven along bent.z to rate of psi": "1"},
+    ),
+    "planar joint of a plate on ice": (
+        "planar",
+        """
+space: true
+parameters: {m: 2 kg, F: 3 N}
+bodies: {plate: {box: {mass: m, size: [0.3 m, 0.02 m, 0.2 m]}}}
+connections: {it: {planar: {body: plate, normal: y}}}
+loads: {push: {force: {at: plate, along: x, magnitude: F}}, down: {force: {at: plate, along: down, magnitude: 2*F}}}
+measures: {x: x of plate}
+start: {x: 0}
+""",
+        {"acceleration of x": "F/m", "normal force of it": "2*F", "degrees of freedom": "3"},
+    ),
+    # T1 - k T = I1 a1, T = I2 k a1
+    "gear pair of two wheels across": (
+        "gear_pair",
+        """
+space: true
+parameters: {I1: 0.1 kg m^2, I2: 0.3 kg m^2, k: 0.5, T: 2 N m}
+bodies: {a: {body: {inertia: [I1, I1, I1]}}, b: {body: {inertia: [I2, I2, I2]}}}
+connections:
+  p: {revolute: {first: ground.O, second: a, about: x}}
+  q: {revolute: {first: ground.O, second: b, about: y}}
+  it: {gear_pair: {first: a, second: b, first_axis: x, second_axis: y, ratio: -k}}
+loads: {motor: {torque: {on: a, about: x, magnitude: T}}}
+measures: {u: angle of a about x, w: angle of b about y}
+start: {u: 0}
+""",
+        {"acceleration of u": "T/(I1 + k**2*I2)", "acceleration of w": "-k*T/(I1 + k**2*I2)"},
+    ),
+    "point on a line: a bead on a slanted wire": (
+        "point_on_line",
+        """
+space: true
+parameters: {m: 2 kg, alpha: 30 deg, g: 9.81 m/s^2}
+bodies: {bead: {particle: {mass: m}}}
+connections: {it: {point_on_line: {point: bead, through: ground.A, along: [cos(alpha), sin(alpha), 0]}}}
+loads: {weight: {gravity: g}}
+measures: {s: "travel of bead along [cos(alpha), sin(alpha), 0]"}
+start: {s: 0}
+""",
+        {"acceleration of s": "-g*sin(alpha)", "size of reaction of it": "m*g*cos(alpha)"},
+    ),
+    "point on a plane: a puck": (
+        "point_on_plane",
+        """
+space: true
+parameters: {m: 2 kg, g: 9.81 m/s^2, F: 1 N}
+ground: {planes: {ice: {normal: up}}}
+bodies: {puck: {particle: {mass: m}}}
+connections: {it: {point_on_plane: {point: puck, on: ice}}}
+loads: {weight: {gravity: g}, push: {force: {at: puck, along: z, magnitude: F}}}
+measures: {z: z of puck}
+start: {z: 0}
+""",
+        {"acceleration of z": "F/m", "normal force of it": "m*g"},
+    ),
     "stop under a weight": (
         "stop",
         """

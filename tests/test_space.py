@@ -207,7 +207,10 @@ def on_turned_ground(name: str, shift: Array, turn: Array) -> dict[str, Any]:
     data["ground"] = {
         "points": {key: plain(Q @ vector(at) + shift) for key, at in ground.points.items() if key != "origin"},
         "planes": {
-            key: {"through": plain(Q @ vector(p.through.offset) + shift), "normal": plain(Q @ vector(p.normal.components))}
+            key: {
+                "through": plain(Q @ vector(p.through.offset) + shift),
+                "normal": plain(Q @ vector(p.normal.components)),
+            }
             for key, p in ground.planes.items()
         },
     }
@@ -290,3 +293,459 @@ GIVEN = ("general_bennett", "free_asymmetric_body", "rolling_coin", "rolling_con
 def test_a_model_in_turned_numbers_moves_and_reacts_the_turned_way(name: str) -> None:
     shift, turn = anywhere()
     assert_turned(at_home(name), moved(on_turned_ground(name, shift, turn)), shift, turn)
+
+
+# -- gimbal poses -----------------------------------------------------------------------------
+TUMBLING = """
+space: true
+bodies:
+  it:
+    body: {mass: 1 kg, inertia: [1, 2, 2.5]}
+    turned: [psi about z, theta about y, phi about x]
+start: {psi: 0.4, theta: 0.3, phi: -0.2, rate(psi): 0.6, rate(theta): 1.1, rate(phi): 0.4}
+"""
+
+
+def test_a_body_turns_through_gimbal_poses_without_a_jump() -> None:
+    result = simulated(TUMBLING, 60.0, 1e-12, 0.01)
+    course = result.course
+    assert course.rotation is not None
+    q = course.rotation.quaternions[:, 0]
+    fastest = float(np.linalg.norm(spins(course), axis=1).max())
+    assert 2.0 * np.linalg.norm(np.diff(q, axis=0), axis=1).max() < 1.001 * fastest * 0.01
+    tilt = np.abs(np.cos(result.series["theta"][0]))
+    assert tilt.min() < 0.02  # it comes near the pose in which psi and phi are one
+    far = np.minimum(tilt[1:], tilt[:-1])
+    for name in ("psi", "phi"):  # elsewhere the angles go on by their rates, over whole turns too
+        values, rates, _ = result.series[name]
+        steps = np.diff(values) - 0.005 * (rates[1:] + rates[:-1])
+        assert np.abs(steps[far > 0.2]).max() < 1e-3, name
+    assert np.ptp(result.series["phi"][0]) > 2 * math.pi
+
+
+def test_named_angles_are_those_of_the_rotation() -> None:
+    """R = Rz(psi) Ry(theta) Rx(phi) at every instant, through gimbal poses too."""
+    result = simulated(TUMBLING, 20.0, 1e-12, 0.1)
+    psi, theta, phi = (result.series[name][0] for name in ("psi", "theta", "phi"))
+    for k, R in enumerate(rotations(result.course)):
+        built = matrix(np.array([0, 0, psi[k]])) @ matrix(np.array([0, theta[k], 0])) @ matrix(np.array([phi[k], 0, 0]))
+        assert np.abs(built - R).max() < 1e-7
+
+
+# -- tops and free bodies ---------------------------------------------------------------------
+TOP = """
+space: {{up: z}}
+bodies:
+  top:
+    body: {{mass: 0.5 kg, inertia: [8e-4, 8e-4, 5e-4]}}
+    points: {{tip: [0, 0, -0.06]}}
+    turned: [psi about z, theta about x, phi about z]
+connections: {{tip: {{spherical: [ground.O, top.tip]}}}}
+loads: {{weight: {{gravity: 9.81}}}}
+start: {{psi: 0, theta: {theta}, phi: 0, rate(psi): {psi}, rate(theta): 0, rate(phi): {phi}}}
+"""
+ABOUT_TIP, ABOUT_AXIS, WEIGHT = 8e-4 + 0.5 * 0.06**2, 5e-4, 0.5 * G * 0.06  # A, C, m g l
+
+
+@pytest.mark.parametrize("spin", [60.0, 100.0, 200.0])
+def test_a_top_let_go_nods_by_jacobis_functions(spin: float) -> None:
+    # u = cos(theta): u'^2 = b (u - u1)(u - u0)(u - u3), b = 2 m g l/A; from the cusp u0 it goes u = u1 + (u0 - u1) cd^2.
+    # Source: Whittaker, Analytical Dynamics, 1937, sec. 71.
+    u0 = math.cos(0.5)
+    b, square = 2 * WEIGHT / ABOUT_TIP, (ABOUT_AXIS * spin / ABOUT_TIP) ** 2
+    low, high = sorted(np.roots([b, -square, square * u0 - b]).real)
+    m = (u0 - low) / (high - low)
+    result = simulated(TOP.format(theta=0.5, psi=0, phi=spin), 5.0, 1e-13, 0.01)
+    _sn, cn, dn, _ = scipy.special.ellipj(0.5 * math.sqrt(b * (high - low)) * result.course.times, m)
+    wanted = np.arccos(low + (u0 - low) * (cn / dn) ** 2)
+    assert np.abs(result.series["theta"][0] - wanted).max() < 1e-8
+
+
+def test_a_fast_top_precesses_with_m_g_l_over_its_spin() -> None:
+    """The mean rate tends to m g l/(C omega), with an error that falls with the square of the spin."""
+    errors: list[float] = []
+    for spin in (200.0, 400.0, 800.0):
+        slow = WEIGHT / (ABOUT_AXIS * spin)
+        result = simulated(TOP.format(theta=0.5, psi=slow, phi=spin), 2.0, 1e-12, 0.5)
+        errors.append(abs(result.series["psi"][0][-1] / (2.0 * slow) - 1.0))
+    assert errors[0] < 0.05
+    for one, next_one in zip(errors, errors[1:], strict=False):
+        assert 3.0 < one / next_one < 6.0
+
+
+def test_the_middle_axis_flips_with_the_period_of_the_elliptic_solution() -> None:
+    # about the middle axis w2 = b sn(rate t, m): it changes its sign every 2 K/rate (Landau & Lifshitz, sec. 37)
+    i1, i2, i3 = 1.0, 2.0, 2.5
+    a, c = 0.4, 1.1
+    energy, square = i1 * a**2 + i3 * c**2, (i1 * a) ** 2 + (i3 * c) ** 2
+    rate = math.sqrt((i3 - i2) * (square - energy * i1) / (i1 * i2 * i3))
+    m = (i2 - i1) * (energy * i3 - square) / ((i3 - i2) * (square - energy * i1))
+    text = f"""
+    space: true
+    bodies:
+      it:
+        body: {{mass: 1 kg, inertia: [{i1}, {i2}, {i3}]}}
+        turned: 0 about x
+        at: [0, 0, 0]
+        velocity: [0, 0, 0]
+        angular_velocity: {{body: [{a}, 0, {c}]}}
+    """
+    result = simulated(text, 100.0, 1e-13, 0.01)
+    assert result.course.rotation is not None
+    w, t = result.course.rotation.velocities_in_body[:, 0, 1], result.course.times
+    k = np.flatnonzero(w[1:-1] * w[2:] < 0.0) + 1
+    flips = t[k] - w[k] * (t[k + 1] - t[k]) / (w[k + 1] - w[k])
+    half = 2.0 * scipy.special.ellipk(m) / rate
+    assert len(flips) > 10
+    assert np.abs(flips / half - np.round(flips / half)).max() < 1e-5  # by linear interpolation
+
+
+@pytest.mark.slow
+def test_a_free_body_keeps_energy_and_momentum_for_ten_thousand_seconds() -> None:
+    text = """
+    space: true
+    bodies:
+      it:
+        body: {mass: 1 kg, inertia: [1, 2, 2.5]}
+        turned: 0.3 about [1, 2, 3]
+        at: [0, 0, 0]
+        velocity: [0, 0, 0]
+        angular_velocity: {body: [0.02, 1, 0.01]}
+    """
+    course = simulated(text, 1e4, 1e-13, 10.0).course
+    assert course.rotation is not None
+    momenta = course.rotation.velocities_in_body[:, 0] * [1.0, 2.0, 2.5]
+    energy = 0.5 * (momenta * course.rotation.velocities_in_body[:, 0]).sum(axis=1)
+    vector = np.einsum("tij,tj->ti", rotations(course), momenta)
+    assert np.abs(energy / energy[0] - 1.0).max() < 1e-9
+    assert np.abs(vector - vector[0]).max() < 1e-9 * np.linalg.norm(vector[0])
+
+
+# -- rolling ----------------------------------------------------------------------------------
+COIN = """
+space: true
+ground: {{planes: {{table: {{normal: up}}}}}}
+bodies: {{coin: {{disk: {{mass: 0.1 kg, radius: 0.05 m}}, turned: [psi about y, theta about x, phi about z]}}}}
+connections: {{rolling: {{rolling: {{body: coin, on: ground.table}}}}}}
+loads: {{weight: {{gravity: 9.81}}}}
+measures: {{x: x of coin, z: z of coin}}
+start: {{x: 0, z: 0, psi: 0, theta: {theta}, phi: 0, rate(theta): 0, rate(psi): {psi}, rate(phi): {phi}}}
+"""
+
+
+def steady_spin(theta: float, turning: float) -> float:
+    """(C + m R^2) w Om cos(th) + A Om^2 sin(th) cos(th) = m g R sin(th), w = phi' - Om sin(th): moments about the point
+    of contact of a thin disk, C = m R^2/2, A = m R^2/4. Source: Neimark & Fufaev, 1972, ch. II sec. 5."""
+    sine, cosine = math.sin(theta), math.cos(theta)
+    w = (G / 0.05 * sine - turning**2 * sine * cosine / 4) / (1.5 * turning * cosine)
+    return w + turning * sine
+
+
+@pytest.mark.parametrize(("theta", "turning"), [(0.3, 4.0), (0.8, 9.0), (1.2, 25.0)])
+def test_a_disk_that_turns_steadily_goes_on_so(theta: float, turning: float) -> None:
+    spin = steady_spin(theta, turning)
+    result = simulated(COIN.format(theta=theta, psi=turning, phi=spin), 3.0)
+    assert np.abs(result.series["theta"][0] - theta).max() < 1e-8
+    assert np.abs(result.series["psi"][1] - turning).max() < 1e-7 * turning
+    assert np.abs(result.series["phi"][1] - spin).max() < 1e-7 * abs(spin)
+    x, z = result.series["x"][0], result.series["z"][0]  # the centre goes round a circle
+    radius = 0.05 * abs(spin - turning * math.sin(theta)) / turning
+    middle = np.array([(x.max() + x.min()) / 2, (z.max() + z.min()) / 2])
+    assert np.hypot(x - middle[0], z - middle[1]) == pytest.approx(np.full(len(x), radius), abs=1e-4 * radius)
+
+
+def test_eulers_disk_keeps_its_energy() -> None:
+    """Almost flat, turning fast round the point of contact."""
+    theta, turning = 1.45, 60.0
+    text = COIN.format(theta=theta, psi=turning, phi=1.02 * steady_spin(theta, turning))
+    result = simulated(text, 1.0)
+    assert np.ptp(result.series["theta"][0]) > 1e-3
+    assert result.energy.relative_error < 1e-9
+
+
+@pytest.mark.parametrize("factor", [1.05, 0.95])
+def test_a_fast_upright_disk_stays_upright_and_a_slow_one_falls(factor: float) -> None:
+    """Rolling straight on is stable above w^2 = A m g R/(C (C + m R^2)) = g/(3 R). Source: Routh, Advanced Rigid
+    Dynamics, 1905, sec. 244."""
+    spin = factor * math.sqrt(G / (3 * 0.05))
+    result = simulated(COIN.format(theta=1e-5, psi=0, phi=spin), 6.0)
+    largest = float(np.abs(result.series["theta"][0]).max())
+    assert (largest < 2e-4) == (factor > 1.0)
+
+
+def test_a_ball_on_a_turntable_goes_round_with_two_sevenths_of_its_speed() -> None:
+    # Source: Weltner, Am. J. Phys. 47 (1979) 984
+    omega, r = 3.0, 0.02
+    text = f"""
+    space: true
+    bodies:
+      table: {{body: {{inertia: 1}}, planes: {{top: {{normal: up}}}}}}
+      ball: {{sphere: {{mass: 0.05 kg, radius: {r}}}}}
+    connections:
+      axle: {{revolute: {{first: ground.O, second: table, about: y}}}}
+      motor: {{driver: {{measure: turn, follows: {omega}*t}}}}
+      rolling: {{rolling: {{body: ball, on: table.top}}}}
+    measures: {{turn: angle of table about y, x: x of ball, z: z of ball}}
+    loads: {{weight: {{gravity: 9.81}}}}
+    start: {{x: 0.3 m, z: 0.1 m, rate(x): 0.2 m/s, rate(z): -0.1 m/s}}
+    """
+    result = simulated(text, 10.0)
+    z = result.series["x"][0] - 1j * result.series["z"][0]  # right-handed about y
+    v = result.series["x"][1] - 1j * result.series["z"][1]
+    rate = 2.0 / 7.0 * omega
+    middle = z[0] - v[0] / (1j * rate)
+    wanted = middle + (z[0] - middle) * np.exp(1j * rate * result.course.times)
+    assert np.abs(z - wanted).max() < 1e-9
+
+
+def test_a_rolling_cone_turns_evenly() -> None:
+    # T = 3/40 m h^2 W^2 (1 + 5 cos^2 a). Source: Landau & Lifshitz, Mechanics, sec. 32, problem 7
+    result = moved(SPATIAL["rolling_cone"])
+    turning = result.series["psi"][1]
+    assert np.abs(turning - 2.0).max() < 1e-9
+    m, radius, height = 2.0, 0.1, 0.3
+    cosine2 = height**2 / (height**2 + radius**2)
+    wanted = 3 / 40 * m * height**2 * 4.0 * (1 + 5 * cosine2)
+    assert result.energy.kinetic == pytest.approx(np.full(len(turning), wanted), rel=1e-9)
+    ratio = result.series["phi"][1] / turning
+    assert np.abs(np.abs(ratio) - 1 / math.sqrt(1 - cosine2) * math.sqrt(cosine2) ** 0).max() < 1e-9
+
+
+# -- machines ---------------------------------------------------------------------------------
+def test_bearings_carry_the_couple_of_a_tilted_disk() -> None:
+    """m R^2 omega^2 sin(delta) cos(delta)/(8 b) each, b from the middle: (C - A) omega^2 sin cos over 2 b."""
+    result = moved(SPATIAL["tilted_disk_on_shaft"])
+    m, radius, delta, b, omega = 5.0, 0.15, math.radians(2.0), 0.3, 150.0
+    force = m * radius**2 * omega**2 * math.sin(delta) * math.cos(delta) / (8 * b)
+    rows = [row.name for row in result.rows]
+    for bearing in ("A", "B"):
+        across = [name for name in rows if name.startswith(f"{bearing}.") and name != "A.x"]
+        sizes = np.linalg.norm(reactions(result, *across), axis=1)
+        assert sizes == pytest.approx(np.full(len(sizes), force), rel=1e-9)
+
+
+FOUR_HINGES = """
+space: true
+ground: {points: {A: [0, 0, 0], D: [1 m, 0, 0]}}
+bodies:
+  crank: {box: {mass: 1 kg, size: [0.3 m, 0.05 m, 0.05 m]}, near: {at: {left: [0, 0, 0]}, turned: 60 deg about z}}
+  coupler: {box: {mass: 2 kg, size: [0.9 m, 0.05 m, 0.05 m]}, near: {turned: 20 deg about z}}
+  rocker: {box: {mass: 1 kg, size: [0.6 m, 0.05 m, 0.05 m]}, near: {turned: 80 deg about z}}
+connections:
+  A: {revolute: {first: ground.A, second: crank.left, about: z}}
+  B: {revolute: {first: crank.right, second: coupler.left, about: z}}
+  C: {revolute: {first: coupler.right, second: rocker.right, about: z}}
+  D: {revolute: {first: ground.D, second: rocker.left, about: z}}
+loads: {weight: {gravity: 9.81}}
+measures: {theta: angle of crank about z}
+start: {theta: 60 deg, rate(theta): 4 rad/s}
+"""
+
+
+@pytest.mark.parametrize("text", [bennett(), FOUR_HINGES], ids=["bennett", "four hinges"])
+def test_loops_with_redundant_hinges_move_keep_their_energy_and_do_not_drift(text: str) -> None:
+    result = simulated(text, 20.0)
+    assert result.simulator.degrees_of_freedom == 1
+    assert not result.course.unique.all()
+    assert np.ptp(result.series["theta"][0]) > 0.5
+    assert result.energy.relative_error < 1e-9
+    assert result.course.place_gap < 1e-11
+    assert result.course.motion_gap < 1e-9
+
+
+def test_a_bennett_linkage_keeps_the_product_of_half_tangents() -> None:
+    result = simulated(bennett(), 5.0, every=0.05)
+    one = result.series["theta"][0]
+    between = np.einsum("tji,tjk->tik", rotations(result.course, 0), rotations(result.course, 1))
+    two = np.arctan2(between[:, 1, 0], between[:, 0, 0])
+    wanted = math.sin((BETA + ALPHA) / 2) / math.sin((BETA - ALPHA) / 2)
+    away = np.abs(np.sin(one / 2)) > 0.05
+    gap = np.sin(one / 2) * np.sin(two / 2) - wanted * np.cos(one / 2) * np.cos(two / 2)
+    assert away.any()
+    assert np.abs(gap).max() < 1e-9
+
+
+def test_a_nut_falls_slowly_along_its_thread() -> None:
+    """It brings its moment of inertia along: a = g m/(m + J (2 pi/p)^2)."""
+    text = """
+    space: true
+    bodies: {nut: {body: {mass: 0.5 kg, inertia: [1e-5, 2e-5, 1.5e-5]}}}
+    connections: {thread: {screw: {first: ground.A, second: nut, about: y, pitch: 20 mm}}}
+    loads: {weight: {gravity: 9.81}}
+    measures: {drop: drop of nut, turn: angle of nut about y}
+    """
+    result = simulated(text, 2.0)
+    wanted = G * 0.5 / (0.5 + 2e-5 * (2 * math.pi / 0.02) ** 2)
+    assert result.series["drop"][2] == pytest.approx(np.full(len(result.course.times), wanted), rel=1e-10)
+    assert result.series["drop"][0][-1] == pytest.approx(wanted * 2.0, rel=1e-9)
+    assert result.series["turn"][0][-1] == pytest.approx(-wanted * 2.0 * 2 * math.pi / 0.02, rel=1e-9)
+
+
+def test_a_cardan_joint_turns_unevenly_and_a_constant_velocity_joint_evenly() -> None:
+    """w2/w1 = cos(a)/(cos^2(a) + sin^2(a) cos^2(psi)), psi from where the driving arm is across both shafts."""
+    cardan = moved(SPATIAL["cardan_joint"])
+    alpha = math.radians(30)
+    psi, rate, _ = cardan.series["psi"]
+    names = [body.name for body in cardan.system.moving]
+    out = np.array([0.0, math.sin(alpha), math.cos(alpha)])
+    along = spins(cardan.course, names.index("driven")) @ out
+    wanted = math.cos(alpha) / (math.cos(alpha) ** 2 + math.sin(alpha) ** 2 * np.cos(psi) ** 2)
+    assert along / rate == pytest.approx(wanted, rel=1e-10)
+    text = """
+    space: true
+    frames: {bent: {turned: -30 deg about x}}
+    bodies:
+      drive: {body: {inertia: 0.01}}
+      driven: {body: {inertia: 0.02}, near: {turned: -30 deg about x}}
+    connections:
+      bearing: {revolute: {first: ground.O, second: drive, about: z}}
+      support: {cylindrical: {first: ground.O, second: driven, about: bent.z, second_axis: z}}
+      joint: {constant_velocity: {first: drive, second: driven, about: z}}
+    loads: {motor: {torque: {on: drive, about: z, magnitude: 0.3}}}
+    measures: {psi: angle of drive about z}
+    start: {psi: 0, rate(psi): 5 rad/s}
+    """
+    even = simulated(text, 3.0)
+    ratio = spins(even.course, 1) @ out / even.series["psi"][1]
+    assert np.abs(ratio - 1.0).max() < 1e-9
+    assert even.series["psi"][2] == pytest.approx(np.full(len(ratio), 0.3 / 0.03), rel=1e-9)
+
+
+def test_a_gear_pair_pushes_its_carrier_with_what_it_changes() -> None:
+    """At rest the carrier, and what holds it, feel both torques: one about x, the other about y."""
+    text = """
+    space: true
+    bodies:
+      carrier: {body: {mass: 1 kg, inertia: 0.1}}
+      a: {disk: {mass: 1 kg, radius: 0.2 m, axis: x}}
+      b: {disk: {mass: 1 kg, radius: 0.4 m, axis: y}}
+    connections:
+      hold: {weld: {first: ground.O, second: carrier}}
+      p: {revolute: {first: carrier, second: a, about: x}}
+      q: {revolute: {first: carrier, second: b, about: y}}
+      mesh: {gear_pair: {first: a, second: b, on: carrier, first_axis: x, second_axis: y, ratio: 1/2}}
+    loads:
+      one: {torque: {on: a, about: x, magnitude: 3}}
+      other: {torque: {on: b, about: y, magnitude: -6}}
+    """
+    result = simulated(text, 0.5)
+    assert np.abs(spins(result.course, 1)).max() < 1e-12  # the torques balance: no power
+    found = resultants(result, 0)
+    k = [body.name for body in result.system.moving].index("carrier")
+    assert found["hold"][k, 3:] == pytest.approx([-3.0, 6.0, 0.0], abs=1e-10)
+    assert found["mesh"][k, 3:] == pytest.approx([3.0, -6.0, 0.0], abs=1e-10)
+    assert np.abs(found["p"][k]).max() < 1e-10
+
+
+# -- mistakes ---------------------------------------------------------------------------------
+BOX = "{box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}}"
+ONE_BOX = f"space: true\nbodies:\n  b: {BOX}\n"
+TWO = f"space: true\nbodies:\n  b: {BOX}\n  c: {BOX}\nconnections:\n"
+BODY = "space: true\nbodies:\n  b:\n    box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}\n"
+DISK = "bodies:\n  b:\n    disk: {mass: 1 kg, radius: 1 m}\n"
+TENSOR = "space: true\nbodies:\n  b:\n    body: {mass: 1 kg, inertia: %s}\n"
+MISTAKES = {
+    "a moment larger than the sum of the others": (TENSOR % "[1, 1, 3]", 4, "largest cannot be more than the sum"),
+    "a tensor that is not positive": (TENSOR % "[[1, 2, 0], [2, 1, 0], [0, 0, 1]]", 4, "none can be negative"),
+    "a tensor that is not symmetric": (TENSOR % "[[1, 0.2, 0], [0, 1, 0], [0, 0, 1]]", 4, "is symmetric"),
+    "an axis of no length": (
+        ONE_BOX + "connections:\n  j: {revolute: {first: ground.A, second: b, about: [0, 0, 0]}}\n",
+        5,
+        r"a direction must not be \[0, 0, 0\]; it needs a length",
+    ),
+    "a force along nothing": (
+        ONE_BOX + "loads:\n  f: {force: {at: b, along: [0, 0, 0], magnitude: 1 N}}\n",
+        5,
+        "it needs a length",
+    ),
+    "a turn about nothing": (BODY + "    turned: 30 deg about [0, 0, 0]\n", 5, "it needs a length"),
+    "a rotation that is none": (BODY + "    turned: psi around y\n", 5, "angle about an axis, e.g. 30 deg about z"),
+    "an axis that is none": (BODY + "    turned: psi about w\n", 5, "w is no axis to turn about; write x, y, z"),
+    "two angles about one axis": (BODY + "    turned: [psi about y, theta about y]\n", 5, "same axis|different"),
+    "two of three angles about one axis": (
+        BODY + "    turned: [psi about y, theta about y, phi about x]\n",
+        5,
+        "neighbours about different ones",
+    ),
+    "one name twice": (BODY + "    turned: [psi about y, psi about x]\n", 5, "psi is named twice"),
+    "a pin on a body that is free in space": (
+        ONE_BOX + "connections:\n  j: {pin: [ground.A, b]}\n",
+        5,
+        "hold b there by a planar joint, or use a joint of space",
+    ),
+    "a torque without an axis": (
+        ONE_BOX + "loads:\n  t: {torque: {on: b, magnitude: 1 N m}}\n",
+        5,
+        "needs its axis, e.g. about: z",
+    ),
+    "a torsional spring without an axis": (
+        ONE_BOX + "loads:\n  t: {torsional_spring: {body: b, stiffness: 1 N m}}\n",
+        5,
+        "needs an axis, e.g. about: z",
+    ),
+    "three components in the plane": (
+        DISK + "    at: [1, 2, 3]\n",
+        4,
+        r"expected two components \[x, y\].*space: true",
+    ),
+    "a ground point with three components in the plane": (
+        "ground: {points: {A: [1, 2, 3]}}\n" + DISK + "connections: {p: {pin: [ground.A, b]}}\n",
+        1,
+        r"expected two components \[x, y\].*space: true",
+    ),
+    "an axis of a torque in the plane": (
+        DISK + "loads:\n  t: {torque: {on: b, magnitude: 1 N m, about: z}}\n",
+        5,
+        "in the plane has no axis; in space write space: true",
+    ),
+    "a rotation in the plane": (DISK + "    turned: 30 deg about z\n", 4, "for models in space: write space: true"),
+    "an axis on the wrong body": (
+        TWO + "  j: {revolute: {first: b, second: c, about: ground.x}}\n",
+        6,
+        "must be on b, the body of first; give the one on c as second_axis",
+    ),
+    "a second axis on the wrong body": (
+        TWO + "  j: {revolute: {first: b, second: c, about: x, second_axis: b.y}}\n",
+        6,
+        "second_axis must be fixed in c, the body of second",
+    ),
+    "a joint without an axis": (
+        ONE_BOX + "connections:\n  j: {revolute: {first: ground.A, second: b}}\n",
+        5,
+        "revolute needs about",
+    ),
+    "a joint of space in the plane": (
+        DISK + "connections:\n  j: {revolute: {first: ground.A, second: b, about: z}}\n",
+        5,
+        "is a joint of space: write space: true",
+    ),
+    "rolling on a plane that is not there": (
+        "space: true\nground: {planes: {floor: {normal: up}}}\n"
+        + DISK
+        + "connections:\n  j: {rolling: {body: b, on: ground.flor}}\n",
+        7,
+        "neither a plane, a line nor a round body. Did you mean ground.floor",
+    ),
+    "a box that rolls": (
+        "space: true\nground: {planes: {floor: {normal: up}}}\nbodies:\n  b: "
+        + BOX
+        + "\nconnections:\n  j: {rolling: {body: b, on: ground.floor}}\n",
+        6,
+        "b is not round; make it a disk, ring, cylinder, sphere or cone",
+    ),
+    "one number as an angular velocity": (
+        BODY + "    angular_velocity: 3 rad/s\n",
+        5,
+        r"expected three components \[x, y, z\]",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", MISTAKES)
+def test_a_mistake_is_told_once_with_its_line_and_what_to_do(what: str) -> None:
+    text, line, message = MISTAKES[what]
+    with pytest.raises(ModelError, match=message) as caught:
+        fb.System.from_text(text, "model.yaml")
+    (problem,) = caught.value.problems
+    assert problem.line == line
+    assert str(caught.value).startswith(f"model.yaml:{line}:")

@@ -89,6 +89,7 @@ def __getattr__(name: str) -> Any:
     # descriptions: shapes, connections and loads by their class names
     import_module("freebody.connections")
     import_module("freebody.loads")
+    import_module("freebody.model.composite")
     for base in ("Shape", "Connection", "Load"):
         home = {
             "Shape": "freebody.model.shapes",

@@ -277,6 +277,9 @@ class Names:
                 if text.startswith(prefix):
                     return self.direction(text.removeprefix(prefix), *path, body=body).normal()
             text = text.removeprefix("along ")
+            if text.startswith("[") and text.endswith("]"):
+                parts: list[Any] = [part.strip() for part in text[1:-1].split(",")]
+                return self.direction(parts, *path, body=body)
             compass = self.compass
             if text in compass:
                 return self.fixed_in(body, compass[text].components, text)

@@ -6,13 +6,14 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
-from freebody.language.expression import ZERO, Expr
+from freebody.language.expression import ONE, ZERO, Expr
 from freebody.language.units import INERTIA, LENGTH
 from freebody.measures.geometry import Components
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+UNIT: tuple[Components, ...] = ((ONE, ZERO, ZERO), (ZERO, ONE, ZERO), (ZERO, ZERO, ONE))
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # of xx, yy, zz, xy, xz, yz
 SLACK = 1e-9  # relative: what rounding of given numbers may break
 
@@ -32,6 +33,21 @@ def moved(tensor: Components, mass: Expr, r: Components, sign: int = 1) -> Compo
         value + sign * mass * ((square if i == j else ZERO) - r[i] * r[j])
         for (i, j), value in zip(PLACES, tensor, strict=True)
     )
+
+
+def turned(tensor: Components, axes: tuple[Components, Components, Components]) -> Components:
+    """R I R^T, with the columns of R."""
+    if all(axes[k] == UNIT[k] for k in range(3)):
+        return tensor
+    rows = entries(tensor)
+    found: list[Expr] = []
+    for i, j in PLACES:
+        total: Expr = ZERO
+        for a in range(3):
+            for b in range(3):
+                total = total + axes[a][i] * rows[a][b] * axes[b][j]
+        found.append(total)
+    return tuple(found)
 
 
 def read_tensor(names: Names, given: Any, mass: Expr, middle: Components, about: Any) -> Components:

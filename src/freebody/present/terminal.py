@@ -195,3 +195,5 @@ def equation_lines(equations: Equations) -> Iterator[str]:
     if equations.redundant:
         yield ""
         yield f"redundant constraints: {', '.join(equations.redundant)}"
+    for pose in equations.singular:
+        yield f"not at {pose}"

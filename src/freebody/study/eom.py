@@ -31,6 +31,7 @@ class Equations:
     dependent_rates: dict[str, Expr]
     velocity_constraints: tuple[Expr, ...]
     redundant: tuple[str, ...]
+    singular: tuple[str, ...] = ()  # poses in which named angles of space are not determined
 
     def lines(self) -> Iterator[tuple[Expr, Expr]]:
         """Every equation as (left, right)."""
@@ -57,6 +58,7 @@ class Equations:
             "velocity_constraints": [to_python(e) for e in self.velocity_constraints],
             "dependent_rates": {k: to_python(e) for k, e in self.dependent_rates.items()},
             "redundant": list(self.redundant),
+            "singular": list(self.singular),
         }
 
     def to_latex(self) -> str:
@@ -84,17 +86,20 @@ def equations_of_motion(system: System) -> Equations:
 
 def _equations(system: System, model: SymbolicModel) -> Equations:
     state = SymbolicState(model)
-    velocity = [tidy(state.rate(row.measure)) for row in system.held if isinstance(row.measure, RateMeasure)]
+    rows = [row.measure for row in system.held if isinstance(row.measure, RateMeasure)]
+    velocity = [tidy(model.field.lowest_terms(state.raw_rate(measure))) for measure in rows]
+    forcing = [model.field.lowest_terms(model.in_independent_speeds(f)) for f in model.forcing]
     return Equations(
         system,
         tuple(c.name for c in model.coordinates),
         tuple(c.name for c in model.dependent),
         _symmetric(model.mass_matrix),
-        tuple(map(tidy, model.forcing)),
+        tuple(map(tidy, forcing if system.space else model.forcing)),
         tuple(tidy(primitive_part(e.value)) for e in model.loops),
         {c.name: tidy(model.dependent_speed(c)) for c in model.dependent},
-        tuple(velocity),
+        tuple(e for e in velocity if e != number(0)),
         tuple(model.redundant),
+        model.singular_poses,
     )
 
 

@@ -14,7 +14,7 @@ from freebody.study.answer import Evidence
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
-from freebody.study.setup import Setup
+from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 
@@ -230,13 +230,13 @@ def freedom(setup: Setup, question: str, dof: int) -> Evidence:
     """Coordinates minus the rank of the constraint Jacobian at random poses."""
     witness = Witness(question, "rank of the constraint Jacobian at random poses", 1e-12)
     for draw, snapshot in zip(setup.draws, _general(setup), strict=True):
-        witness.compare(draw, (float(dof),), (float(_freedoms(setup, snapshot)),))
+        witness.compare(draw, (float(dof),), (float(rank_freedoms(snapshot)),))
     return witness.evidence()
 
 
 def rank_freedom(setup: Setup) -> int:
     """Degrees of freedom by rank alone: the fewest of all draws."""
-    return min(_freedoms(setup, snapshot) for snapshot in _general(setup))
+    return min(rank_freedoms(snapshot) for snapshot in _general(setup))
 
 
 def _general(setup: Setup) -> list[Snapshot]:
@@ -244,12 +244,3 @@ def _general(setup: Setup) -> list[Snapshot]:
         return setup.anywhere
     except CannotAnswer:  # without formulas there is no branch to be on
         return [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(setup.draws)]
-
-
-def _freedoms(setup: Setup, snapshot: Snapshot) -> int:
-    n_all, n_places = (6, 3) if setup.system.space else (3, 2)
-    width = {b.name: n_all if b.turns else n_places for b in setup.system.moving}
-    rows = [
-        [x for name, n in width.items() for x in snapshot.gradient(row.measure, name)[:n]] for row in setup.system.held
-    ]
-    return sum(width.values()) - (int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0)

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from functools import cached_property
 
+import numpy as np
+
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.numeric.reference import Snapshot
 from freebody.study.draws import SEED, Draw, draws
@@ -36,7 +38,22 @@ class Setup:
         """The symbolic route. Raises CannotAnswer where its formulas would be too long."""
         starts = [d.sample() for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
-        return symbolic_model(self.system, [*starts, *general])
+        model = symbolic_model(self.system, [*starts, *general])
+        if self.system.space:
+            self._check_freedoms(model)
+        return model
+
+    def _check_freedoms(self, model: SymbolicModel) -> None:
+        """Named angles must leave a body all the freedom that its joints leave it."""
+        found = min(rank_freedoms(draw.anywhere(SEED + k, _TIME, 0.1)) for k, draw in enumerate(self.draws[:3]))
+        if found <= model.degrees_of_freedom:
+            return
+        few = [b.name for b in self.system.moving if 0 < sum(bool(turn.name) for turn in b.chain) < 3]
+        named = f"of {', '.join(few)} " if few else ""
+        raise CannotAnswer(
+            f"the connections leave {found} degrees of freedom, but the angles {named}named by turned only "
+            f"{model.degrees_of_freedom}: name three angles, or hold the body by a joint that leaves it no others"
+        )
 
     def draw_stream(self) -> Iterator[Draw]:
         """The draws, then more of them, ever closer to the file's values, for answers with narrow conditions."""
@@ -103,3 +120,10 @@ class Setup:
 def _open(x: Ratio, relation: str, purpose: str) -> list[Condition]:
     condition, _possible = require(x, relation, purpose)
     return [] if condition is None else [condition]
+
+
+def rank_freedoms(snapshot: Snapshot) -> int:
+    """Coordinates minus the rank of the constraint Jacobian."""
+    n = len(snapshot.q)
+    rows = [snapshot.reference.jet(snapshot.geometry, row.measure).row(n) for row in snapshot.reference.system.held]
+    return n - (int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0)

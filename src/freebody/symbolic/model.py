@@ -102,7 +102,16 @@ class SymbolicModel:
                 del self.elimination
                 self.elimination = self._eliminate(self.extra)
                 self._finish_coordinates()
-        self.redundant = redundant
+        self.redundant = self._not_by_construction(redundant)
+
+    def _not_by_construction(self, redundant: list[str]) -> list[str]:
+        """The rows that follow from others, without those that the choice of coordinates holds."""
+        return redundant
+
+    @property
+    def singular_poses(self) -> tuple[str, ...]:
+        """Where coordinates are not determined, in words."""
+        return ()
 
     # -- generators ---------------------------------------------------------------------------
     def _raw_geometry(self) -> FieldGeometry:

@@ -48,7 +48,8 @@ class SymbolicState:
     def value(self, measure: Measure) -> Ratio:
         return self.here(self.model.value_of(measure))
 
-    def _rate(self, measure: Measure | RateMeasure) -> Ratio:
+    def raw_rate(self, measure: Measure | RateMeasure) -> Ratio:
+        """The rate with the speeds of dependent coordinates as they are."""
         m = self.model
         if isinstance(measure, RateMeasure):
             total = m.field.zero
@@ -58,11 +59,11 @@ class SymbolicState:
         return m.rate(m.value_of(measure))
 
     def rate(self, measure: Measure | RateMeasure) -> Ratio:
-        return self.here(self.model.in_independent_speeds(self._rate(measure)))
+        return self.here(self.model.in_independent_speeds(self.raw_rate(measure)))
 
     def acceleration(self, measure: Measure | RateMeasure) -> Ratio:
         m = self.model
-        second = m.rate(self._rate(measure))
+        second = m.rate(self.raw_rate(measure))
         if second.generators() & set(m.accelerations):
             second = m.field.substitute(second, m.solved_accelerations)
         if m.system.space:

@@ -26,7 +26,8 @@ from freebody.numeric.engine.turning import turned
 
 VANISHED = 1e-13  # a pivot below this part of its diagonal is none
 # nor is one below this by the smallest pivot before it, which enlarges rounding so much, up to a part of the diagonal
-ROUNDING, MOST_ROUNDING = 1e-15, 1e-10
+ROUNDING, MOST_ROUNDING = 1e-15, 1e-3
+SHAKY_PIVOT = 1e-2  # a smaller one beside rows that are left out: others of these rows should have been kept
 PIVOT_CUT = 1e-8  # a smaller pivot, relative to its diagonal, calls for regularisation
 REGULARISATION = 1e-10
 N_REFINED = 3
@@ -208,7 +209,8 @@ def factor(ptr, target, regularisation, A, diagonal):
         begin, end = ptr[j], ptr[j + 1]
         pivot, size = A[begin], diagonal[j]
         ratio = pivot / size if size > 0.0 else 0.0
-        if ratio < max(VANISHED, min(MOST_ROUNDING, ROUNDING / smallest)):
+        least = VANISHED if regularisation > 0.0 else max(VANISHED, min(MOST_ROUNDING, ROUNDING / smallest))
+        if ratio < least:
             n_left_out += 1
             inverse = 0.0
         else:
@@ -248,22 +250,45 @@ def assembled(L, S):
     )
 
 
+@kernel
+def pseudo_pivot(ptr, A, diagonal, n_left_out):
+    """How small the smallest pivot would be in a better order of rows, of which n_left_out depend on others: with
+    regularisation mu the determinant tends to mu^n_left_out times the product of what is not zero, so it is the product
+    of the small pivots by mu^n_left_out, at most SHAKY_PIVOT."""
+    found = 1.0
+    n_small = 0
+    for j in range(len(ptr) - 1):
+        ratio = 1.0 / (A[ptr[j]] * diagonal[j]) if A[ptr[j]] != 0.0 else 0.0
+        if ratio < SHAKY_PIVOT:
+            n_small += 1
+            found *= ratio / REGULARISATION if n_small <= n_left_out else ratio
+    return min(SHAKY_PIVOT, found)
+
+
 @part
 def factored(L, S):
-    """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs."""
+    """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs.
+
+    Rows are left out in a fixed order. Where redundant rows move, the row that was kept may lose its meaning to one that
+    is left out later: its pivot passes through zero at a pose that is not singular. There, too, all rows are kept with
+    regularisation, which does not ask for the order."""
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
     smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
-    if not smallest < PIVOT_CUT:
+    is_shaky = n_left_out > 0 and smallest < SHAKY_PIVOT
+    if not (smallest < PIVOT_CUT or is_shaky):
         return 1
-    S.info[IS_REGULARISED] = 1.0
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
     factor(L.column_ptr, L.target, REGULARISATION, S.schur, S.diagonal)
+    if is_shaky:
+        S.info[SMALLEST_PIVOT] = pseudo_pivot(L.column_ptr, S.schur, S.diagonal, n_left_out)
+    if S.info[SMALLEST_PIVOT] < PIVOT_CUT:
+        S.info[IS_REGULARISED] = 1.0
     return N_REFINED
 
 

@@ -20,11 +20,12 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
 from freebody.model.elements import Held, Rotation
-from freebody.model.rotations import UNIT
+from freebody.model.rotations import UNIT, singular_pose
 from freebody.symbolic.elimination import Equation, Unknown
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, known_angle
@@ -242,6 +243,26 @@ class SpatialModel(SymbolicModel):
             if known == measure:
                 return self.elimination.express(self._angle_of[name])
         return super().value_of(measure)
+
+    def _not_by_construction(self, redundant: list[str]) -> list[str]:
+        """A chain with fewer than three named angles holds what joints hold that leave the body these angles alone."""
+        kept = list(redundant)
+        rows = {row.name: row for row in self.system.held}
+        for body in self.system.moving:
+            n_free = sum(bool(turn.name) for turn in body.chain)
+            if not body.chain or n_free == 3:
+                continue
+            own = [
+                n for n in kept if rows[n].measure.dimension == DIMENSIONLESS and body.name in rows[n].measure.bodies()
+            ]
+            for name in own[: 3 - n_free]:
+                kept.remove(name)
+        return kept
+
+    @property
+    def singular_poses(self) -> tuple[str, ...]:
+        found = ((link.body, singular_pose(link.chain)) for link in self.tree.links)
+        return tuple(f"{pose}, where the angles of {body} are not determined" for body, pose in found if pose)
 
     # -- samples ------------------------------------------------------------------------------
     def _add_poses(self, values: dict[int, Any], sample: Sample) -> None:

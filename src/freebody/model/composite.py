@@ -1,0 +1,116 @@
+"""A rigid body made of simple ones: masses add up, moments of inertia by parallel axes (Huygens-Steiner)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+from pydantic import ValidationError
+
+from freebody.language.expression import Call, Expr
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.geometry import ZERO, Components
+from freebody.model.chains import read_chain
+from freebody.model.rotations import UNIT, Columns, applied, columns_of
+from freebody.model.shapes import Build, Shape
+from freebody.model.tensors import moved, turned
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+OPTIONS = ("at", "angle", "turned")
+Placed = tuple[Build, Components, Columns]  # a part, its mass centre, its axes
+
+
+class Composite(Shape, kind="composite"):
+    """`composite: {parts: {hub: {disk: {mass: M, radius: R}}, arm: {rod: {mass: m, length: L}, at: [R, 0]}}}`: every
+    part is a shape whose reference point stands at `at` in the body's own frame, turned by `angle`, or, in space, by
+    `turned`. Points: `origin`, and the reference point of every part by its name."""
+
+    parts: dict[str, Any]
+
+    def build(self, names: Names) -> Build:
+        mass: Expr = ZERO
+        moment: Components = names.origin
+        placed: list[Placed] = []
+        points: dict[str, Components] = {"origin": names.origin}
+        for name, value in self.parts.items():
+            with names.at("parts", name):
+                found = _part(names, value)
+            if found is None:
+                continue
+            build, at, axes = found
+            center = tuple(a + c for a, c in zip(at, _turned(axes, build.center_of_mass, len(at)), strict=True))
+            points[name] = at
+            mass = mass + build.mass
+            moment = tuple(m + build.mass * c for m, c in zip(moment, center, strict=True))
+            placed.append((build, center, axes))
+        if not placed:
+            names.problem("a composite needs parts, e.g. parts: {hub: {disk: {mass: m, radius: R}}}", self, "parts")
+        if mass == ZERO:
+            return Build(ZERO, ZERO, points=points, default_point="origin")
+        middle = tuple(m / mass for m in moment)
+        tensor = _tensor(placed, middle) if names.space else ()
+        inertia = tensor[2] if tensor else _polar(placed, middle)
+        return Build(mass, inertia, middle, points, default_point="origin", tensor=tensor)
+
+
+def _polar(placed: list[Placed], middle: Components) -> Expr:
+    """In the plane: I = sum of I_k + m_k d_k^2."""
+    total: Expr = ZERO
+    for build, center, _axes in placed:
+        total = total + build.inertia + build.mass * _square(tuple(c - m for c, m in zip(center, middle, strict=True)))
+    return total
+
+
+def _tensor(placed: list[Placed], middle: Components) -> Components:
+    """In space: the tensors of the parts, turned, each moved to the common mass centre."""
+    total: Components = (ZERO,) * 6
+    for build, center, axes in placed:
+        arm = tuple(c - m for c, m in zip(center, middle, strict=True))
+        own = moved(turned(build.tensor or (ZERO,) * 6, axes), build.mass, arm)
+        total = tuple(a + b for a, b in zip(total, own, strict=True))
+    return total
+
+
+def _square(arm: Components) -> Expr:
+    total: Expr = ZERO
+    for c in arm:
+        total = total + c * c
+    return total
+
+
+def _turned(axes: Columns, v: Components, n: int) -> Components:
+    return applied(axes, (*v, *(ZERO,) * (3 - len(v))))[:n]
+
+
+def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
+    """A part, the place of its reference point, and its axes."""
+    from freebody.model.names import did_you_mean
+
+    entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+    kinds = [key for key in entry if key in Shape.kinds]
+    for key in entry:
+        if key not in Shape.kinds and key not in OPTIONS:
+            names.problem(f"a part has no {key}.{did_you_mean(key, [*Shape.kinds, *OPTIONS])}", None, key)
+    if len(kinds) != 1:
+        example = "{disk: {mass: m, radius: R}, at: [0, 0]}"
+        names.problem(f"a part is one shape with its place, e.g. {example}, found {value!r}")
+        return None
+    kind = Shape.kinds[kinds[0]]
+    try:
+        shape = kind.model_validate(kind.from_plain(entry[kinds[0]]))
+    except ValidationError as error:
+        fault = error.errors()[0]
+        names.problem(f"{kind.kind}: {fault['msg']}", None, kinds[0], *(str(p) for p in fault["loc"][:1]))
+        return None
+    with names.at(kinds[0]):
+        build = shape.build(names)
+    at = names.components(entry["at"], LENGTH, "at") if "at" in entry else names.origin
+    axes = UNIT
+    if names.space:
+        axes = columns_of(read_chain(names, entry.get("turned", []), "turned", named=False))
+    elif "angle" in entry:
+        angle = names.formula(entry["angle"], DIMENSIONLESS, "angle")
+        c, s = Call("cos", angle), Call("sin", angle)
+        axes = ((c, s, ZERO), (-s, c, ZERO), UNIT[2])
+    return build, at, axes
