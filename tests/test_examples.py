@@ -128,6 +128,7 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "cardan_joint": {
         "omega_2": "rate(psi)*cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
         "ratio": "cos(alpha)/(cos(alpha)**2 + sin(alpha)**2*cos(psi)**2)",
+        "extremes": ["cos(alpha)", "1/cos(alpha)"],
         "uneven": "0",
     },
     # the second joint sees the middle shaft as the first one does
@@ -150,6 +151,8 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
     "free_asymmetric_body": {
         "momentum": "0",
         "energy": "m*(b**2 + c**2)*e**2/24 + m*(a**2 + c**2)*w**2/24",
+        # disturbances grow as e^(lambda t), lambda^2 = -Omega^2 (I_2 - I_1)(I_2 - I_3)/(I_1 I_3)
+        "stability": "Omega**2*(a**2 - b**2)*(b**2 - c**2)/((b**2 + c**2)*(a**2 + b**2))",
         "alpha": ["0", "0", "(b**2 - a**2)*e*w/(a**2 + b**2)"],
     },
     # p_psi = (J_outer + B cos^2 + A sin^2) psi' - J_rotor (phi' - psi' sin) sin and phi' - psi' sin are constant,
@@ -182,12 +185,23 @@ TEXTBOOK: dict[str, dict[str, str | list[str]]] = {
         "spin": "-sqrt(R**2 + h**2)/R",
         "energy": "3*m*h**2*rate(psi)**2*(1 + 5*h**2/(R**2 + h**2))/40",
     },
-    # l^2 = (e + r cos)^2 + r^2 sin^2 + s^2, differentiated; the rod may turn about itself
-    "spatial_slider_crank": {"freedom": "2", "speed": "e*r*sin(psi)/s"},
+    # l^2 = (e + r cos)^2 + r^2 sin^2 + s^2, differentiated once and twice: s s'' = e r psi'^2 at psi = 0, s' = 0;
+    # m s'' = -T s/l
+    "spatial_slider_crank": {
+        "freedom": "1",
+        "speed": "e*r*sin(psi)/s",
+        "force": "-m*l*e*r*400/s**2",
+    },
     "spherical_four_bar": {"freedom": "1"},
     # Goldstein, Classical Mechanics, sec. 5.7, with the nutation angle theta
     "spinning_top": {
         "nodding": "((m*l**2 + A - C)*rate(psi)**2*cos(theta) - C*rate(psi)*rate(phi) + m*g*l)*sin(theta)/(A + m*l**2)",
+        # (A + m l^2 - C) cos psi'^2 - C phi' psi' + m g l = 0
+        "steady": [
+            f"(C*rate(phi) {sign} sqrt(C**2*rate(phi)**2 - 4*m*g*l*(A + m*l**2 - C)*cos(theta)))"
+            "/(2*(A + m*l**2 - C)*cos(theta))"
+            for sign in "-+"
+        ],
         "omega": [
             "rate(psi)*sin(theta)*sin(phi) + rate(theta)*cos(phi)",
             "rate(psi)*sin(theta)*cos(phi) - rate(theta)*sin(phi)",

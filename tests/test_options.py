@@ -496,7 +496,7 @@ def test_a_vector_is_right_when_both_components_are(atwood: Bench) -> None:
         "b": "y component: has the opposite sign",
         "c": "is a single number, the answer is a vector [x, y]",
         "d": "y component: has the unit kg, the answer has N",
-        "e": "is a list of 3, the answer is a vector [x, y]",
+        "e": "is a vector [x, y, z], the answer is a vector [x, y]",
     }
 
 

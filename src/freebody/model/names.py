@@ -85,6 +85,10 @@ class Names:
         return (ZERO, ZERO, ZERO) if self.space else (ZERO, ZERO)
 
     @property
+    def _example(self) -> str:
+        return "[x, y, z]" if self.space else "[x, y]"
+
+    @property
     def ground_origin(self) -> Point:
         return Point(GROUND, self.origin, "ground.origin")
 
@@ -238,7 +242,7 @@ class Names:
             return Point(GROUND, self.origin, text.strip())
         self.problem(
             f"{body_name} has no point {point_name}.{did_you_mean(point_name, body.points)}"
-            f" Points of your own: {body_name}: {{points: {{{point_name}: [x, y]}}}}",
+            f" Points of your own: {body_name}: {{points: {{{point_name}: {self._example}}}}}",
             None,
             *path,
         )

@@ -19,7 +19,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
-from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
 from freebody.model.rotations import perpendiculars
 
@@ -102,7 +102,7 @@ def _clockwise(measure: Measure, clockwise: str | None) -> Measure:
 
 def direction_angle(direction: Direction) -> Expr:
     """The angle of a direction from the x axis of its body."""
-    x, y = direction.components
+    x, y, *_ = direction.components  # in space the plane of x and y is meant
     if isinstance(x, Call) and x.function == "cos" and isinstance(y, Call) and y.argument == x.argument:
         return x.argument
     quarter = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}
@@ -135,9 +135,28 @@ def _turn(names: Names, found: Found, path: Path) -> Measure:
     axis = names.direction(found["axis"], *path, body=base.name)
     if axis.body not in (body.name, base.name):
         names.problem(f"the axis is fixed in {axis.body}; it must be in {base.name} or {body.name}", None, *path)
+    return _of_joint(names, body.name, base.name, axis) or _about(body.name, base.name, axis)
+
+
+def _of_joint(names: Names, body: str, base: str, axis: Direction) -> Measure | None:
+    """The angle of the joint between two bodies, if it turns about that axis; it counts from where the joint is at
+    zero."""
+    n_before = len(names.problems)
+    found: Measure | None = None
+    for connection in names.connections.values():
+        joint = connection.attitude(names) if {body, base} <= connection.mentions(names) | {GROUND} else None
+        if joint is None or (joint.first, joint.second) != (base, body) or len(joint.turns) != 1:
+            continue
+        if axis.body == base and joint.before[2] == axis.components and joint.turns[0][0] == (ZERO, ZERO, ONE):
+            found = joint.turns[0][2]
+    del names.problems[n_before:]  # of a connection they are told where it stands
+    return found
+
+
+def _about(body: str, base: str, axis: Direction) -> Measure:
+    """How far a body has turned about an axis from where it stands parallel to another one."""
     b, c = perpendiculars(axis.components)
-    own, _ = perpendiculars(body.axis) if body.axis else (b, c)
-    return Turn(Direction(body.name, own), Direction(base.name, b), Direction(base.name, c))
+    return Turn(Direction(body, b), Direction(base, b), Direction(base, c))
 
 
 @_phrase(

@@ -541,6 +541,13 @@ def _instant_centre(names: Names, found: dict[str, str | None], path: Path) -> Q
     for one in (body, other):
         if not one.turns:
             names.problem(f"{one.name} is a particle and has no angle, so it has no instant centre", None, *path)
+    if names.space:
+        names.problem(
+            "in space a body turns about a moving axis, not about a centre; ask for its angular velocity, or see "
+            "freebody mobility for screw axes",
+            None,
+            *path,
+        )
     if body.name == other.name:
         names.problem(f"{body.name} has no motion relative to itself; name another body", None, *path)
     return InstantCentre(body.name, other.name)

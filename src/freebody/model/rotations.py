@@ -161,6 +161,13 @@ def angles_of(names: Names, chain: Sequence[Rotation], body: str, frame: str) ->
     second = applied(named[1].before, named[1].axis)  # seen in the frame of the first angle
     if len(named) == 2:
         side = vector_product(first, second)
+        if all(c == ZERO for c in side):
+            one, other = named[0].name, named[1].name
+            names.problem(
+                f"{one} and {other} turn about the same axis, so only their sum has a meaning: name one angle, or turn "
+                "about another axis between them"
+            )
+            return {}
         start = vector_product(side, first)
         back_first = applied(transposed(named[1].before), first)
         own_side = vector_product(named[1].axis, back_first)

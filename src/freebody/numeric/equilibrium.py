@@ -129,12 +129,12 @@ class Statics:
         rest = here.forces + here.J.T @ here.multipliers
         for k, direction in enumerate(N.T):
             h = 1e-7 / float(reference.sizes.relative(direction).max())
-            K[:, k] = -(N.T @ (pull(here.pose.q + h * direction) - rest)) / h
+            K[:, k] = -(N.T @ (pull(reference.frame.moved(here.pose.q, h * direction)) - rest)) / h
         return K
 
     def moved(self, pose: Pose, step: Array) -> Pose | None:
         """The pose nearest to a step away that holds everything."""
-        fit = self.reference.placing.fit(pose.q + step, self._equations, 0.0, pose.branches)
+        fit = self.reference.placing.fit(self.reference.frame.moved(pose.q, step), self._equations, 0.0, pose.branches)
         if fit is None or fit.error > ACCEPTED:
             return None
         return Pose(fit.q, fit.branches)
@@ -256,7 +256,7 @@ class Statics:
             return None
 
     def _is_far(self, pose: Pose, start: Pose) -> bool:
-        away = self.reference.sizes.relative(pose.q - start.q)
+        away = self.reference.sizes.relative(self.reference.frame.difference(pose.q, start.q))
         return float(away.max(initial=0.0)) > FAR or float(away[self._turning].max(initial=0.0)) > FAR_ROUND
 
     # -- all rests ----------------------------------------------------------------------------
@@ -327,7 +327,9 @@ class Statics:
 
     @cached_property
     def _turning(self) -> NDArray[np.intp]:
-        """Where angles stand in q."""
+        """Where angles stand in q; in space rotations are told from each other without turns."""
+        if self.reference.system.space:
+            return np.zeros(0, dtype=np.intp)
         return np.array([c[2] for c in self.reference.frame.columns.values() if len(c) == 3], dtype=np.intp)
 
     def apart(self, a: Pose, b: Pose) -> float:
@@ -336,7 +338,7 @@ class Statics:
 
     def difference(self, a: Pose, b: Pose) -> Array:
         """The move from b to a, full turns counted out."""
-        move = a.q - b.q
+        move = self.reference.frame.difference(a.q, b.q)
         angles = move[self._turning]
         move[self._turning] = angles - math.tau * np.round(angles / math.tau)
         return move

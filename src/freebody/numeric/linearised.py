@@ -37,7 +37,7 @@ def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float])
 
     def force(z: Array) -> Array:
         pinned = [Equation.along(back[i], q, float(z[i])) for i in range(k)]
-        fit = reference.placing.placed(q + N @ z, equations + pinned, 0.0, branches)
+        fit = reference.placing.placed(reference.frame.moved(q, N @ z), equations + pinned, 0.0, branches)
         free = reference.split_at(fit.q, branches).null
         slopes = free @ np.linalg.inv(back @ free)
         return slopes.T @ forces(reference, reference.geometry(fit.q, np.zeros(n), 0.0, branches))

@@ -36,6 +36,7 @@ from freebody.model.elements import RateMeasure
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import check_inertia, dynamics, each_force, forces
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
+from freebody.numeric.spatial import gyroscopic
 from freebody.numeric.split import Split, stack
 
 if TYPE_CHECKING:
@@ -141,6 +142,11 @@ class SmallMotion:
         self.split = Split(J, D)
         free_places = self.split.null if all(places) else Split(J[np.array(places, dtype=bool)], D).null
         self.positions = coordinates(reference, g, free_places)
+        if reference.system.space and at.v.any() and any(c.measure is None for c in self.positions):
+            raise CannotAnswer(
+                "small motions about a state that turns are counted in measures: name angles or places that tell the "
+                "pose, under measures or by turned"
+            )
         self.speeds = self.positions if all(places) else _among(self.positions, self.split.null, D)
         self._G_places = stack([c.row for c in self.positions], n)
         self._G = stack([c.row for c in self.speeds], n)
@@ -172,7 +178,7 @@ class SmallMotion:
         reference, part, n = self.reference, 1e-3, len(self.at.q)
         step = part * reference.sizes.unit_moves * np.cos(1.0 + np.arange(n))
         try:
-            moved = self.at.geometry(reference, self.at.q + step, self.at.v + step)
+            moved = self.at.geometry(reference, reference.frame.moved(self.at.q, step), self.at.v + step)
             return (forces(reference, moved) - forces(reference, g)) / part
         except (CannotAnswer, ArithmeticError, ValueError):
             return np.zeros(n)
@@ -186,6 +192,8 @@ class SmallMotion:
         marks = [c.jet(reference, g, v) for c in self.positions]
         jets = [*gaps, *marks]
         push = forces(reference, g) - reference.masses * self._a
+        if reference.system.space:
+            push = push + gyroscopic(v, reference.masses, reference.frame.columns.values())
         for multiplier, gap in zip(self._multipliers, gaps, strict=True):
             push = push + multiplier * gap.row(n)
         return np.concatenate(
@@ -216,7 +224,8 @@ class SmallMotion:
         size = max(float(relative(dq).max(initial=0.0)), float(relative(dv).max(initial=0.0)) / pace)
         if size == 0.0:
             return np.zeros_like(f(q, v))
-        return size * derivative(lambda s: f(q + (s / size) * dq, v + (s / size) * dv), scale)
+        moved = self.reference.frame.moved
+        return size * derivative(lambda s: f(moved(q, (s / size) * dq), v + (s / size) * dv), scale)
 
     def _disturb(self, scale: Array) -> None:
         n_rows, n_z, n_u, n = len(self.reference.system.held), len(self.positions), len(self.speeds), len(self.at.q)

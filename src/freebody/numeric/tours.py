@@ -77,13 +77,13 @@ class _Way:
             there = self._next(here, size * heading)
             if there is None:
                 return
-            step = float(sizes.relative(there.pose.q - here.pose.q).max())
+            step = float(sizes.relative(self._move(here, there)).max())
             if i > 2 and self._is_back(there, step):
                 self.has_closed = True
                 yield _Stop(there, float(there.forces @ heading))
                 return
             D = sizes.small_moves
-            carried = there.split.null @ (there.split.null.T @ ((there.pose.q - here.pose.q) / D**2))
+            carried = there.split.null @ (there.split.null.T @ (self._move(here, there) / D**2))
             if float(sizes.relative(carried).max(initial=0.0)) < 1e-3 * step:
                 return
             heading = self._unit(there, carried) * (1.0 if self._single else sense)
@@ -91,11 +91,16 @@ class _Way:
                 heading = carried
             here = there
 
+    def _move(self, here: Balance, there: Balance) -> Array:
+        return self._statics.reference.frame.difference(there.pose.q, here.pose.q)
+
     def _is_back(self, there: Balance, step: float) -> bool:
         """Whether a pose is about the first one again, and the loads do not count the turns on the way."""
         statics, first = self._statics, self._first
         if statics.apart(there.pose, first.pose) >= 0.6 * step:
             return False
+        if statics.reference.system.space:
+            return statics.is_same(there, first)
         turned = there.pose.q - statics.difference(there.pose, first.pose)
         again = statics.try_balance(replace(there.pose, q=turned))
         return again is not None and statics.is_same(again, first)

@@ -450,13 +450,14 @@ class Judge:
         bodies = [b for b in self.system.moving if q.body is None or b.name == q.body]
         if len(bodies) != 1 or bodies[0].mass_center == q.about:
             return
-        (ox, oy), _v = point_about(self.system, self.setup.state, q)
-        (gx, gy), _w = point_about(self.system, self.setup.state, Spin(bodies[0].name))
-        if gx == ox and gy == oy:
+        about, _v = point_about(self.system, self.setup.state, q)
+        middle, _w = point_about(self.system, self.setup.state, Spin(bodies[0].name))
+        apart = [g - o for g, o in zip(middle, about, strict=True)]
+        if all(self.model.field.element(x).is_zero() for x in apart):
             return
         for case in cases:
             with suppress(CannotAnswer):
-                if case.equalities and case.put_in(gx - ox).is_zero() and case.put_in(gy - oy).is_zero():
+                if case.equalities and all(case.put_in(x).is_zero() for x in apart):
                     means = f"means that the mass centre of {bodies[0].name} coincides with {q.about}"
                     yield f"{texts_of([case])[0]} {means}"
 

@@ -85,8 +85,8 @@ class Draw:
         for name, measure in tree_of(system).angles.items():
             with suppress(CannotAnswer):
                 angles[name] = here.value(measure), here.rate(measure)
-        places = {b.name: tuple(here.q[list(reference.columns(b.name)[:3])]) for b in system.moving}
-        rates = {b.name: tuple(here.v[list(reference.columns(b.name)[:3])]) for b in system.moving}
+        places = {b.name: tuple(map(float, here.q[list(reference.columns(b.name)[:3])])) for b in system.moving}
+        rates = {b.name: tuple(map(float, here.v[list(reference.columns(b.name)[:3])])) for b in system.moving}
         velocities = rates if snapshot is not None else {}
         return Sample(self.values, places, self._constants(), here.t, is_start, velocities, angles)
 

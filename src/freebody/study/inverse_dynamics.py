@@ -279,10 +279,10 @@ class _Follower:
         """The next pose, guessed from the velocities; the way is halved where that does not lead to one near."""
         worst = ""
         for _ in range(12):
-            guess = s.q + (t - s.t) * s.v
+            guess = self.free.frame.moved(s.q, (t - s.t) * s.v)
             fit = self.at(t).placing.fit(guess, kept, t, s.branches)
             if fit is not None and fit.error <= ACCEPTED:
-                away = float(self.free.sizes.relative(fit.q - guess).max(initial=0.0))
+                away = float(self.free.sizes.relative(self.free.frame.difference(fit.q, guess)).max(initial=0.0))
                 if away <= 2.0 * _STRIDE:
                     return self._instant(Pose(fit.q, fit.branches), t)
             worst = "" if fit is None else f": at best {fit.worst}"

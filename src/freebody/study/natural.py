@@ -49,7 +49,8 @@ def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantit
     meant = [b for b in system.moving if is_among(b.name, group)]
     if all(_is_massless(b.mass) and _is_massless(b.inertia) for b in meant):
         return
-    directions = [(str(axis.name), axis) for axis in axes_of(system)]
+    axes = [(str(axis.name), axis) for axis in axes_of(system)]
+    directions = list(axes)
     for name, line in system.bodies[GROUND].lines.items():
         directions.append((name, line.direction))
         if not system.space:
@@ -60,7 +61,8 @@ def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantit
         if not system.space:
             yield Spin(group, about), f"angular momentum{words} about {name}"
             continue
-        for along, direction in (*directions, *_own_axes(system, group)):
+        own = _own_axes(system, group) if about == SYSTEM_CENTER or name == "its mass center" else []
+        for along, direction in (*axes, *own):
             yield Spin(group, about, along=direction), f"angular momentum{words} about {name} along {along}"
 
 

@@ -127,3 +127,18 @@ def rank_freedoms(snapshot: Snapshot) -> int:
     n = len(snapshot.q)
     rows = [snapshot.reference.jet(snapshot.geometry, row.measure).row(n) for row in snapshot.reference.system.held]
     return n - (int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0)
+
+
+def independent_measures(setup: Setup, n: int) -> tuple[str, ...]:
+    """Names of n measures that determine the motion: named ones first, then those that joints offer."""
+    start = setup.draws[0].start()
+    free = start.reference.split_at(start.q, start.branches).null
+    chosen: list[str] = []
+    rows = np.zeros((0, free.shape[1]))
+    for name, measure in (*setup.system.measures.items(), *setup.system.offered):
+        with suppress(CannotAnswer):
+            row = start.reference.jet(start.geometry, measure).row(len(start.q)) @ free
+            if len(chosen) < n and np.linalg.matrix_rank(np.vstack((rows, row)), tol=1e-9) > len(rows):
+                chosen.append(name)
+                rows = np.vstack((rows, row))
+    return tuple(chosen)

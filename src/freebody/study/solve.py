@@ -37,7 +37,7 @@ from freebody.study import evidence as proof
 from freebody.study.answer import Answer, Evidence
 from freebody.study.eom import primitive_part
 from freebody.study.quantities import body_of_wrench, quantity_value
-from freebody.study.setup import Setup
+from freebody.study.setup import Setup, independent_measures
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached, find_equilibrium, small_oscillations
@@ -133,7 +133,7 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
         with suppress(CannotAnswer, ArithmeticError, ValueError):
             value = proof.number(setup, q.quantity, q.event) if setup.has_values else None
         answers.append(Answer(q.id, q.text, None, unit_text(q.quantity), value, reason=reason))
-    return Solution(system, dof, (), (), (), tuple(answers))
+    return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 
 def _at_rest(system: System, questions: Sequence[Question]) -> Solution:

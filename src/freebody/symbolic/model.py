@@ -576,7 +576,10 @@ class SymbolicModel:
         for k in range(len(self.samples)):
             values = self._values(k)
             for speed, expression in self._dependent_speeds.items():
-                values[speed] = f.evaluate(expression, self._values(k))
+                try:
+                    values[speed] = f.evaluate(expression, self._values(k))
+                except ZeroDivisionError:  # the formula fails in the pose of this sample
+                    values[speed] = math.nan
         self.accelerations: list[int] = []
         for c in self.coordinates:
             a = f.generator(Generator(Call("rate", f.generators[c.speed].display), "acceleration"))

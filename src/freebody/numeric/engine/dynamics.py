@@ -43,8 +43,8 @@ PRESSED_BY_LAW, PRESSED_BY_ONE, PRESSED_BY_SIZE = range(3)
 # adds what it can carry to the reserve before it
 GUARD_VALUE, GUARD_RATE, GUARD_MULTIPLIER, GUARD_RESERVE, GUARD_SHARE = range(5)
 N_SLIDE = 30  # steps of Newton's method for the friction; one is enough where a single row presses
-# what `Room.info` holds
-SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT = range(5)
+# what `Room.info` holds; of a motion also how many rows depend on others all the time
+SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT, N_REDUNDANT = range(6)
 
 
 @kernel
@@ -196,9 +196,9 @@ def assemble(slots, inverse_mass, base, ptr, left, right, G, W, A):
 
 
 @kernel
-def factor(ptr, target, regularisation, A, diagonal):
+def factor(ptr, target, regularisation, vanished, A, diagonal):
     """A becomes its L D L^T, a part of the diagonal added, column by column; 1/D stands on the diagonal. Returns the
-    smallest pivot by its diagonal, and how many rows are left out."""
+    smallest pivot by its diagonal, and how many rows are left out, whose pivots are below `vanished` or rounding."""
     smallest, n_left_out = 1.0, 0
     n = len(ptr) - 1
     for j in range(n):
@@ -209,8 +209,8 @@ def factor(ptr, target, regularisation, A, diagonal):
         begin, end = ptr[j], ptr[j + 1]
         pivot, size = A[begin], diagonal[j]
         ratio = pivot / size if size > 0.0 else 0.0
-        least = VANISHED if regularisation > 0.0 else max(VANISHED, min(MOST_ROUNDING, ROUNDING / smallest))
-        if ratio < least:
+        rounding = 0.0 if regularisation > 0.0 else min(MOST_ROUNDING, ROUNDING / smallest)
+        if ratio < max(vanished, rounding):
             n_left_out += 1
             inverse = 0.0
         else:
@@ -269,13 +269,14 @@ def pseudo_pivot(ptr, A, diagonal, n_left_out):
 def factored(L, S):
     """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs.
 
-    Rows are left out in a fixed order. Where redundant rows move, the row that was kept may lose its meaning to one that
-    is left out later: its pivot passes through zero at a pose that is not singular. There, too, all rows are kept with
-    regularisation, which does not ask for the order."""
+    Rows are left out in a fixed order. A row that was kept may lose its meaning to one that is left out later: its
+    pivot passes through zero at a pose that is not singular. There, too, all rows are kept with regularisation, which
+    does not ask for the order. In a stage what is held is a little off, and so is that rows depend on each other."""
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
-    smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, S.schur, S.diagonal)
+    vanished = PIVOT_CUT if S.info[N_REDUNDANT] > 0.0 else VANISHED
+    smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, vanished, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
     is_shaky = n_left_out > 0 and smallest < SHAKY_PIVOT
@@ -284,7 +285,7 @@ def factored(L, S):
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
-    factor(L.column_ptr, L.target, REGULARISATION, S.schur, S.diagonal)
+    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, S.schur, S.diagonal)
     if is_shaky:
         S.info[SMALLEST_PIVOT] = pseudo_pivot(L.column_ptr, S.schur, S.diagonal, n_left_out)
     if S.info[SMALLEST_PIVOT] < PIVOT_CUT:
@@ -529,12 +530,34 @@ def gaps(L, S, v):
 
 @part
 def closed(L, S, q, v):
-    """Moves q and v by the least, in the metric of the masses, that closes the gaps to first order."""
-    for r in range(len(L.held)):
-        S.step[r] = S.held[r, PLACE]
-    back_solve(L.column_ptr, L.column_row, S.schur, S.step)
-    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, q)
+    """Moves q and v by the least, in the metric of the masses, that closes the gaps to first order. Beside redundant
+    rows, those that hold velocities alone have no say in q: they would keep it from where the others want it."""
     for r in range(len(L.held)):
         S.step[r] = S.held[r, MOTION]
     back_solve(L.column_ptr, L.column_row, S.schur, S.step)
     push_along(L.held_ptr, L.held_slots, S.weighted, S.step, v)
+    if S.info[N_LEFT_OUT] > 0.0:
+        factored_for_places(L, S)
+    for r in range(len(L.held)):
+        S.step[r] = S.held[r, PLACE]
+    back_solve(L.column_ptr, L.column_row, S.schur, S.step)
+    push_along(L.held_ptr, L.held_slots, S.weighted, S.step, q)
+
+
+@part
+def factored_for_places(L, S):
+    """Factors for the rows that hold positions; nothing to do where there are no others."""
+    n_others = 0
+    for r in range(len(L.held)):
+        if not L.held[r, 2]:
+            n_others += 1
+    if n_others == 0:
+        return
+    assemble(
+        L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
+    )
+    for j in range(len(L.held)):
+        for i in range(L.column_ptr[j], L.column_ptr[j + 1]):
+            if not (L.held[j, 2] and L.held[L.column_row[i], 2]):
+                S.schur[i] = 0.0
+    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, S.schur, S.diagonal)

@@ -22,6 +22,7 @@ import numpy as np
 from freebody.numeric.engine.dynamics import (
     IS_REGULARISED,
     N_LEFT_OUT,
+    N_REDUNDANT,
     SMALLEST_PIVOT,
     accelerations,
     closed,
@@ -433,6 +434,7 @@ def advance(L, S, T, R, max_steps):
             R.count[REGULARISED] += 1
         R.clock[BEST_PIVOT] = max(R.clock[BEST_PIVOT], S.info[SMALLEST_PIVOT])
         R.count[LEFT_OUT] = min(R.count[LEFT_OUT], int(S.info[N_LEFT_OUT]))
+        S.info[N_REDUNDANT] = R.count[LEFT_OUT]
         R.count[IS_CAREFUL] = 1 if S.info[SMALLEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT] else 0
         if is_adaptive:
             look_for_stiffness(T, R, h)
