@@ -116,6 +116,8 @@ def _candidates(reference: Reference) -> Sequence[tuple[str, Measure]]:
 
     moving, origin = reference.system.moving, Point(GROUND)
     found: list[tuple[str, Measure]] = list(reference.system.measures.items())
+    if reference.system.space:
+        found += reference.system.offered
     found += [(f"angle of {body.name}", Angle(body.name)) for body in moving if body.turns]
     for body in moving:
         found.append((f"x of {body.name}", Displacement(body.mass_center, origin, RIGHT)))
