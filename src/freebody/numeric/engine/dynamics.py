@@ -27,7 +27,10 @@ from freebody.numeric.engine.turning import turned
 VANISHED = 1e-13  # a pivot below this part of its diagonal is none
 # nor is one below this by the smallest pivot before it, which enlarges rounding so much, up to a part of the diagonal
 ROUNDING, MOST_ROUNDING = 1e-15, 1e-3
-SHAKY_PIVOT = 1e-2  # a smaller one beside rows that are left out: others of these rows should have been kept
+# beside rows that are left out: below this part of the best pivot of the motion, others of these rows should have been
+# kept; the pivot is then given as this part of the best one at most, so that stages are looked after (`stepping`)
+SHAKY_PIVOT, PSEUDO_PIVOT = 1e-2, 1e-3
+SMALL_PIVOT = 1e-2  # see `pseudo_pivot`
 PIVOT_CUT = 1e-8  # a smaller pivot, relative to its diagonal, calls for regularisation
 REGULARISATION = 1e-10
 N_REFINED = 3
@@ -43,8 +46,8 @@ PRESSED_BY_LAW, PRESSED_BY_ONE, PRESSED_BY_SIZE = range(3)
 # adds what it can carry to the reserve before it
 GUARD_VALUE, GUARD_RATE, GUARD_MULTIPLIER, GUARD_RESERVE, GUARD_SHARE = range(5)
 N_SLIDE = 30  # steps of Newton's method for the friction; one is enough where a single row presses
-# what `Room.info` holds; of a motion also how many rows depend on others all the time
-SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT, N_REDUNDANT = range(6)
+# what `Room.info` holds; of a motion also how many rows depend on others all the time, and the best smallest pivot
+SMALLEST_PIVOT, IS_REGULARISED, POWER_OF_LOADS, RESIDUAL, N_LEFT_OUT, N_REDUNDANT, BEST_OF_MOTION = range(7)
 
 
 @kernel
@@ -254,15 +257,15 @@ def assembled(L, S):
 def pseudo_pivot(ptr, A, diagonal, n_left_out):
     """How small the smallest pivot would be in a better order of rows, of which n_left_out depend on others: with
     regularisation mu the determinant tends to mu^n_left_out times the product of what is not zero, so it is the product
-    of the small pivots by mu^n_left_out, at most SHAKY_PIVOT."""
+    of the small pivots by mu^n_left_out."""
     found = 1.0
     n_small = 0
     for j in range(len(ptr) - 1):
         ratio = 1.0 / (A[ptr[j]] * diagonal[j]) if A[ptr[j]] != 0.0 else 0.0
-        if ratio < SHAKY_PIVOT:
+        if ratio < SMALL_PIVOT:
             n_small += 1
             found *= ratio / REGULARISATION if n_small <= n_left_out else ratio
-    return min(SHAKY_PIVOT, found)
+    return found
 
 
 @part
@@ -279,7 +282,7 @@ def factored(L, S):
     smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, vanished, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
-    is_shaky = n_left_out > 0 and smallest < SHAKY_PIVOT
+    is_shaky = n_left_out > 0 and smallest < SHAKY_PIVOT * S.info[BEST_OF_MOTION]
     if not (smallest < PIVOT_CUT or is_shaky):
         return 1
     assemble(
@@ -287,7 +290,8 @@ def factored(L, S):
     )
     factor(L.column_ptr, L.target, REGULARISATION, VANISHED, S.schur, S.diagonal)
     if is_shaky:
-        S.info[SMALLEST_PIVOT] = pseudo_pivot(L.column_ptr, S.schur, S.diagonal, n_left_out)
+        most = PSEUDO_PIVOT * S.info[BEST_OF_MOTION]
+        S.info[SMALLEST_PIVOT] = min(most, pseudo_pivot(L.column_ptr, S.schur, S.diagonal, n_left_out))
     if S.info[SMALLEST_PIVOT] < PIVOT_CUT:
         S.info[IS_REGULARISED] = 1.0
     return N_REFINED

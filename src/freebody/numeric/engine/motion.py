@@ -136,7 +136,7 @@ class Motion:
         # a speed that moves nothing by a thousandth of its size within the whole time does not matter
         slowest = 1e-3 / (self.until - self.start)
         clock[stepping.SPEED] = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=slowest))
-        e.room.info[dynamics.N_REDUNDANT] = 0.0
+        e.room.info[dynamics.N_REDUNDANT] = e.room.info[dynamics.BEST_OF_MOTION] = 0.0
         if not stepping.visit(e.layout, e.room, run, -1.0, y, self.start, run.slopes[0], 0):
             return False
         if not np.isfinite(run.slopes[0]).all():

@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freebody.numeric.engine.dynamics import (
+    BEST_OF_MOTION,
     IS_REGULARISED,
     N_LEFT_OUT,
     N_REDUNDANT,
@@ -434,7 +435,7 @@ def advance(L, S, T, R, max_steps):
             R.count[REGULARISED] += 1
         R.clock[BEST_PIVOT] = max(R.clock[BEST_PIVOT], S.info[SMALLEST_PIVOT])
         R.count[LEFT_OUT] = min(R.count[LEFT_OUT], int(S.info[N_LEFT_OUT]))
-        S.info[N_REDUNDANT] = R.count[LEFT_OUT]
+        S.info[N_REDUNDANT], S.info[BEST_OF_MOTION] = R.count[LEFT_OUT], R.clock[BEST_PIVOT]
         R.count[IS_CAREFUL] = 1 if S.info[SMALLEST_PIVOT] < CAREFUL_PIVOT * R.clock[BEST_PIVOT] else 0
         if is_adaptive:
             look_for_stiffness(T, R, h)
