@@ -10,6 +10,7 @@ rounds are given. All start from the same random state, and their accelerations 
 from __future__ import annotations
 
 import argparse
+import functools
 import importlib.util
 import json
 import math
@@ -86,7 +87,7 @@ def freebody_chain(n: int) -> Evaluate:
     return evaluate
 
 
-def pinocchio_chain(n: int) -> Evaluate:
+def pinocchio_chain(n: int, convention: str) -> Evaluate:
     """`aba`, world convention, a call from Python each."""
     import pinocchio as pin
 
@@ -102,12 +103,12 @@ def pinocchio_chain(n: int) -> Evaluate:
     Q, u = relative(*state(n))
     q = np.concatenate([pin.Quaternion(rotation).coeffs() for rotation in Q])
     data, no_torque, v = model.createData(), np.zeros(3 * n), u.ravel()
-    convention, aba = pin.Convention.LOCAL, pin.aba
+    frames, aba = getattr(pin.Convention, convention), pin.aba
 
     def evaluate(n_calls: int) -> tuple[float, Array]:
         began = perf_counter()
         for _ in range(n_calls):
-            result = aba(model, data, q, v, no_torque, convention)
+            result = aba(model, data, q, v, no_torque, frames)
         return perf_counter() - began, np.array(result).reshape(n, 3)
 
     return evaluate
@@ -147,7 +148,8 @@ def mujoco_chain(n: int) -> Evaluate:
 
 CHAINS = {
     "freebody": ("freebody", freebody_chain),
-    "Pinocchio `aba`": ("pinocchio", pinocchio_chain),
+    "Pinocchio `aba`, world": ("pinocchio", functools.partial(pinocchio_chain, convention="WORLD")),
+    "Pinocchio `aba`, local": ("pinocchio", functools.partial(pinocchio_chain, convention="LOCAL")),
     "MuJoCo `mj_forward`": ("mujoco", mujoco_chain),
 }
 

@@ -423,7 +423,7 @@ class _Solver:
 
     # -- conditions ---------------------------------------------------------------------------
     def _root_conditions(self, x: Elements) -> list[Condition]:
-        """Every divisor and every square root in the shown form."""
+        """Every divisor, every square root and every arc in the shown form."""
         found: list[Condition] = []
         f = self.model.field
         for part in x if isinstance(x, tuple) else (x,):
@@ -434,6 +434,11 @@ class _Solver:
             for index in sorted(part.generators()):
                 if f.generators[index].kind == "root":
                     condition, _possible = require(f.radicand(index), ">=", "under the root")
+                    if condition is not None:
+                        found.append(condition)
+                name, u = f.arguments.get(index, ("", f.zero))
+                if name in ("asin", "acos"):
+                    condition, _possible = require(1 - u * u, ">=", f"{name} of at most 1")
                     if condition is not None:
                         found.append(condition)
         return found
