@@ -88,7 +88,7 @@ def freebody_chain(n: int) -> Evaluate:
 
 
 def pinocchio_chain(n: int, convention: str) -> Evaluate:
-    """`aba`, world convention, a call from Python each."""
+    """`aba`, a call from Python each."""
     import pinocchio as pin
 
     model = pin.Model()

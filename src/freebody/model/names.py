@@ -270,7 +270,10 @@ class Names:
         """right, left, up, down; an angle from the x axis; components; a line; `body.x` for a body's axis, `frame.x`
         for that of a frame."""
         if isinstance(value, (list, tuple)):
+            n_before = len(self.problems)
             along = self.components(cast("list[Any]", value), DIMENSIONLESS, *path)
+            if len(self.problems) > n_before:
+                return self.compass["right"]
             return self.unit_direction(body, along, *path)
         if isinstance(value, str):
             text = value.strip()

@@ -250,6 +250,8 @@ class Box(Shape, kind="box"):
         m = names.positive(self, "mass", MASS)
         if not _is_spatial(names, self):
             return Build(m, ZERO)
+        if len(self.size) != 3:
+            names.problem(f"size is three sides, [a, b, c] along x, y and z, found {self.size!r}", self, "size")
         a, b, c = names.components(self.size, LENGTH, "size")
         Ix, Iy, Iz = (divide(m * (_square(p) + _square(q)), number(12)) for p, q in ((b, c), (a, c), (a, b)))
         x, y, z = map(_half, (a, b, c))

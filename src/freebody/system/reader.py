@@ -418,6 +418,8 @@ class Reader:
                 hint = did_you_mean(key, known)
                 if key in SPATIAL_OPTIONS:
                     hint = " It is for models in space: write space: true."
+                if key == "angle":
+                    hint = " In space write how it is turned, e.g. turned: 30 deg about z."
                 names.problem(f"a body has no {key}.{hint}", None, key)
         if len(kinds) != 1:
             what = "one of " + ", ".join(Shape.kinds)
