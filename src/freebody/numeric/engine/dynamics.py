@@ -199,9 +199,10 @@ def assemble(slots, inverse_mass, base, ptr, left, right, G, W, A):
 
 
 @kernel
-def factor(ptr, target, regularisation, vanished, A, diagonal):
+def factor(ptr, target, regularisation, vanished, rounding, A, diagonal):
     """A becomes its L D L^T, a part of the diagonal added, column by column; 1/D stands on the diagonal. Returns the
-    smallest pivot by its diagonal, and how many rows are left out, whose pivots are below `vanished` or rounding."""
+    smallest pivot by its diagonal, and how many rows are left out, whose pivots are below `vanished`, or below the
+    `rounding` of one operation by the smallest pivot before."""
     smallest, n_left_out = 1.0, 0
     n = len(ptr) - 1
     for j in range(n):
@@ -212,8 +213,7 @@ def factor(ptr, target, regularisation, vanished, A, diagonal):
         begin, end = ptr[j], ptr[j + 1]
         pivot, size = A[begin], diagonal[j]
         ratio = pivot / size if size > 0.0 else 0.0
-        rounding = 0.0 if regularisation > 0.0 else min(MOST_ROUNDING, ROUNDING / smallest)
-        if ratio < max(vanished, rounding):
+        if ratio < max(vanished, min(MOST_ROUNDING, rounding / smallest)):
             n_left_out += 1
             inverse = 0.0
         else:
@@ -268,6 +268,12 @@ def pseudo_pivot(ptr, A, diagonal, n_left_out):
     return found
 
 
+@kernel
+def is_spatial(frames):
+    """Whether there are rotations in space; decided where kernels are compiled."""
+    return frames is not None
+
+
 @part
 def factored(L, S):
     """Factors; regularised where rows depend on each other. Returns the number of passes that a solution needs.
@@ -278,17 +284,19 @@ def factored(L, S):
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
-    vanished = PIVOT_CUT if S.info[N_REDUNDANT] > 0.0 else VANISHED
-    smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, vanished, S.schur, S.diagonal)
+    in_space = is_spatial(S.frames)  # in the plane what rows say passes from one to another at singular poses alone
+    vanished = PIVOT_CUT if in_space and S.info[N_REDUNDANT] > 0.0 else VANISHED
+    rounding = ROUNDING if in_space else 0.0
+    smallest, n_left_out = factor(L.column_ptr, L.target, 0.0, vanished, rounding, S.schur, S.diagonal)
     S.info[SMALLEST_PIVOT], S.info[N_LEFT_OUT] = smallest, n_left_out
     S.info[IS_REGULARISED] = 0.0
-    is_shaky = n_left_out > 0 and smallest < SHAKY_PIVOT * S.info[BEST_OF_MOTION]
+    is_shaky = in_space and n_left_out > 0 and smallest < SHAKY_PIVOT * S.info[BEST_OF_MOTION]
     if not (smallest < PIVOT_CUT or is_shaky):
         return 1
     assemble(
         L.held_slots, L.inverse_mass, L.schur_base, L.pair_ptr, L.pair_a, L.pair_b, S.gradient, S.weighted, S.schur
     )
-    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, S.schur, S.diagonal)
+    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, 0.0, S.schur, S.diagonal)
     if is_shaky:
         most = PSEUDO_PIVOT * S.info[BEST_OF_MOTION]
         S.info[SMALLEST_PIVOT] = min(most, pseudo_pivot(L.column_ptr, S.schur, S.diagonal, n_left_out))
@@ -540,7 +548,7 @@ def closed(L, S, q, v):
         S.step[r] = S.held[r, MOTION]
     back_solve(L.column_ptr, L.column_row, S.schur, S.step)
     push_along(L.held_ptr, L.held_slots, S.weighted, S.step, v)
-    if S.info[N_LEFT_OUT] > 0.0:
+    if is_spatial(S.frames) and S.info[N_LEFT_OUT] > 0.0:
         factored_for_places(L, S)
     for r in range(len(L.held)):
         S.step[r] = S.held[r, PLACE]
@@ -564,4 +572,4 @@ def factored_for_places(L, S):
         for i in range(L.column_ptr[j], L.column_ptr[j + 1]):
             if not (L.held[j, 2] and L.held[L.column_row[i], 2]):
                 S.schur[i] = 0.0
-    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, S.schur, S.diagonal)
+    factor(L.column_ptr, L.target, REGULARISATION, VANISHED, 0.0, S.schur, S.diagonal)
