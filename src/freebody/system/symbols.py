@@ -1,0 +1,88 @@
+"""Symbols for the forces of a system: what a free-body diagram and a derivation call a reaction.
+
+A row of a connection has one multiplier; its symbol is a letter for the kind of reaction, with the connection (and
+the end of a string) as index where several need to be told apart: T, N, F_contact, A_x, T_left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from freebody.language.parser import GREEK
+from freebody.model.elements import Held
+from freebody.system.system import System
+
+# The letter of a kind of reaction; others are a force F or a moment M.
+LETTERS = {
+    "tension": "T",
+    "normal force": "N",
+    "friction force": "F",
+    "tooth force": "F_t",
+    "radial force": "F_r",
+    "belt force": "F_b",
+    "sideways force": "H",
+    "driving torque": "M",
+    "moment": "M",
+    "friction moment": "M",
+    "friction torque": "M",
+}
+_WORDS_OF_ENDS = ("from", "to")
+
+
+@dataclass(frozen=True)
+class ReactionSymbol:
+    """What the reaction of a row is called. The reaction is sign times the multiplier: a tension is positive when it
+    pulls, whatever the measure's direction."""
+
+    row: str
+    name: str
+    sign: int
+
+
+def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
+    """By the name of the row, for all rows of a system."""
+    rows = system.rows
+    taken = _taken(system)
+    found: dict[str, ReactionSymbol] = {}
+    wishes = {row.name: list(_wishes(row, system)) for row in rows}
+    # a short name only if nothing else would like to have it
+    short = [names[0] for names in wishes.values()]
+    for row in rows:
+        names = [n for k, n in enumerate(wishes[row.name]) if k > 0 or short.count(n) == 1]
+        name = next((n for n in names if n not in taken), None)
+        number = 1
+        while name is None:
+            candidate = f"{wishes[row.name][-1]}_{number}"
+            name, number = (candidate if candidate not in taken else None), number + 1
+        taken.add(name)
+        found[row.name] = ReactionSymbol(row.name, name, row.sign)
+    return found
+
+
+def _taken(system: System) -> set[str]:
+    """Names that mean something already; the letters that stand for time, pi and mechanical quantities too."""
+    names = {*system.parameters, *system.measures, "t", "pi", "e", "T_kin", "V", "L"}
+    return names | {letter for letter in GREEK.values()}
+
+
+def _wishes(row: Held, system: System) -> Iterator[str]:
+    """Names from the shortest to the most particular one."""
+    letter = LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
+    connection = row.connection
+    axis = row.component.split()[-1]
+    if len(axis) <= 1:  # a component: A_x, M_A_x
+        if letter == "F" and len(connection) == 1:
+            yield f"{connection}_{axis}"
+        yield f"{letter}_{connection}_{axis}"
+        return
+    yield letter
+    ends = [end for end in row.ends if end in system.bodies]
+    particles = [end for end in ends if not system.bodies[end].fixed]
+    if len(ends) > 1 and row.reaction == "tension" and particles:
+        section = min(particles, key=lambda name: (system.bodies[name].radius is not None, particles.index(name)))
+        yield f"{letter}_{section}"
+    if ends and row.reaction == "sideways force":
+        yield f"{letter}_{ends[0]}"
+    yield f"{letter}_{connection}"
+    yield f"{letter}_{connection}_{row.component.replace(' ', '_')}"
