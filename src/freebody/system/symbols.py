@@ -6,6 +6,7 @@ the end of a string) as index where several need to be told apart: T, N, F_conta
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -27,7 +28,6 @@ LETTERS = {
     "friction moment": "M",
     "friction torque": "M",
 }
-_WORDS_OF_ENDS = ("from", "to")
 
 
 @dataclass(frozen=True)
@@ -63,13 +63,14 @@ def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
 def _taken(system: System) -> set[str]:
     """Names that mean something already; the letters that stand for time, pi and mechanical quantities too."""
     names = {*system.parameters, *system.measures, "t", "pi", "e", "T_kin", "V", "L"}
-    return names | {letter for letter in GREEK.values()}
+    return names | set(GREEK.values())
 
 
 def _wishes(row: Held, system: System) -> Iterator[str]:
     """Names from the shortest to the most particular one."""
     letter = LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
     connection = row.connection
+    component = re.sub(r"\W", "_", row.component.removeprefix("slip of ").split(" on ")[0].split(".")[-1])
     axis = row.component.split()[-1]
     if len(axis) <= 1:  # a component: A_x, M_A_x
         if letter == "F" and len(connection) == 1:
@@ -77,12 +78,17 @@ def _wishes(row: Held, system: System) -> Iterator[str]:
         yield f"{letter}_{connection}_{axis}"
         return
     yield letter
-    ends = [end for end in row.ends if end in system.bodies]
-    particles = [end for end in ends if not system.bodies[end].fixed]
-    if len(ends) > 1 and row.reaction == "tension" and particles:
-        section = min(particles, key=lambda name: (system.bodies[name].radius is not None, particles.index(name)))
-        yield f"{letter}_{section}"
-    if ends and row.reaction == "sideways force":
-        yield f"{letter}_{ends[0]}"
-    yield f"{letter}_{connection}"
-    yield f"{letter}_{connection}_{row.component.replace(' ', '_')}"
+    alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
+    if len(alike) > 1:
+        yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
+    else:
+        yield f"{letter}_{connection}"
+    yield f"{letter}_{component}"
+    yield f"{letter}_{connection}_{component}"
+
+
+def _telling_ends(row: Held, system: System) -> list[str]:
+    """The ends of a row's section by which people would call it: what hangs there before what it runs over."""
+    bodies = [system.bodies[end] for end in row.ends if end in system.bodies]
+    moving = [body for body in bodies if not body.fixed]
+    return [body.name for body in sorted(reversed(moving), key=lambda body: body.radius is not None)]
