@@ -46,10 +46,8 @@ def reaction_symbols(system: System) -> Mapping[str, ReactionSymbol]:
     taken = _taken(system)
     found: dict[str, ReactionSymbol] = {}
     wishes = {row.name: list(_wishes(row, system)) for row in rows}
-    # a short name only if nothing else would like to have it
-    short = [names[0] for names in wishes.values()]
     for row in rows:
-        names = [n for k, n in enumerate(wishes[row.name]) if k > 0 or short.count(n) == 1]
+        names = [n for k, n in enumerate(wishes[row.name]) if not _is_wanted(n, k, row.name, wishes)]
         name = next((n for n in names if n not in taken), None)
         number = 1
         while name is None:
@@ -79,16 +77,19 @@ def _wishes(row: Held, system: System) -> Iterator[str]:
         return
     yield letter
     alike = [other for other in system.rows if (other.connection, other.reaction) == (connection, row.reaction)]
-    if len(alike) > 1:
+    if len(alike) > 1 and row.reaction in ("tension", "sideways force"):
         yield from (f"{letter}_{end}" for end in _telling_ends(row, system))
-    else:
-        yield f"{letter}_{connection}"
-    yield f"{letter}_{component}"
+    yield f"{letter}_{connection}"
     yield f"{letter}_{connection}_{component}"
+
+
+def _is_wanted(name: str, place: int, by: str, wishes: Mapping[str, list[str]]) -> bool:
+    """Whether another row would like to have a name at least as much."""
+    return any(name in names[: place + 1] for row, names in wishes.items() if row != by)
 
 
 def _telling_ends(row: Held, system: System) -> list[str]:
     """The ends of a row's section by which people would call it: what hangs there before what it runs over."""
     bodies = [system.bodies[end] for end in row.ends if end in system.bodies]
     moving = [body for body in bodies if not body.fixed]
-    return [body.name for body in sorted(reversed(moving), key=lambda body: body.radius is not None)]
+    return [body.name for body in sorted(moving, key=lambda body: body.radius is not None)]
