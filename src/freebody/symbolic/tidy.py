@@ -49,7 +49,7 @@ _FACTOR_TERMS = 600  # larger polynomials are not factored
 def tidy(x: Ratio) -> Expr:
     """The readable expression of an element."""
     x = _root_on_top(_without_numeric_roots(x.field.lowest_terms(x)))
-    if x.den is not None and _is_below_zero(x.denominator()):
+    if x.den is not None and sign_is_negative(x.denominator()):
         x = Ratio(x.field, -x.num, -x.den)
     absorbed = _root_of_a_quotient(x)
     if absorbed is not None:
@@ -97,7 +97,7 @@ def sign_is_positive(x: Ratio) -> bool:
     return sign_of(x) is Sign.POSITIVE
 
 
-def _is_below_zero(x: Ratio) -> bool:
+def sign_is_negative(x: Ratio) -> bool:
     from freebody.symbolic.signs import Sign, sign_of
 
     return sign_of(x) in (Sign.NEGATIVE, Sign.NONPOSITIVE)
