@@ -52,6 +52,12 @@ class Newton:
         self.constraint_lines: dict[str, int] = {}
         self.introduced: set[str] = set()
 
+    def begin(self) -> None:
+        """A derivation begins: nothing has been explained in it yet."""
+        self.told.clear()
+        self.constraint_lines.clear()
+        self.introduced.clear()
+
     @cached_property
     def copies(self) -> list[Copies]:
         """Bodies that are treated once."""
@@ -122,7 +128,7 @@ class Newton:
         """A diagram of every set of bodies used, and the meaning of the reactions in the equations."""
         for group in self.copies:
             if group.bodies[0] in self._bodies(plan):
-                script.say("symmetry", bodies=group.bodies, first=group.bodies[0])
+                script.say("symmetry.said", bodies=group.bodies, first=group.bodies[0])
         for bodies in dict.fromkeys(p.bodies for p in plan.principles):
             key = "figure.free_body" if len(bodies) == 1 else "figure.free_bodies"
             script.add(Diagram(bodies, Sentence(key, {"bodies": bodies})))

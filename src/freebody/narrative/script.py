@@ -127,6 +127,9 @@ class Script:
     def add(self, item: Item) -> None:
         self._items.append(item)
 
+    def add_all(self, items: Sequence[Item]) -> None:
+        self._items += items
+
     def line(
         self,
         *sides: Side,

@@ -1,0 +1,135 @@
+"""What derivations say, in one language: sentences by key, with places for names, formulas and numbers.
+
+One file per language (`words/en.toml`); a key that a language lacks is said in English. A place {name} is filled with
+what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines}, {given}), a
+word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one member.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from freebody.errors import InputError
+from freebody.language.expression import Call, Number, Power, Product, Sum, Symbol
+from freebody.model.names import did_you_mean
+from freebody.narrative.script import Argument, Sentence
+from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
+
+_REFERENCES = ("line", "lines", "given")
+_PLACE = re.compile(r"\{(\w+)\}")
+_EXPRESSIONS = (Number, Symbol, Sum, Product, Power, Call)
+
+
+def languages() -> tuple[str, ...]:
+    """The languages for which there is a file."""
+    found = [entry.name for entry in files("freebody.narrative.words").iterdir()]
+    return tuple(
+        sorted(name.removesuffix(".toml") for name in found if name.count(".") == 1 and name.endswith(".toml"))
+    )
+
+
+class Catalogue:
+    """The sentences of a language."""
+
+    def __init__(self, language: str = "en") -> None:
+        if language not in languages():
+            raise InputError(
+                f"there are no words for the language {language}.{did_you_mean(language, languages())} There is: "
+                f"{', '.join(languages())}"
+            )
+        self.language = language
+        self._words = _read(language)
+        self._english = _read("en")
+
+    def has(self, key: str) -> bool:
+        return key in self._words or key in self._english
+
+    def template(self, key: str) -> str:
+        """The sentence with its places; that of `group.any` where a group has none of its own for a key. Raises KeyError
+        for a key that no language has."""
+        other = f"{key.rpartition('.')[0]}.any"
+        for words in (self._words, self._english):
+            if key in words or other in words:
+                return words.get(key) or words[other]
+        return self._english[key]
+
+    def tell(self, sentence: Sentence) -> Text:
+        """A sentence as text with formulas in it."""
+        key = sentence.key
+        lists = [v for v in sentence.args.values() if isinstance(v, tuple)]
+        if lists and len(lists[0]) == 1 and self.has(f"{key}_one"):
+            key += "_one"
+        pieces: list[Piece] = []
+        template, end = self.template(key), 0
+        for found in _PLACE.finditer(template):
+            pieces.append(template[end : found.start()])
+            pieces += self._filled(found[1], sentence.args.get(found[1], ""))
+            end = found.end()
+        pieces.append(template[end:])
+        return tuple(p for p in pieces if p != "")
+
+    def plain(self, sentence: Sentence) -> str:
+        """A sentence as plain words, for titles and labels."""
+        from freebody.language.notation import to_text
+
+        words: list[str] = []
+        for piece in self.tell(sentence):
+            match piece:
+                case str():
+                    words.append(piece)
+                case Emphasis(text, _look):
+                    words.append(text)
+                case Formula(sides, relations, _unit):
+                    shown = [to_text(s) for s in sides if isinstance(s, _EXPRESSIONS)]
+                    words.append(f" {relations[0] if relations else ''} ".join(shown))
+                case Reference(number, _what):
+                    words.append(f"({number})")
+        return "".join(words)
+
+    def word(self, key: str) -> str:
+        return self.template(key)
+
+    def _filled(self, name: str, value: Argument) -> list[Piece]:
+        if isinstance(value, tuple):
+            return self._listed([self._filled(name, v) for v in value])
+        if isinstance(value, Sentence):
+            return list(self.tell(value))
+        if isinstance(value, _EXPRESSIONS):
+            return [Formula((value,))]
+        if isinstance(value, int):
+            return [Reference(value)] if name in _REFERENCES else [str(value)]
+        if isinstance(value, str) and value.startswith("@"):
+            return [self._words.get(value[1:]) or self._english.get(value[1:], value[1:].rpartition(".")[2])]
+        return [Emphasis(str(value), "code")] if value else []
+
+    def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
+        """a, b and c"""
+        pieces: list[Piece] = []
+        for k, part in enumerate(parts):
+            if k:
+                pieces.append(self.word("list.and") if k == len(parts) - 1 else ", ")
+            pieces += part
+        return pieces
+
+
+@cache
+def _read(language: str) -> dict[str, str]:
+    """All sentences of a language by dotted key."""
+    folder = files("freebody.narrative.words")
+    found: dict[str, str] = {}
+    for entry in folder.iterdir():
+        if entry.name == f"{language}.toml" or (entry.name.startswith(f"{language}.") and entry.name.endswith(".toml")):
+            _flatten(tomllib.loads(entry.read_text("utf-8")), "", found)
+    return found
+
+
+def _flatten(table: dict[str, Any], prefix: str, found: dict[str, str]) -> None:
+    for key, value in table.items():
+        if isinstance(value, dict):
+            _flatten(value, f"{prefix}{key}.", found)
+        else:
+            found[prefix + key] = str(value)

@@ -1,0 +1,63 @@
+"""The end of every derivation: the result with its conditions, what it says in special cases, its unit, its value at the
+file's numbers, and a verdict on each option."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.expression import Expr
+from freebody.model.question import Question
+from freebody.narrative.context import Context
+from freebody.narrative.instant import asked_symbol, names_of
+from freebody.narrative.limits import limiting_cases
+from freebody.narrative.script import Listing, Script, Sentence, Sheet, Stage, When
+from freebody.study.answer import Answer
+
+
+def closing(context: Context, question: Question, answer: Answer) -> list[Stage]:
+    """Result and options."""
+    script = Script(context.glossary, context.next_number)
+    with script.stage("stage.result", "hint.result"):
+        _result(context, script, question, answer)
+    if answer.options:
+        with script.stage("stage.options", "hint.options"):
+            _options(script, answer)
+    context.next_number = script.next_number
+    return script.stages
+
+
+def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
+    if answer.expression is not None:
+        name = asked_symbol(context, question)
+        n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
+        sides: tuple[Expr | tuple[Expr, ...], ...] = (names_of(name, n), answer.expression)
+        with suppress(CannotAnswer, ExpressionError):
+            script.line(*sides, when=_when(question))
+    if answer.conditions:
+        script.say("result.holds", conditions=tuple(f"@{c}" for c in answer.conditions))
+    script.add_all(limiting_cases(context, question, answer))
+    if answer.unit not in ("", "1"):
+        script.say("result.unit", unit=f"@{answer.unit}")
+    if answer.value is not None:
+        values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
+        shown = ", ".join(f"{v:.5g}" for v in values)
+        unit = "" if answer.unit == "1" else f" {answer.unit}"
+        script.say("result.value", value=f"@{shown}{unit}")
+    if answer.notes:
+        script.add(Listing(tuple(Sentence("result.note", {"text": f"@{note}"}) for note in answer.notes)))
+
+
+def _when(question: Question) -> When:
+    if question.event is not None:
+        return "event"
+    return "start" if question.at_start else "always"
+
+
+def _options(script: Script, answer: Answer) -> None:
+    header = (Sentence("options.letter"), Sentence("options.verdict"), Sentence("options.reason"))
+    rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), v.reason) for k, v in answer.options.items())
+    marks = tuple("right" if v.verdict == "right" else "wrong" for v in answer.options.values())
+    script.add(Sheet(header, rows, marks))
+    for note in answer.author_notes:
+        script.say("result.note", text=f"@{note}")

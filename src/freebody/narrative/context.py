@@ -1,0 +1,56 @@
+"""What the derivations of one system share, and the way from a question to the derivation of its kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+from freebody.errors import CannotAnswer
+from freebody.model.question import Question
+from freebody.narrative.glossary import Glossary
+from freebody.narrative.newton import Newton
+from freebody.narrative.script import Script, Stage
+from freebody.study.answer import Answer
+from freebody.study.setup import Setup
+from freebody.system.system import System
+
+Method = Literal["auto", "newton", "lagrange", "energy"]
+METHODS: tuple[Method, ...] = ("auto", "newton", "lagrange", "energy")
+
+
+@dataclass
+class Context:
+    """One system on both routes. Symbols that one derivation explains are known to the next only if it says so itself:
+    each derivation stands alone. `next_number` runs through all."""
+
+    system: System
+    next_number: int = 1
+    introduced: set[str] = field(default_factory=set[str])  # by the opening: parameters, measures
+
+    @cached_property
+    def setup(self) -> Setup:
+        return Setup(self.system)
+
+    @cached_property
+    def glossary(self) -> Glossary:
+        return Glossary(self.setup)
+
+    @cached_property
+    def newton(self) -> Newton:
+        return Newton(self.setup, self.glossary)
+
+    def script(self) -> Script:
+        """A derivation of its own, with numbers that go on."""
+        self.newton.begin()
+        return Script(self.glossary, self.next_number)
+
+
+Derive = Callable[[Context, Question, Answer, Method], list[Stage]]
+
+
+def refuse(method: Method, allowed: tuple[Method, ...], what: str) -> None:
+    """Raises CannotAnswer for a method by which a kind of question has no derivation."""
+    if method != "auto" and method not in allowed:
+        raise CannotAnswer(f"{what} is not derived by the method {method}; there is: {', '.join(('auto', *allowed))}")

@@ -1,0 +1,153 @@
+"""The worked solution of every question of a system."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from freebody.errors import CannotAnswer, InputError, RoutesDisagree
+from freebody.model.names import did_you_mean
+from freebody.model.question import Question
+from freebody.narrative.closing import closing
+from freebody.narrative.context import METHODS, Context, Method
+from freebody.narrative.kinds import derivation_of
+from freebody.narrative.opening import opening
+from freebody.narrative.script import Stage
+from freebody.study.answer import Answer
+from freebody.study.solve import Solution, solve
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.present.report.blocks import Report
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The worked solution of one question; `reason` where there is none. compared: by a second method, which ends in the
+    same result."""
+
+    question: Question
+    answer: Answer
+    stages: tuple[Stage, ...]
+    method: Method = "auto"
+    reason: str = ""
+    compared: tuple[Stage, ...] = ()
+    compared_method: Method = "auto"
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """All worked solutions of a system, ready to be written in any format."""
+
+    system: System
+    solution: Solution
+    opening: tuple[Stage, ...]
+    derivations: tuple[Derivation, ...]
+    language: str = "en"
+
+    @property
+    def is_complete(self) -> bool:
+        return all(not d.reason for d in self.derivations)
+
+    @cached_property
+    def report(self) -> Report:
+        """The explanation as a report."""
+        from freebody.narrative.composing import report_of
+
+        return report_of(self)
+
+    def to_html(self) -> str:
+        """A page of its own, without any network."""
+        from freebody.present.report.html import to_html
+
+        return to_html(self.report)
+
+    def to_text(self, width: int = 100) -> str:
+        """For a terminal."""
+        from freebody.present.report.terminal import to_text
+
+        return to_text(self.report, width)
+
+    def write(self, path: str | Path) -> list[Path]:
+        """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
+        InputError for another suffix or a place that cannot be written."""
+        from freebody.present.report.write import write_report
+
+        return write_report(self.report, Path(path), code=self._code)
+
+    @property
+    def _code(self) -> str:
+        name = Path(self.system.file).name if self.system.file else "model.yaml"
+        return f'import freebody\n\nsystem = freebody.System.load("{name}")\nsystem.solve()'
+
+    def _repr_html_(self) -> str:
+        from freebody.present.report.html import html_fragment
+
+        return html_fragment(self.report)
+
+    def _repr_latex_(self) -> str:
+        from freebody.present.report.latex import latex_fragment
+
+        return latex_fragment(self.report)
+
+
+def explain(
+    system: System,
+    question: str | None = None,
+    *,
+    method: str = "auto",
+    compare: str | None = None,
+    language: str = "en",
+) -> Explanation:
+    """Derives the answers to the questions of a system, or to one: the id of a question of the file, or one in words.
+
+    method: "auto", "newton", "lagrange" or "energy"; compare: a second method, shown beside the first. Raises ModelError
+    for a question that cannot be read, InputError for an unknown method or language. A question without a derivation has
+    a Derivation that says why."""
+    chosen = _method(method)
+    second = None if compare is None else _method(compare)
+    known = {q.id: q for q in system.questions}
+    asked = system.questions if question is None else (known.get(question) or system.question(question),)
+    solution = solve(system) if question is None else solve(system, asked[0].text)
+    context = Context(system)
+    first = tuple(opening(context))
+    answers = {a.question: a for a in solution.answers}
+    found = tuple(_derived(context, q, answers.get(q.text), chosen, second) for q in asked)
+    return Explanation(system, solution, first, found, language)
+
+
+def _method(name: str) -> Method:
+    for method in METHODS:
+        if name == method:
+            return method
+    raise InputError(f"there is no method {name}.{did_you_mean(name, METHODS)} There is: {', '.join(METHODS)}")
+
+
+def _derived(
+    context: Context, question: Question, answer: Answer | None, method: Method, second: Method | None
+) -> Derivation:
+    assert answer is not None
+    derive = derivation_of(context.system, question)
+    stages, reason = _attempt(context, question, answer, method, derive)
+    compared: Sequence[Stage] = ()
+    if second is not None and not reason:
+        compared, trouble = _attempt(context, question, answer, second, derive)
+        reason = trouble
+    if answer.is_answered and not reason:
+        stages = [*stages, *closing(context, question, answer)]
+    return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
+
+
+def _attempt(
+    context: Context, question: Question, answer: Answer, method: Method, derive: object
+) -> tuple[list[Stage], str]:
+    try:
+        stages = derive(context, question, answer, method)  # type: ignore[operator]
+    except (CannotAnswer, RoutesDisagree, ZeroDivisionError) as error:
+        return [], str(error)
+    numbers = [item.number for stage in stages for item in stage.items if hasattr(item, "number")]  # type: ignore[union-attr]
+    context.next_number = max([context.next_number - 1, *numbers]) + 1
+    return stages, ""

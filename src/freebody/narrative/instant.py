@@ -1,0 +1,105 @@
+"""Questions about one instant: accelerations and reactions by momentum and moments, and what follows from a state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Symbol
+from freebody.model.question import Question
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.newton import same_answer
+from freebody.narrative.script import Legend, Script, Sentence, Stage
+from freebody.study.answer import Answer
+from freebody.study.quantities import quantity_value
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a quantity at an instant. Raises CannotAnswer where there is none by this method."""
+    newton = context.newton
+    parts = newton.asked(question.quantity)
+    unknowns = newton.unknowns_in(parts)
+    script = context.script()
+    found: dict[int, tuple[Ratio, int]] = {}
+    if unknowns and method in ("lagrange", "energy"):
+        from freebody.narrative.analytic import by_energy, by_lagrange
+
+        found = (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
+    elif unknowns:
+        found = newton.write(script, newton.plan(unknowns), unknowns)
+    else:
+        refuse(method, (), "what follows from the state alone")
+    finish(context, script, question, parts, found)
+    return script.stages
+
+
+def finish(
+    context: Context, script: Script, question: Question, parts: Sequence[Ratio], found: Mapping[int, tuple[Ratio, int]]
+) -> None:
+    """From the unknowns to what is asked, at the start where that is meant; ends in the solver's answer."""
+    model, setup = context.setup.model, context.setup
+    f = model.field
+    values = {unknown: value for unknown, (value, _line) in found.items()}
+    general = tuple(f.lowest_terms(f.substitute(part, values)) for part in parts)
+    name = asked_symbol(context, question)
+    lines = tuple(line for _value, line in found.values())
+    is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
+    last = lines[-1] if lines else 0
+    if not is_there:
+        with script.stage("stage.value", "hint.value"):
+            script.add(Legend(((name, Sentence("symbol.asked", {"question": question.text}), ""),)))
+            shown = tuple(map(tidy, general)) if len(general) > 1 else tidy(general[0])
+            sides: list[Expr | tuple[Expr, ...]] = [names_of(name, len(general))]
+            before = tuple(map(tidy, parts)) if len(parts) > 1 else tidy(parts[0])
+            if lines and before != shown:
+                sides.append(before)
+            last = script.line(
+                *sides, shown, why="value.follows" if lines else "value.is", args={"lines": lines}, uses=lines
+            )
+    wanted = tuple(general)
+    if question.at_start:
+        with script.stage("stage.start", "hint.start"):
+            here = setup.start_instant
+            wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
+            shown = tuple(map(tidy, wanted)) if len(wanted) > 1 else tidy(wanted[0])
+            left = names_of(name, len(wanted)) if not is_there else tidy(parts[0])
+            script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
+    _ends_in_answer(context, question, wanted)
+
+
+def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]) -> None:
+    setup = context.setup
+    state = setup.start_instant if question.at_start else setup.state
+    value = quantity_value(question.quantity, setup.system, state)
+    parts = value if isinstance(value, tuple) else (value,)
+    f = setup.model.field
+    wanted = [f.lowest_terms(f.element(part)) for part in parts]
+    if any(not setup.model.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
+        same_answer(found, wanted)
+
+
+def asked_symbol(context: Context, question: Question) -> Expr:
+    """A symbol for what is asked: the question's id where that is a good name."""
+    from freebody.narrative.glossary import Meaning
+
+    name = question.id if question.id.isidentifier() else "result"
+    while name in context.glossary.measures or name in context.system.parameters:
+        name = f"{name}_asked"
+    what = Sentence("symbol.asked", {"question": question.text})
+    if name not in context.glossary.meanings:
+        context.glossary.introduce(Meaning(Symbol(name), what, question.quantity))
+    return Symbol(name)
+
+
+def names_of(name: Expr, n: int) -> Expr | tuple[Expr, ...]:
+    """The name of a scalar, or of the components of a vector."""
+    if n == 1:
+        return name
+    assert isinstance(name, Symbol)
+    return tuple(Symbol(f"{name.name}_{axis}") for axis in "xyz"[:n])
+
+
+def no_derivation(reason: str) -> CannotAnswer:
+    return CannotAnswer(reason)

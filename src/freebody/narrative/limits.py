@@ -1,0 +1,92 @@
+"""What an answer becomes in special cases: equal parameters, one of them zero or without bound, an angle of 90 degrees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from freebody.assess.cases import Case
+from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.expression import Expr, Symbol, n_operations
+from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
+from freebody.model.question import Question
+from freebody.narrative.context import Context
+from freebody.narrative.script import Item, Listing, Sentence
+from freebody.study.answer import Answer
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+MOST = 4  # cases that are told
+
+
+def limiting_cases(context: Context, question: Question, answer: Answer) -> list[Item]:
+    """The most telling cases of a scalar answer: where it vanishes or grows without bound first, then where it becomes
+    simplest."""
+    if answer.expression is None or isinstance(answer.expression, tuple) or answer.cases:
+        return []
+    try:
+        element = context.setup.model.geometry.apply(answer.expression, _coordinates(context))
+    except (CannotAnswer, ExpressionError, ZeroDivisionError, KeyError):
+        return []
+    if not isinstance(element, Ratio) or element.is_zero():
+        return []
+    element = element.field.lowest_terms(element)
+    told: list[tuple[int, Sentence]] = []
+    plain = n_operations(answer.expression)
+    for case, names in _cases(context, element):
+        limit = case.limit(element)
+        if limit is None or (isinstance(limit, Ratio) and limit == element):
+            continue
+        if not isinstance(limit, Ratio):
+            told.append((1, Sentence(f"limit.{names[0]}_infinite", {"p": names[1], "q": names[2]})))
+            continue
+        shown = tidy(limit.field.lowest_terms(limit))
+        if limit.is_zero():
+            told.append(
+                (0 if names[0] == "equal" else 1, Sentence(f"limit.{names[0]}", {**_named(names), "value": shown}))
+            )
+        elif n_operations(shown) < plain:
+            told.append((2 + n_operations(shown), Sentence(f"limit.{names[0]}", {**_named(names), "value": shown})))
+    ordered = [s for _rank, s in sorted(told, key=lambda pair: pair[0])[:MOST]]
+    return [Listing(tuple(ordered))] if ordered else []
+
+
+def _named(names: tuple[str, Expr, Expr]) -> dict[str, Expr]:
+    return {"p": names[1], "q": names[2]}
+
+
+def _coordinates(context: Context) -> dict[str, Ratio]:
+    from freebody.language.expression import Call, rate_key
+
+    f = context.setup.model.field
+    found: dict[str, Ratio] = {}
+    for index, generator in f.generators.items():
+        if isinstance(generator.display, (Symbol, Call)) and generator.kind in ("coordinate", "speed", "parameter"):
+            try:
+                found[rate_key(generator.display)] = f.variable(index)
+            except ExpressionError:
+                continue
+    return found
+
+
+def _cases(context: Context, element: Ratio) -> Iterator[tuple[Case, tuple[str, Expr, Expr]]]:
+    f, system = element.field, context.system
+    used = f.ingredients(element)
+    present = [p for p in system.parameters.values() if p.form is None and _index(context, p.name) in used]
+    for k, p in enumerate(present):
+        for q in present[k + 1 :]:
+            if p.dimension == q.dimension and p.is_angle == q.is_angle:
+                at = f.variable(_index(context, p.name))
+                yield Case("", _index(context, q.name), at), ("equal", Symbol(p.name), Symbol(q.name))
+    for p in present:
+        index, symbol = _index(context, p.name), Symbol(p.name)
+        if p.dimension in (MASS, INERTIA, DIMENSIONLESS) or p.is_angle:
+            yield Case("", index, f.zero), ("zero", symbol, symbol)
+        if p.is_angle:
+            yield Case("", index, f.pi / 2), ("right_angle", symbol, symbol)
+        elif p.dimension in (MASS, INERTIA, DIMENSIONLESS):
+            yield Case("", index, None), ("grows", symbol, symbol)
+
+
+def _index(context: Context, name: str) -> int:
+    model = context.setup.model
+    return model.field.index(model.parameters[name])

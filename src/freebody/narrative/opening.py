@@ -1,0 +1,117 @@
+"""The beginning of every derivation: the system in words, its symbols, and how freely it moves."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Number, Product, Sum, Symbol, number
+from freebody.language.units import Dimension
+from freebody.measures.geometry import ZERO
+from freebody.model.phrases import phrase_text
+from freebody.narrative.context import Context
+from freebody.narrative.script import Diagram, Legend, Script, Sentence, Sheet, Stage
+from freebody.study.gruebler import gruebler
+
+
+def opening(context: Context) -> list[Stage]:
+    """System, symbols, degrees of freedom."""
+    script = Script(context.glossary, context.next_number)
+    with script.stage("stage.system"):
+        _system(context, script)
+    with script.stage("stage.coordinates"):
+        _symbols(context, script)
+    if context.system.held or not context.system.space:
+        with script.stage("stage.freedoms", "hint.freedoms"):
+            count_freedoms(context, script)
+    context.next_number = script.next_number
+    return script.stages
+
+
+def _system(context: Context, script: Script) -> None:
+    system = context.system
+    script.add(Diagram((), Sentence("figure.system", {"title": system.title})))
+    rows: list[tuple[Sentence | Expr | str, ...]] = []
+    for body in system.moving:
+        inertia: Expr | str = body.inertia if body.turns and not system.space else ""
+        mass: Sentence | Expr = Sentence("system.massless") if body.mass == ZERO else body.mass
+        rows.append((body.name, mass, inertia if inertia != ZERO else ""))
+    header = tuple(Sentence(f"system.table_{name}") for name in ("body", "mass", "inertia"))
+    if rows:
+        script.add(Sheet(header, tuple(rows)))
+    for text in system.assumptions:
+        script.say("system.assumed", text=f"@{text}")
+    script.say("system.rigid")
+    script.say("report.conventions_space" if system.space else "report.conventions")
+
+
+def _symbols(context: Context, script: Script) -> None:
+    """Parameters, named measures, and the coordinates among them."""
+    system = context.system
+    entries: list[tuple[Expr, Sentence, str]] = []
+    for p in system.parameters.values():
+        key = "symbol.function" if p.form is not None else "symbol.parameter"
+        entries.append((Symbol(p.name), Sentence(key), _unit(p.dimension)))
+    given = system.document.data.get("measures") or {}
+    for name, measure in system.measures.items():
+        phrase = phrase_text(given.get(name)) or name
+        entries.append((Symbol(name), Sentence("symbol.measure", {"phrase": phrase}), _unit(measure.dimension)))
+    context.introduced |= {e[0].name for e in entries if isinstance(e[0], Symbol)} | {"t"}
+    hidden = [c for c in _coordinates(context) if c not in context.introduced]
+    for name in hidden:
+        entries.append((Symbol(name), Sentence("symbol.coordinate"), ""))
+        context.introduced.add(name)
+    if entries:
+        script.add(Legend(tuple(entries)))
+
+
+def _coordinates(context: Context) -> list[str]:
+    try:
+        model = context.setup.model
+    except CannotAnswer:
+        return []
+    return [c.name for c in (*model.coordinates, *model.dependent)]
+
+
+def _unit(dimension: Dimension) -> str:
+    text = str(dimension)
+    return "" if text == "1" else text
+
+
+def count_freedoms(context: Context, script: Script) -> int:
+    """The count by bodies and constraints, and what the rank says; returns the degrees of freedom."""
+    found = gruebler(context.system)
+    script.say("freedom.count_space" if found.space else "freedom.count")
+    header = tuple(Sentence(f"system.table_{name}") for name in ("connection", "kind", "between", "constraints"))
+    rows = tuple((c.connection, c.kind, ", ".join(c.between), number(c.n)) for c in found.connections)
+    if rows:
+        script.add(Sheet(header, rows))
+    terms: list[Expr] = []
+    if found.bodies or not found.particles:
+        terms.append(Product((number(found.n), number(len(found.bodies)))))
+    if found.particles:
+        terms.append(Product((number(found.n_point), number(len(found.particles)))))
+    counted: Expr = terms[0] if len(terms) == 1 else Sum(tuple(terms))
+    if found.n_constraints:
+        counted = Sum((*terms, Number(number(-found.n_constraints).value)))
+    script.line(counted, number(found.count), when="never")
+    return _by_rank(context, script, found.count)
+
+
+def _by_rank(context: Context, script: Script, count: int) -> int:
+    try:
+        model = context.setup.model
+    except CannotAnswer:
+        from freebody.study.evidence import rank_freedom
+
+        n = rank_freedom(context.setup)
+        script.say("freedom.rank_only", n=n)
+        return n
+    n = model.degrees_of_freedom
+    if model.redundant and n != count:
+        script.say("freedom.redundant", rows=tuple(model.redundant), n=n)
+    else:
+        script.say("freedom.confirmed")
+    names = tuple(Symbol(c.name) for c in model.coordinates)
+    script.say("freedom.coordinates" if names else "freedom.coordinates_none", names=names)
+    if model.dependent:
+        script.say("freedom.driven", names=tuple(Symbol(c.name) for c in model.dependent))
+    return n
