@@ -9,7 +9,7 @@ from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Expr
 from freebody.model.question import Question
 from freebody.narrative.context import Context
-from freebody.narrative.instant import asked_symbol, names_of
+from freebody.narrative.instant import asked_symbol, side_of
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.script import Listing, Script, Sentence, Sheet, Stage, When
 from freebody.study.answer import Answer
@@ -29,9 +29,9 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Stage]
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
     if answer.expression is not None:
-        name = asked_symbol(context, question)
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
-        sides: tuple[Expr | tuple[Expr, ...], ...] = (names_of(name, n), answer.expression)
+        name = asked_symbol(context, question, n)
+        sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
     if answer.conditions:

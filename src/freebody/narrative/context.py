@@ -8,12 +8,14 @@ from functools import cached_property
 from typing import Literal
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
 from freebody.model.question import Question
 from freebody.narrative.glossary import Glossary
 from freebody.narrative.newton import Newton
 from freebody.narrative.script import Script, Stage
 from freebody.study.answer import Answer
 from freebody.study.setup import Setup
+from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
 
 Method = Literal["auto", "newton", "lagrange", "energy"]
@@ -43,8 +45,15 @@ class Context:
 
     def script(self) -> Script:
         """A derivation of its own, with numbers that go on."""
-        self.newton.begin()
+        if "newton" in self.__dict__:  # not made for a system in space
+            self.newton.begin()
         return Script(self.glossary, self.next_number)
+
+    def symbol(self, *wishes: str) -> Symbol:
+        """The first of some names that means nothing else in this system, as a symbol."""
+        taken = {*self.system.parameters, *self.glossary.measures, "t", "pi", "e"}
+        taken |= {reaction.name for reaction in reaction_symbols(self.system).values()}
+        return Symbol(next((name for name in wishes if name not in taken), f"{wishes[-1]}_1"))
 
 
 Derive = Callable[[Context, Question, Answer, Method], list[Stage]]

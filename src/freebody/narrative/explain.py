@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from freebody.errors import CannotAnswer, InputError, RoutesDisagree
+from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.model.names import did_you_mean
 from freebody.model.question import Question
 from freebody.narrative.closing import closing
@@ -146,7 +146,7 @@ def _attempt(
 ) -> tuple[list[Stage], str]:
     try:
         stages = derive(context, question, answer, method)  # type: ignore[operator]
-    except (CannotAnswer, RoutesDisagree, ZeroDivisionError) as error:
+    except (CannotAnswer, RoutesDisagree, ExpressionError, ZeroDivisionError) as error:
         return [], str(error)
     numbers = [item.number for stage in stages for item in stage.items if hasattr(item, "number")]  # type: ignore[union-attr]
     context.next_number = max([context.next_number - 1, *numbers]) + 1

@@ -13,12 +13,12 @@ from functools import cached_property
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
+from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, differentiate, evaluate, rate_key
 from freebody.measures.base import Measure
 from freebody.model.question import Event, Quantity
 from freebody.narrative.script import Sentence, When
 from freebody.numeric.snapshot import Snapshot
-from freebody.present.report.blocks import Side
+from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
@@ -47,13 +47,20 @@ class World(Mapping[str, Any]):
 
     def of(self, side: Side) -> tuple[float, ...]:
         """The value of a side of a formula; as many numbers as it has components."""
+        if isinstance(side, (Derivative, Difference)):
+            from freebody.narrative.differences import value_of
+
+            return (value_of(side, self),)
         parts = side if isinstance(side, tuple) else (side,)
-        return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)  # type: ignore[arg-type]
+        return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)
 
     def scale(self, sides: Sequence[Any]) -> float:
         """The largest term in some formulas, by which round-off is judged."""
         largest = 0.0
         for side in sides:
+            if isinstance(side, (Derivative, Difference)):
+                largest = max(largest, *(abs(float(self[name])) for name in formulas_in(side) if name in self), 0.0)
+                continue
             for part in side if isinstance(side, tuple) else (side,):
                 for term in part.terms if isinstance(part, Sum) else (part,):
                     largest = max(largest, abs(float(evaluate(term, self, FLOAT_FUNCTIONS))))
@@ -91,12 +98,26 @@ class World(Mapping[str, Any]):
         return found
 
 
+def formulas_in(side: Side) -> set[str]:
+    """The symbols that are differentiated in a side of a formula."""
+    match side:
+        case Difference(first, second):
+            return formulas_in(first) | formulas_in(second)
+        case Derivative(of, _by, _is_partial):
+            return formulas_in(of)
+        case Symbol(name):
+            return {name}
+        case _:
+            return set()
+
+
 class Glossary:
     """The symbols of a derivation."""
 
     def __init__(self, setup: Setup) -> None:
         self.setup = setup
         self.meanings: dict[str, Meaning] = {}
+        self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
         self.event: Event | None = None
 
     def introduce(self, meaning: Meaning) -> Expr:
@@ -128,7 +149,8 @@ class Glossary:
             return float(quantity_value(read, self.setup.system, world.snapshot))
         if name == "t":
             return world.snapshot.t
-        if name in self.setup.system.parameters:
+        parameter = self.setup.system.parameters.get(name)
+        if parameter is not None and parameter.form is None:
             return world.snapshot.scalar(Symbol(name))
         bare = name.replace("rate(", "").replace(")", "")
         if bare in self.measures:

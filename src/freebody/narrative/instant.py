@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Question
+from freebody.model.question import Question, When
 from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.glossary import Meaning, World
+from freebody.narrative.loops import loop_lines
 from freebody.narrative.newton import same_answer
 from freebody.narrative.script import Legend, Script, Sentence, Stage
+from freebody.narrative.state import Parts, parts_of_state
 from freebody.study.answer import Answer
 from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
@@ -23,38 +26,49 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     unknowns = newton.unknowns_in(parts)
     script = context.script()
     found: dict[int, tuple[Ratio, int]] = {}
+    before = Parts(())
     if unknowns and method in ("lagrange", "energy"):
         from freebody.narrative.analytic import by_energy, by_lagrange
 
         found = (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
     elif unknowns:
+        loop_lines(context, script)
         found = newton.write(script, newton.plan(unknowns), unknowns)
     else:
         refuse(method, (), "what follows from the state alone")
-    finish(context, script, question, parts, found)
+        before = parts_of_state(context, script, question)
+    finish(context, script, question, parts, found, before)
     return script.stages
 
 
 def finish(
-    context: Context, script: Script, question: Question, parts: Sequence[Ratio], found: Mapping[int, tuple[Ratio, int]]
+    context: Context,
+    script: Script,
+    question: Question,
+    parts: Sequence[Ratio],
+    found: Mapping[int, tuple[Ratio, int]],
+    before: Parts | None = None,
 ) -> None:
     """From the unknowns to what is asked, at the start where that is meant; ends in the solver's answer."""
     model, setup = context.setup.model, context.setup
     f = model.field
     values = {unknown: value for unknown, (value, _line) in found.items()}
     general = tuple(f.lowest_terms(f.substitute(part, values)) for part in parts)
-    name = asked_symbol(context, question)
-    lines = tuple(line for _value, line in found.values())
+    name = asked_symbol(context, question, len(parts))
+    lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
     last = lines[-1] if lines else 0
     if not is_there:
         with script.stage("stage.value", "hint.value"):
-            script.add(Legend(((name, Sentence("symbol.asked", {"question": question.text}), ""),)))
+            names = (name,) if len(parts) == 1 else names_of(name, len(parts))
+            script.add(Legend(tuple((n, Sentence("symbol.asked", {"question": question.text}), "") for n in names[:1])))
             shown = tuple(map(tidy, general)) if len(general) > 1 else tidy(general[0])
-            sides: list[Expr | tuple[Expr, ...]] = [names_of(name, len(general))]
-            before = tuple(map(tidy, parts)) if len(parts) > 1 else tidy(parts[0])
-            if lines and before != shown:
-                sides.append(before)
+            sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
+            unsolved = tuple(map(tidy, parts)) if len(parts) > 1 else tidy(parts[0])
+            if before is not None and before.total is not None:
+                sides.append(before.total)
+            elif found and unsolved != shown:
+                sides.append(unsolved)
             last = script.line(
                 *sides, shown, why="value.follows" if lines else "value.is", args={"lines": lines}, uses=lines
             )
@@ -64,7 +78,7 @@ def finish(
             here = setup.start_instant
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = tuple(map(tidy, wanted)) if len(wanted) > 1 else tidy(wanted[0])
-            left = names_of(name, len(wanted)) if not is_there else tidy(parts[0])
+            left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
             script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
     _ends_in_answer(context, question, wanted)
 
@@ -80,26 +94,31 @@ def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]
         same_answer(found, wanted)
 
 
-def asked_symbol(context: Context, question: Question) -> Expr:
-    """A symbol for what is asked: the question's id where that is a good name."""
-    from freebody.narrative.glossary import Meaning
-
-    name = question.id if question.id.isidentifier() else "result"
-    while name in context.glossary.measures or name in context.system.parameters:
-        name = f"{name}_asked"
+def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
+    """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
+    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    symbol = context.symbol(own, f"{own}_asked")
     what = Sentence("symbol.asked", {"question": question.text})
-    if name not in context.glossary.meanings:
-        context.glossary.introduce(Meaning(Symbol(name), what, question.quantity))
-    return Symbol(name)
+    quantity, system = question.quantity, context.system
+
+    def part(k: int) -> Callable[[World], float]:
+        return lambda world: float(quantity_value(quantity, system, world.snapshot)[k])
+
+    def time(world: World) -> float:
+        return world.snapshot.t
+
+    if symbol.name not in context.glossary.meanings:
+        context.glossary.introduce(Meaning(symbol, what, time if isinstance(quantity, When) else quantity))
+    for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
+        context.glossary.introduce(Meaning(name, what, part(k)))
+    return symbol
 
 
-def names_of(name: Expr, n: int) -> Expr | tuple[Expr, ...]:
-    """The name of a scalar, or of the components of a vector."""
-    if n == 1:
-        return name
-    assert isinstance(name, Symbol)
+def names_of(name: Symbol, n: int) -> tuple[Symbol, ...]:
+    """The names of the components of a vector."""
     return tuple(Symbol(f"{name.name}_{axis}") for axis in "xyz"[:n])
 
 
-def no_derivation(reason: str) -> CannotAnswer:
-    return CannotAnswer(reason)
+def side_of(name: Symbol, n: int) -> Expr | tuple[Expr, ...]:
+    """The name of a scalar, or of the components of a vector."""
+    return name if n == 1 else names_of(name, n)

@@ -51,12 +51,14 @@ class Newton:
         self.told: dict[Expr, int] = {}  # symbols of motion that have been explained, and the line
         self.constraint_lines: dict[str, int] = {}
         self.introduced: set[str] = set()
+        self.loop_lines: tuple[int, ...] | None = None
 
     def begin(self) -> None:
         """A derivation begins: nothing has been explained in it yet."""
         self.told.clear()
         self.constraint_lines.clear()
         self.introduced.clear()
+        self.loop_lines = None
 
     @cached_property
     def copies(self) -> list[Copies]:
@@ -292,7 +294,7 @@ class Newton:
                 continue
             self._introduce(script, term)
             if self._is_linear(term):
-                uses = self._constraints_of(script, term.body)
+                uses = self.constraints_of(script, term.body)
                 key = "kinematics.differentiated" if uses else "kinematics.seen"
             else:
                 uses = self._positions_of(script, term)
@@ -301,6 +303,28 @@ class Newton:
                 term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
             )
 
+    def explain_velocities(self, script: Script, terms: Sequence[Term]) -> list[int]:
+        """Says what symbols of velocities are in the coordinates."""
+        found: list[int] = []
+        for term in terms:
+            if term.is_plain:
+                continue
+            if term.symbol not in self.told:
+                self._introduce(script, term)
+                constant = self._is_linear(term, order=1)
+                uses = self.constraints_of(script, term.body) if constant else self._positions_of(script, term)
+                key = "kinematics.follows" if constant and uses else "kinematics.once" if uses else "kinematics.seen"
+                self.told[term.symbol] = script.line(
+                    term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
+                )
+            found.append(self.told[term.symbol])
+        return list(dict.fromkeys(found))
+
+    def introduce_terms(self, script: Script, terms: Sequence[Term]) -> None:
+        """Introduces the symbols of some terms."""
+        for term in terms:
+            self._introduce(script, term)
+
     def _introduce(self, script: Script, term: Term) -> None:
         name = str(term.symbol.name) if isinstance(term.symbol, Symbol) else ""
         if name and name not in self.introduced:
@@ -308,16 +332,16 @@ class Newton:
             meaning = self.glossary.meanings[name]
             script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
 
-    def _is_linear(self, term: Term) -> bool:
-        """Whether the symbol is a constant combination of the accelerations of the coordinates."""
-        known = set(self.model.accelerations)
+    def _is_linear(self, term: Term, order: int = 2) -> bool:
+        """Whether the symbol is a constant combination of the accelerations (or speeds) of the coordinates."""
+        known = set(self.model.accelerations) if order == 2 else {c.speed for c in self.model.coordinates}
         slopes = [self.field.partial(term.explicit, a) for a in known]
         rest = term.explicit
         for a, slope in zip(known, slopes, strict=True):
             rest = rest - slope * self.field.variable(a)
         return all(s.is_constant() for s in slopes) and rest.is_constant()
 
-    def _constraints_of(self, script: Script, body: str) -> tuple[int, ...]:
+    def constraints_of(self, script: Script, body: str) -> tuple[int, ...]:
         """The velocity forms of the constraints that lead from a body to the coordinates, each written once."""
         found: list[int] = []
         reached, waiting = {body}, [body]

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 When = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
 ROUND_OFF = 1e-6  # of a line, by the size of its terms
+BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
 FEWEST = 2  # random motions at which a line must have been looked at
 
 
@@ -150,9 +151,8 @@ class Script:
         return number
 
     def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: When) -> None:
-        expressions = [side for side in sides if not isinstance(side, (Derivative, Difference))]
-        if len(expressions) < 2:
-            return
+        expressions = list(sides)
+        room = BY_DIFFERENCES if any(isinstance(s, (Derivative, Difference)) for s in sides) else ROUND_OFF
         n_held, trouble = 0, ""
         for world in self.glossary.worlds(when):
             try:
@@ -164,7 +164,7 @@ class Script:
             n_held += 1
             for k, (left, right) in enumerate(pairwise(known)):
                 for a, b in zip(left, right, strict=True):
-                    if not _agrees(a, b, relations[k], scale):
+                    if not _agrees(a, b, relations[k], scale, room):
                         raise RoutesDisagree(
                             f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}. The derivation is "
                             "not shown. This is a defect of freebody; please report the model"
@@ -176,10 +176,10 @@ class Script:
             )
 
 
-def _agrees(a: float, b: float, relation: Relation, scale: float) -> bool:
+def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:
     if not (math.isfinite(a) and math.isfinite(b)):
         return False
-    room = ROUND_OFF * max(abs(a), abs(b), scale, 1e-9)
+    room = share * max(abs(a), abs(b), scale, 1e-9)
     match relation:
         case "=" | "≈":
             return abs(a - b) <= (room if relation == "=" else 1e-2 * max(abs(a), abs(b), scale))

@@ -1,0 +1,171 @@
+"""A system in which everything that can be forgotten carries a factor: the mass and the inertia of every body, its
+velocity, every load, the terms with velocities, the start speeds, the place of the event.
+
+With all factors 1 it is the system itself. One closed form in these factors answers every question "what would come out
+if ...": a factor 0 leaves a part out, -1 gives it the wrong sign.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Symbol, multiply
+from freebody.measures.geometry import ZERO
+from freebody.model.elements import Push, RigidBody
+from freebody.model.question import Equilibrium, Question, Small, When
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.motion import Motion, StartState, find_equilibrium, small_oscillations
+from freebody.symbolic.state import SymbolicState
+from freebody.system.system import System
+
+Elements = tuple[Ratio, ...]
+_DYNAMICS = (
+    "velocities",
+    "partial_velocities",
+    "body_accelerations",
+    "inertias",
+    "mass_matrix",
+    "forcing",
+    "load_wrenches",
+    "solved_accelerations",
+    "_multipliers",
+)
+
+
+@dataclass(frozen=True)
+class Factor:
+    """What one factor multiplies: "mass" and "inertia" of a body, its "speed" and "turning", a "load", "bias" (terms with
+    velocities), "start" (speeds) or "event" (the value that is reached)."""
+
+    what: str
+    of: str = ""
+
+    @property
+    def symbol(self) -> Symbol:
+        return Symbol(f"@{self.what} {self.of}")
+
+
+class Marked:
+    """The symbolic model of a system in the plane with its factors; those of the velocities only where the bodies need
+    not fit together for what is asked (reactions do not allow for wrong velocities)."""
+
+    def __init__(self, setup: Setup, *, with_speeds: bool = True) -> None:
+        self.setup = setup
+        self.with_speeds = with_speeds
+        self.factors: dict[Factor, int] = {}  # with their generators
+        self._names: dict[str, Ratio] = {}
+        model = setup.model
+        self.model: SymbolicModel = copy.copy(model)
+        for name in _DYNAMICS:
+            self.model.__dict__.pop(name, None)
+        self.model.assumed = list(model.assumed)
+        self.bias = self._factor("bias")
+        self.start = self._factor("start")
+        self.event = self._factor("event")
+        system = model.system
+        bodies = {name: body if body.fixed else self._body(body) for name, body in system.bodies.items()}
+        pushes = tuple(self._push(p) for p in system.pushes)
+        self.system: System = replace(system, bodies=bodies, pushes=pushes)
+        self.model.system = self.system
+        self.model.geometry = copy.copy(model.geometry)
+        self.model.geometry.names = {**model.geometry.names, **self._names}
+        self.model.velocities = {name: self._velocity(name, v) for name, v in model.velocities.items()}
+        self.model.body_accelerations = {name: self._accelerations(name) for name in model.velocities}
+
+    def _factor(self, what: str, of: str = "") -> Ratio:
+        factor = Factor(what, of)
+        field = self.setup.model.field
+        made = field.generator(
+            Generator(factor.symbol, "parameter", compute=lambda _values, _functions: 1.0), key=("factor", factor)
+        )
+        self.factors[factor] = field.index(made)
+        self._names[factor.symbol.name] = made
+        return made
+
+    def _body(self, body: RigidBody) -> RigidBody:
+        if self.with_speeds:
+            self._factor("speed", body.name)
+            self._factor("turning", body.name)
+        mass, inertia = body.mass, body.inertia
+        if mass != ZERO:
+            mass = self._times("mass", body.name, mass)
+        if inertia != ZERO and body.turns:
+            inertia = self._times("inertia", body.name, inertia)
+        return replace(body, mass=mass, inertia=inertia)
+
+    def _push(self, push: Push) -> Push:
+        general = None if push.general is None else self._times("load", push.name, push.general)
+        return replace(push, law=self._times("load", push.name, push.law), general=general)
+
+    def _times(self, what: str, of: str, expr: Expr) -> Expr:
+        self._factor(what, of)
+        return multiply(Factor(what, of).symbol, expr)
+
+    def _velocity(self, body: str, v: Elements) -> Elements:
+        if not self.with_speeds:
+            return v
+        speed, turning = self._names[f"@speed {body}"], self._names[f"@turning {body}"]
+        return v[0] * speed, v[1] * speed, v[2] * turning
+
+    def _accelerations(self, body: str) -> Elements:
+        """With the factor of the terms without accelerations."""
+        model = self.model
+        still = dict.fromkeys(model.accelerations, model.field.zero)
+        found: list[Ratio] = []
+        for v in model.velocities[body]:
+            a = model.rate(v)
+            bias = model.field.substitute(a, still)
+            found.append(a if bias.is_zero() else a - bias + self.bias * bias)
+        return tuple(found)
+
+    # -- closed forms -------------------------------------------------------------------------
+    def closed_form(self, question: Question) -> tuple[Elements, bool]:
+        """The answer in the factors, and whether it was integrated from a constant acceleration. Raises CannotAnswer
+        where there is no closed form."""
+        model, q = self.model, question.quantity
+        start = StartState(self._started())
+        is_uniform = False
+        if question.event is not None:
+            value = multiply(Factor("event").symbol, question.event.value)
+            reached = Motion(model, start).reach(replace(question.event, value=value))
+            k = model.coordinates.index(reached.coordinate)
+            is_uniform = model.solved_accelerations[model.accelerations[k]].is_constant()
+            if isinstance(q, When):
+                if reached.time is None:
+                    raise CannotAnswer(reached.why_no_time)
+                return (self._plain(reached.time),), is_uniform
+            values = {reached.coordinate.index: reached.at}
+            if reached.speed is not None:
+                values[reached.coordinate.speed] = reached.speed
+            if reached.time is not None:
+                values[model.field.index(model.field.time)] = reached.time
+            return self._value(question, SymbolicState(model, values)), is_uniform
+        if isinstance(q, Small):
+            squares = small_oscillations(model, start).squares
+            roots = [model.field.sqrt(s, model.is_negative) for s in squares]
+            if q.what == "period":
+                return (self._plain(2 * model.field.pi / roots[0]),), False
+            return tuple(map(self._plain, roots)), False
+        if isinstance(q, Equilibrium):
+            values, _notes = find_equilibrium(model, start, stable_first=False)
+            return (self._plain(SymbolicState(model, values).value(q.measure)),), False
+        state = SymbolicState(model, start.values) if question.at_start else SymbolicState(model)
+        return self._value(question, state), False
+
+    def _started(self) -> dict[int, Ratio]:
+        speeds = {c.speed for c in self.model.coordinates}
+        return {k: self.start * x if k in speeds else x for k, x in self.setup.start.values.items()}
+
+    def _value(self, question: Question, state: SymbolicState) -> Elements:
+        value = quantity_value(question.quantity, self.system, state)
+        return tuple(map(self._plain, value if isinstance(value, tuple) else (value,)))
+
+    def _plain(self, x: Ratio | int) -> Ratio:
+        f = self.model.field
+        return f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
+

@@ -1,0 +1,148 @@
+"""Instants of a motion in phases, by the numeric route: where the lines of its derivation are looked at.
+
+The modes are integrated one after the other (`study/phases/witness.py`) at some of the parameter sets that take the same
+way. Lines about the motion of a phase have to hold at instants within it, at its start and at the event that ends it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.model.question import Event
+from freebody.narrative.glossary import Glossary, World
+from freebody.narrative.script import When
+from freebody.numeric.snapshot import Snapshot
+from freebody.study.draws import Draw
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.pieces import Piece
+from freebody.study.phases.tree import Tree
+from freebody.study.phases.witness import MAX_TIME, Seen, follow
+
+N_MOTIONS = 3
+TIMES = (0.37, 0.71)  # of the duration of a phase
+_LONGEST = 400.0
+_OPEN_END = 0.7  # [s] that are looked at of a phase that nothing ends
+
+
+@dataclass(frozen=True)
+class Run:
+    """One parameter set that takes the way: its number, and the phases in numbers."""
+
+    k: int
+    seen: tuple[Seen, ...]
+
+    def begin(self, phase: int) -> float:
+        """When a phase begins."""
+        return self.seen[phase - 1].time if phase else 0.0
+
+
+class CourseWorld(World):
+    """An instant of a run, within one of its phases."""
+
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, run: Run, phase: int) -> None:
+        super().__init__(glossary, draw, snapshot)
+        self.run = run
+        self.phase = phase
+
+    @property
+    def since(self) -> float:
+        """The time since the phase began."""
+        return self.snapshot.t - self.run.begin(self.phase)
+
+
+class Runs:
+    """The runs of a piece of an answer."""
+
+    def __init__(self, tree: Tree, piece: Piece, event: Event | None) -> None:
+        self.tree = tree
+        self.piece = piece
+        self.event = event
+
+    @cached_property
+    def found(self) -> list[Run]:
+        """Raises CannotAnswer where the motion cannot be followed in numbers."""
+        runs: list[Run] = []
+        for k in self.piece.sets:
+            if len(runs) >= N_MOTIONS:
+                break
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                seen = self._seen(int(k))
+                if seen is not None:
+                    runs.append(Run(int(k), tuple(seen)))
+        if len(runs) < 2:
+            raise CannotAnswer("the motion could be followed in numbers at too few parameter sets to check its lines")
+        return runs
+
+    def _seen(self, k: int) -> Sequence[Seen] | None:
+        tree, piece = self.tree, self.piece
+        end = MAX_TIME
+        if piece.time is not None:
+            time = float(tree.numbers(piece.time)[k])
+            if not 0.0 < time < _LONGEST:
+                return None
+            end = 1.5 * time
+        until = [end] * len(piece.nodes) if piece.first is not None else [_OPEN_END]
+        found = follow(tree.system, [n.phase for n in piece.nodes], tree.sets.one(k), until, self.event)
+        expected = piece.first
+        if expected is None:
+            return found
+        met = [other[:2] for other in found[-1].together]
+        return found if (expected.watch.kind, expected.watch.name) in met else None
+
+
+class CourseGlossary(Glossary):
+    """The symbols of one phase on its way. Lines are looked at within the phase ("always"), where it begins ("start")
+    and where it ends ("event")."""
+
+    def __init__(self, phase: Phase, runs: Runs, place: int) -> None:
+        super().__init__(phase.setup)
+        self.runs = runs
+        self.place = place
+
+    def worlds(self, when: When) -> Iterator[World]:
+        match when:
+            case "start":
+                yield from self._begins
+            case "event":
+                yield from self._ends
+            case _:
+                yield from self._within
+
+    @cached_property
+    def _begins(self) -> list[World]:
+        return [self._world(run, self._begin(run)) for run in self.runs.found]
+
+    @cached_property
+    def _ends(self) -> list[World]:
+        return [self._world(run, run.seen[self.place].snapshot()) for run in self.runs.found]
+
+    @cached_property
+    def _within(self) -> list[World]:
+        found: list[World] = []
+        for run in self.runs.found:
+            seen = run.seen[self.place]
+            begin, q, v = run.begin(self.place), *self._state(run)
+            for share in TIMES:
+                time = begin + share * (seen.time - begin)
+                found.append(self._world(run, seen.mode.run(q, v, begin, time).snapshot()))
+        return found
+
+    def _state(self, run: Run) -> tuple[object, object]:
+        """Where a phase begins."""
+        if self.place:
+            before = run.seen[self.place - 1]
+            return before.q, before.v
+        return run.seen[0].mode.start()
+
+    def _begin(self, run: Run) -> Snapshot:
+        q, v = self._state(run)
+        return run.seen[self.place].mode.snapshot(q, v, run.begin(self.place))  # type: ignore[arg-type]
+
+    def _world(self, run: Run, snapshot: Snapshot) -> World:
+        mode = run.seen[self.place].mode
+        draw = Draw(mode.values, snapshot.reference, mode.start()[0])
+        return CourseWorld(self, draw, snapshot, run, self.place)
