@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
+    from freebody.narrative.explain import Explanation
+    from freebody.present.picture.picture import Picture
     from freebody.study.eom import Equations
     from freebody.study.equilibrium import Equilibria
     from freebody.study.friction.report import Statics
@@ -31,6 +33,14 @@ class System(Description):
         from freebody.study.solve import solve
 
         return solve(self, question)
+
+    def explain(
+        self, question: str | None = None, *, method: str = "auto", compare: str | None = None, language: str = "en"
+    ) -> Explanation:
+        """The worked solutions of its questions, or of one; see `freebody.narrative.explain.explain`."""
+        from freebody.narrative.explain import explain
+
+        return explain(self, question, method=method, compare=compare, language=language)
 
     def equations_of_motion(self) -> Equations:
         """Equations of motion, mass matrix and constraint equations."""
@@ -69,15 +79,30 @@ class System(Description):
         self,
         path: str | Path,
         *,
+        at: float | None = None,
+        show: Sequence[str] = (),
+        free: Sequence[str] = (),
         view: tuple[float, float] = (30.0, 20.0),
         perspective: bool = False,
         dark: bool = False,
     ) -> Path:
-        """Draws the system at its start into a file: .svg, .png or .pdf. view: in space, azimuth and elevation
-        [deg]."""
+        """Draws the system into a file: .svg, .png, .pdf or .tex; at its start or at a time [s], the whole or
+        bodies cut `free`; see `freebody.study.picture.draw`. view: in space, azimuth and elevation [deg]."""
         from freebody.study.picture import draw
 
-        return draw(self, path, view=view, perspective=perspective, dark=dark)
+        return draw(self, path, at=at, show=show, free=free, view=view, perspective=perspective, dark=dark)
+
+    def picture(self, *, at: float | None = None, show: Sequence[str] = (), **view: Any) -> Picture:
+        """The system as a picture with `svg()`, `tikz()`, `png()`; see `freebody.study.picture.picture`."""
+        from freebody.study.picture import picture
+
+        return picture(self, at=at, show=show, **view)
+
+    def free_body(self, *bodies: str, at: float | None = None, **options: Any) -> Picture:
+        """Bodies cut free with all that acts on them; see `freebody.study.picture.free_body`."""
+        from freebody.study.picture import free_body
+
+        return free_body(self, bodies, at=at, **options)
 
     def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
         """Its equilibria, from guesses of named measures or from a tour of its poses, with their stability."""

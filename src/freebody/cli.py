@@ -59,6 +59,45 @@ def solve(
 
 
 @app.command()
+def explain(
+    file: ModelFile,
+    out: Annotated[
+        Path | None,
+        typer.Option("-o", "--out", help="Write a report: .html, .md, .tex, .pdf, .ipynb or .txt."),
+    ] = None,
+    question: Annotated[
+        str | None, typer.Option("--find", help="Only this question: its id in the file, or one in words.")
+    ] = None,
+    method: Annotated[str, typer.Option("--method", help="auto, newton, lagrange or energy.")] = "auto",
+    compare: Annotated[
+        str | None, typer.Option("--compare", metavar="METHOD", help="A second method beside the first.")
+    ] = None,
+    language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+) -> None:
+    """Derive the answers step by step, with pictures."""
+    from importlib import import_module
+
+    from freebody.narrative.explain import explain as explain_system
+    from freebody.present.report.write import check_report_path
+    from freebody.present.simulation import told_compiling
+    from freebody.system.system import System
+
+    if out is not None:
+        check_report_path(out)
+    system = System.load(file)
+    with told_compiling(space=system.space):
+        import_module("freebody.study.witness")  # what every step is checked with
+    found = explain_system(system, question, method=method, compare=compare, language=language)
+    if out is None:
+        print(found.to_text())
+    else:
+        for path in found.write(out):
+            print(f"wrote {path}")
+    if not found.is_complete:
+        raise typer.Exit(1)
+
+
+@app.command()
 def eom(
     file: ModelFile,
     as_json: Json = False,
@@ -222,15 +261,33 @@ def _seconds(text: str, option: str) -> float:
 @app.command()
 def draw(
     file: ModelFile,
-    out: Annotated[Path, typer.Option("-o", "--out", help="The picture to write: .svg, .png or .pdf.")],
+    out: Annotated[
+        Path, typer.Option("-o", "--out", help="The picture to write: .svg, .png, .pdf, or .tex with a tikzpicture.")
+    ],
+    free_body: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--free-body",
+            metavar="BODY",
+            help="Cut this body free, with all that acts on it; several for a part of the system.",
+        ),
+    ] = None,
+    at: Annotated[str | None, typer.Option("--at", help="In motion at this time, as 2.5 or 200 ms.")] = None,
+    show: Annotated[
+        list[str] | None,
+        typer.Option("--show", help="velocity, acceleration, force, instant-centres (repeatable, or with commas)."),
+    ] = None,
     view: Annotated[
         str, typer.Option("--view", help="In space: azimuth and elevation from which one looks, in degrees.")
     ] = "30,20",
     perspective: Annotated[bool, typer.Option("--perspective", help="In space: far things are smaller.")] = False,
     dark: Annotated[bool, typer.Option("--dark", help="For a dark page.")] = False,
 ) -> None:
-    """Draw a model at its start."""
+    """Draw a model at its start or in motion, or bodies of it cut free."""
+    from contextlib import nullcontext
+
     from freebody.errors import InputError
+    from freebody.present.simulation import told_compiling
     from freebody.study.picture import draw as draw_system
     from freebody.system.system import System
 
@@ -238,8 +295,24 @@ def draw(
         azimuth, elevation = map(float, view.split(","))
     except ValueError:
         raise InputError(f"--view {view}: give azimuth and elevation in degrees, e.g. --view 30,20") from None
-    written = draw_system(System.load(file), out, view=(azimuth, elevation), perspective=perspective, dark=dark)
+    system = System.load(file)
+    with told_compiling(space=system.space) if at or show else nullcontext():
+        written = draw_system(
+            system,
+            out,
+            at=None if at is None else _seconds(at, "--at"),
+            show=_listed(show),
+            free=_listed(free_body),
+            view=(azimuth, elevation),
+            perspective=perspective,
+            dark=dark,
+        )
     print(f"wrote {written}")
+
+
+def _listed(texts: list[str] | None) -> list[str]:
+    """Words that were given one by one, or with commas between them."""
+    return [word.strip() for text in texts or () for word in text.split(",") if word.strip()]
 
 
 @app.command()

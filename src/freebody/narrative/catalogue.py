@@ -20,6 +20,7 @@ from freebody.narrative.script import Argument, Sentence
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
 
 _REFERENCES = ("line", "lines", "given")
+_KEY = re.compile(r"(reaction|axis|kind)\.[a-z ]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _EXPRESSIONS = (Number, Symbol, Sum, Product, Power, Call)
 
@@ -60,8 +61,7 @@ class Catalogue:
     def tell(self, sentence: Sentence) -> Text:
         """A sentence as text with formulas in it."""
         key = sentence.key
-        lists = [v for v in sentence.args.values() if isinstance(v, tuple)]
-        if lists and len(lists[0]) == 1 and self.has(f"{key}_one"):
+        if _is_single(sentence) and self.has(f"{key}_one"):
             key += "_one"
         pieces: list[Piece] = []
         template, end = self.template(key), 0
@@ -70,7 +70,10 @@ class Catalogue:
             pieces += self._filled(found[1], sentence.args.get(found[1], ""))
             end = found.end()
         pieces.append(template[end:])
-        return tuple(p for p in pieces if p != "")
+        kept = [p for p in pieces if p != ""]
+        if template.startswith("{") and template.endswith(".") and kept and isinstance(kept[0], str):
+            kept[0] = kept[0][:1].upper() + kept[0][1:]
+        return tuple(kept)
 
     def plain(self, sentence: Sentence) -> str:
         """A sentence as plain words, for titles and labels."""
@@ -90,6 +93,11 @@ class Catalogue:
                     words.append(f"({number})")
         return "".join(words)
 
+    def short(self, sentence: Sentence) -> str:
+        """A point or direction as a label has it."""
+        key = f"{sentence.key}_short"
+        return self.plain(Sentence(key, sentence.args) if self.has(key) else sentence)
+
     def word(self, key: str) -> str:
         return self.template(key)
 
@@ -103,8 +111,15 @@ class Catalogue:
         if isinstance(value, int):
             return [Reference(value)] if name in _REFERENCES else [str(value)]
         if isinstance(value, str) and value.startswith("@"):
-            return [self._words.get(value[1:]) or self._english.get(value[1:], value[1:].rpartition(".")[2])]
+            return [self._worded(value[1:])]
         return [Emphasis(str(value), "code")] if value else []
+
+    def _worded(self, text: str) -> str:
+        """A word of the catalogue; a key that it lacks says its last part; anything else says itself."""
+        found = self._words.get(text) or self._english.get(text)
+        if found is None and _KEY.fullmatch(text):
+            return text.partition(".")[2]
+        return text if found is None else found
 
     def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
         """a, b and c"""
@@ -114,6 +129,14 @@ class Catalogue:
                 pieces.append(self.word("list.and") if k == len(parts) - 1 else ", ")
             pieces += part
         return pieces
+
+
+def _is_single(sentence: Sentence) -> bool:
+    """Whether a sentence names one thing where it could name several."""
+    if sentence.args.get("n") == 1:
+        return True
+    lists = [v for v in sentence.args.values() if isinstance(v, tuple)]
+    return bool(lists) and len(lists[0]) == 1
 
 
 @cache

@@ -11,7 +11,9 @@ from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.instant import asked_symbol, side_of
 from freebody.narrative.limits import limiting_cases
+from freebody.narrative.mistakes import found_mistakes
 from freebody.narrative.script import Listing, Script, Sentence, Sheet, Stage, When
+from freebody.narrative.telling import raised
 from freebody.study.answer import Answer
 
 
@@ -22,7 +24,7 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Stage]
         _result(context, script, question, answer)
     if answer.options:
         with script.stage("stage.options", "hint.options"):
-            _options(script, answer)
+            _options(context, script, question, answer)
     context.next_number = script.next_number
     return script.stages
 
@@ -38,11 +40,11 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.holds", conditions=tuple(f"@{c}" for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):
-        script.say("result.unit", unit=f"@{answer.unit}")
+        script.say("result.unit", unit=f"@{raised(answer.unit)}")
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
-        unit = "" if answer.unit == "1" else f" {answer.unit}"
+        unit = "" if answer.unit == "1" else f" {raised(answer.unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": f"@{note}"}) for note in answer.notes)))
@@ -54,9 +56,16 @@ def _when(question: Question) -> When:
     return "start" if question.at_start else "always"
 
 
-def _options(script: Script, answer: Answer) -> None:
+def _options(context: Context, script: Script, question: Question, answer: Answer) -> None:
     header = (Sentence("options.letter"), Sentence("options.verdict"), Sentence("options.reason"))
-    rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), v.reason) for k, v in answer.options.items())
+    mistakes = found_mistakes(context, question, answer)
+
+    def reason(letter: str, told: str) -> Sentence | str:
+        if letter not in mistakes:
+            return told
+        return Sentence("options.reason_and_mistake", {"reason": f"@{told}", "mistake": mistakes[letter]})
+
+    rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), reason(k, v.reason)) for k, v in answer.options.items())
     marks = tuple("right" if v.verdict == "right" else "wrong" for v in answer.options.values())
     script.add(Sheet(header, rows, marks))
     for note in answer.author_notes:

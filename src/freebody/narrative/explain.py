@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -61,15 +61,15 @@ class Explanation:
 
     def to_html(self) -> str:
         """A page of its own, without any network."""
-        from freebody.present.report.html import to_html
+        from freebody.present.report.html import html_page
 
-        return to_html(self.report)
+        return html_page(self.report)
 
     def to_text(self, width: int = 100) -> str:
         """For a terminal."""
-        from freebody.present.report.terminal import to_text
+        from freebody.present.report.terminal import terminal_text
 
-        return to_text(self.report, width)
+        return terminal_text(self.report, width)
 
     def write(self, path: str | Path) -> list[Path]:
         """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
@@ -111,7 +111,7 @@ def explain(
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
-    solution = solve(system) if question is None else solve(system, asked[0].text)
+    solution = solve(system if question is None else replace(system, questions=asked))
     context = Context(system)
     first = tuple(opening(context))
     answers = {a.question: a for a in solution.answers}

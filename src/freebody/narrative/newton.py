@@ -170,6 +170,7 @@ class Newton:
             self._say_of_moving_point(script, p)
         left, terms = self._momentum(p)
         right, rest, reactions = self._forces(p)
+        self.introduce_terms(script, terms)
         label = Sentence(f"label.{p.kind}{'_clockwise' if p.is_clockwise else ''}", self._where(p))
         number = script.line(left, right, why="", label=label)
         return Written(p, number, terms, rest, reactions)

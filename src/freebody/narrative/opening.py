@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Number, Product, Sum, Symbol, number
+from freebody.language.expression import Expr, Sum, Symbol, number
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
 from freebody.model.phrases import phrase_text
 from freebody.narrative.context import Context
 from freebody.narrative.script import Diagram, Legend, Script, Sentence, Sheet, Stage
-from freebody.study.gruebler import gruebler
+from freebody.study.gruebler import Gruebler, gruebler
 
 
 def opening(context: Context) -> list[Stage]:
@@ -84,16 +84,18 @@ def count_freedoms(context: Context, script: Script) -> int:
     rows = tuple((c.connection, c.kind, ", ".join(c.between), number(c.n)) for c in found.connections)
     if rows:
         script.add(Sheet(header, rows))
-    terms: list[Expr] = []
-    if found.bodies or not found.particles:
-        terms.append(Product((number(found.n), number(len(found.bodies)))))
-    if found.particles:
-        terms.append(Product((number(found.n_point), number(len(found.particles)))))
-    counted: Expr = terms[0] if len(terms) == 1 else Sum(tuple(terms))
-    if found.n_constraints:
-        counted = Sum((*terms, Number(number(-found.n_constraints).value)))
-    script.line(counted, number(found.count), when="never")
+    count_line(script, found)
     return _by_rank(context, script, found.count)
+
+
+def count_line(script: Script, found: Gruebler) -> int:
+    """Freedoms of the bodies, minus what the rows take away, as a line."""
+    script.say("freedom.formula", formula=f"@{found.formula.replace('*', '·')}")
+    terms = [number(found.n * len(found.bodies))] if found.bodies or not found.particles else []
+    terms += [number(found.n_point * len(found.particles))] if found.particles else []
+    terms += [number(-found.n_constraints)] if found.n_constraints else []
+    counted: Expr = terms[0] if len(terms) == 1 else Sum(tuple(terms))
+    return script.line(counted, number(found.count), when="never")
 
 
 def _by_rank(context: Context, script: Script, count: int) -> int:

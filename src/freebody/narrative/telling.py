@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 
 from freebody.narrative.catalogue import Catalogue
@@ -21,6 +22,7 @@ from freebody.present.report.blocks import (
     Text,
 )
 
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 Draw = Callable[[tuple[str, ...]], Picture | None]
 
 
@@ -89,9 +91,14 @@ class Telling:
         return (Formula((cell,)),)  # type: ignore[arg-type]
 
     def _equation(self, line: Line) -> Equation:
-        label = "" if line.label is None else self.catalogue.plain(line.label) + ":"
+        label = "" if line.label is None else self._label(line.label)
         formula = Formula(line.sides, line.relations, line.unit)
         return Equation(formula, line.number, label)
+
+    def _label(self, label: Sentence) -> str:
+        """What stands before an equation, with points and directions in their short form."""
+        args = {k: f"@{self.catalogue.short(v)}" if isinstance(v, Sentence) else v for k, v in label.args.items()}
+        return self.catalogue.plain(Sentence(label.key, args)) + ":"
 
     def _figure(self, diagram: Diagram) -> list[Figure]:
         picture = self.draw(diagram.bodies)
@@ -113,4 +120,9 @@ def _joined(words: Sequence[Text]) -> Text:
 
 
 def _unit(unit: str) -> Text:
-    return (f" [{unit}]",) if unit else ()
+    return (f" [{raised(unit)}]",) if unit else ()
+
+
+def raised(unit: str) -> str:
+    """kg m^2/s^2 with its exponents raised."""
+    return re.sub(r"\^(-?\d+)", lambda found: found[1].translate(_RAISED), unit)

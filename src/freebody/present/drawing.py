@@ -40,10 +40,19 @@ class Drawing:
     contacts: ContactTrack | None = None  # with as many times as the poses
 
     @classmethod
-    def of(cls, scene: Scene, poses: Array, contacts: ContactTrack | None = None) -> Drawing:
+    def of(
+        cls,
+        scene: Scene,
+        poses: Array,
+        contacts: ContactTrack | None = None,
+        *,
+        symbol: float | None = None,
+        least: tuple[float, float] = (0.0, 0.0),
+    ) -> Drawing:
         """The drawing of a scene on its way through poses (n_times, n_bodies, 3) [m, m, rad], with marks where bodies
-        touch if these are given."""
-        layout = Layout.of(scene, np.asarray(poses, dtype=np.float64))
+        touch if these are given. symbol: [m] the size of symbols, by that of the picture if nothing is said; least: [m]
+        width and height that the picture has at least."""
+        layout = Layout.of(scene, np.asarray(poses, dtype=np.float64), symbol)
         tracks = [headings(rope, layout.poses) for rope in layout.ropes]
         every = np.concatenate(tracks, axis=1) if tracks else np.zeros((len(poses), 0))
         low, high = bounds(scene, layout.poses)
@@ -52,11 +61,11 @@ class Drawing:
         drawing.strokes.extend(Halts(scene, layout).strokes())
         drawing.strokes.extend(pen.strokes())
         drawing.labels.extend(pen.labels())
-        drawing._frame()
+        drawing._frame(least)
         drawing.strokes[:0] = surfaces.strokes(drawing.low, drawing.high)
         return drawing
 
-    def _frame(self) -> None:
+    def _frame(self, least: tuple[float, float]) -> None:
         """Sets the corners round all strokes so far."""
         seen = [self.points(stroke, k) for stroke in self.strokes for k in self.key_frames()]
         corners = np.concatenate([*seen, self.low[None], self.high[None]])
@@ -64,7 +73,7 @@ class Drawing:
         margin = 3 * self.symbol
         wide, tall = high - low + 2 * margin
         middle = (low + high) / 2
-        half = np.array((max(wide, _NARROWEST * tall), max(tall, _LOWEST * wide))) / 2
+        half = np.array((max(wide, _NARROWEST * tall, least[0]), max(tall, _LOWEST * wide, least[1]))) / 2
         self.low[:], self.high[:] = middle - half, middle + half
 
     def key_frames(self) -> Sequence[int]:

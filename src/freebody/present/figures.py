@@ -103,6 +103,7 @@ class Contact:
     first: Place
     second: Place
     radii: Pair
+    is_toothed: bool = False  # gears, whose pitch circles these are, or a belt
 
     def touches(self, distance: float) -> bool:
         return abs(distance - abs(sum(self.radii))) < 0.01 * max(map(abs, self.radii))

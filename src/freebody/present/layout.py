@@ -29,6 +29,7 @@ from freebody.present.figures import (
 from freebody.present.scene import Scene
 
 _TO_SYMBOL = 0.02  # size of symbols by that of the picture
+_APART = 14.0  # bodies on one rail, in sizes of symbols
 _SHORTEST = 5.0  # a lead, in sizes of symbols
 _FARTHEST = 5.0  # a surface is in the picture that comes this near to what may touch it, in sizes of what moves
 
@@ -43,26 +44,28 @@ class Layout:
     moved: tuple[str, ...]  # names of the bodies that are not drawn where they are
 
     @classmethod
-    def of(cls, scene: Scene, poses: Array) -> Layout:
-        """Puts the bodies of a scene where their strings lead them."""
-        settling = _Settling(scene, poses)
+    def of(cls, scene: Scene, poses: Array, symbol: float | None = None) -> Layout:
+        """Puts the bodies of a scene where their strings lead them. symbol: [m] the size of symbols, by that of the
+        picture if nothing is said."""
+        settling = _Settling(scene, poses, symbol)
         for _ in scene.joints.ropes:
             settling.hang()
         settling.mesh()
+        settling.spread()
         moved = tuple(n for n, s in zip(scene.names, settling.shifts, strict=True) if np.abs(s).max() > 1e-9)
-        return cls(settling.poses, tuple(settling.ropes), _symbol(scene, settling.poses), moved)
+        return cls(settling.poses, tuple(settling.ropes), symbol or _symbol(scene, settling.poses), moved)
 
 
 class _Settling:
     """Poses that are being shifted, and which bodies have their places already."""
 
-    def __init__(self, scene: Scene, poses: Array) -> None:
+    def __init__(self, scene: Scene, poses: Array, symbol: float | None = None) -> None:
         self.scene = scene
         self.poses = poses.copy()
         self.shifts = np.zeros((len(scene.names), 2))
         self.group = _groups(scene)
         self.ropes = [*scene.joints.ropes, *_belts(scene, poses)]
-        self.shortest = _SHORTEST * _symbol(scene, poses)
+        self.shortest = _SHORTEST * (symbol or _symbol(scene, poses))
         self.settled = {self.group[k] for k in range(len(scene.names)) if not self._is_free(self.group[k])}
 
     def _is_free(self, group: int) -> bool:
@@ -106,8 +109,13 @@ class _Settling:
         e = np.array([heading.x, heading.y])
         n = np.array([-heading.y, heading.x])
         lead = positions(self.poses, b.place) - positions(self.poses, a.place) - (b.arm - a.arm) * n
-        wanted = max(self.shortest, 1.5 * max(abs(a.arm), abs(b.arm)))
+        wanted = max(self.shortest, 1.5 * max(abs(a.arm), abs(b.arm)), 1.25 * (self._reach(a) + self._reach(b)))
         return (wanted - float((lead @ e).min())) * e - float((lead @ n)[0]) * n
+
+    def _reach(self, node: Node) -> float:
+        """[m] the radius of the round body in whose middle a string ends, or round which it runs."""
+        figures = (f for f in self.scene.figures if f.center == node.place and f.turn != GROUND)
+        return max((f.radius or 0.0 for f in figures), default=0.0)
 
     def _move(self, node: Node, shift: Array, heading: Heading) -> None:
         group = self.group[node.place.body]
@@ -152,6 +160,25 @@ class _Settling:
             self.shifts[members] += gap * n
             self.poses[:, members, :2] += gap * n
             self.settled.add(self.group[rack])
+
+
+    # -- bodies on one rail -------------------------------------------------------------------
+    def spread(self) -> None:
+        """Moves bodies apart along their rail that only it places, and that begin in one point."""
+        rails = {g.point.body: g.along for g in self.scene.joints.guides if g.along.body == GROUND and not g.turns}
+        free = [k for k in rails if k != GROUND and self.group[k] not in self.settled]
+        span = float(np.ptp(self.poses[:, free, :2], axis=0).max(initial=0.0)) if free else 0.0
+        step = max(_APART * self.shortest / _SHORTEST, span)
+        taken: list[tuple[Array, int]] = []
+        for k in free:
+            place = self.poses[0, k, :2].copy()
+            n = sum(np.hypot(*(place - other)) < 1e-9 + 0.01 * step for other, _k in taken)
+            taken.append((place, k))
+            if n:
+                shift = n * step * np.array(rails[k][1:])
+                members = [j for j, group in enumerate(self.group) if group == self.group[k]]
+                self.shifts[members] += shift
+                self.poses[:, members, :2] += shift
 
 
 def _groups(scene: Scene) -> list[int]:

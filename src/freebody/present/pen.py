@@ -198,11 +198,26 @@ class Pen:
         if figure.is_hollow:
             yield from self._ring(figure, rim, fill, edge)
         else:
-            yield Path(place, turn, circle(rim, 24), fill, True, color)
+            pitch = self._is_pitch(figure, figure.radius or 0.0) and turn != GROUND
+            yield Path(place, turn, circle(rim, 24), "gear" if pitch else fill, True, color)
+            if pitch:
+                yield Path(place, turn, circle(rim, 24), "pitch circle", True, color)
             if turn != GROUND:
                 yield Path(place, turn, np.array([(0.0, 0.0), (rim, 0.0)]), "spoke", False, color)
         for hub in figure.hubs:
-            yield Path(place, turn, circle(hub, 24), edge, True, color)
+            style = "pitch circle" if self._is_pitch(figure, hub) and turn != GROUND else edge
+            yield Path(place, turn, circle(hub, 24), style, True, color)
+
+    def _is_pitch(self, figure: Figure, radius: float) -> bool:
+        """Whether a circle is the pitch circle of a gear."""
+        for contact in self.joints.contacts:
+            apart = positions(self.poses, contact.second)[0] - positions(self.poses, contact.first)[0]
+            if not (contact.is_toothed and contact.touches(float(np.hypot(*apart)))):
+                continue
+            ends = zip((contact.first, contact.second), contact.radii, strict=True)
+            if any(place == figure.center and abs(abs(arm) - radius) < 1e-9 * radius for place, arm in ends):
+                return True
+        return False
 
     def _ring(self, figure: Figure, rim: float, fill: str, edge: str) -> Iterator[Path]:
         """A wall on the side of the rim that nothing touches, and a mark on it; hatching round a fixed ring."""

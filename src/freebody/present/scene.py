@@ -83,7 +83,8 @@ class _Reader:
             found.hanging.update(self.index[m.of.body] for m in sideways if m.of.body in self.index)
             return
         rolls = [self._rolling(m) for _row, m in rest if isinstance(m, Combination)]
-        found.contacts.extend(c for c in rolls if isinstance(c, Contact))
+        is_toothed = not any(row.unilateral for row in rows)
+        found.contacts.extend(replace(c, is_toothed=is_toothed) for c in rolls if isinstance(c, Contact))
         found.guides.extend(g for g in rolls if isinstance(g, Guide))
         if any(rolls):
             return
@@ -120,7 +121,7 @@ class _Reader:
         return None
 
     def _load(self, push: Push, found: Joints) -> None:
-        inner = _inside(push.measure)
+        inner = inside(push.measure)
         if isinstance(inner, Distance):
             used = free_symbols(push.law)
             ends = self.place(inner.start), self.place(inner.end)
@@ -192,7 +193,7 @@ def _plain(measure: Measure | RateMeasure) -> Measure | RateMeasure:
     return measure
 
 
-def _inside(measure: Measure | RateMeasure) -> Measure | RateMeasure:
+def inside(measure: Measure | RateMeasure) -> Measure | RateMeasure:
     """The only measure in an expression of one measure."""
     measure = _plain(measure)
     return measure.measures[0][1] if isinstance(measure, Composed) and len(measure.measures) == 1 else measure

@@ -1,15 +1,13 @@
-"""Pictures of single instants, drawn with Matplotlib."""
+"""Single instants of a drawing in Matplotlib axes, for films and figures of one's own."""
 
 from __future__ import annotations
 
-from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
 
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, positions
-from freebody.present.files import written
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path, Strand, Stroke
 from freebody.present.theme import THEMES, Theme, style_of
@@ -21,23 +19,6 @@ def draw_frame(scene: Scene, pose: Array, axes: Any, *, dark: bool = False) -> N
     drawing = Drawing.of(scene, np.asarray(pose, dtype=np.float64)[None])
     frame_axes(drawing, axes, THEMES["dark" if dark else "light"])
     paint(drawing, 0, axes, THEMES["dark" if dark else "light"])
-
-
-def write_still(scene: Scene, pose: Array, path: FilePath, *, title: str = "", dark: bool = False) -> FilePath:
-    """Draws one instant into a file (.svg, .png or .pdf)."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    theme = THEMES["dark" if dark else "light"]
-    figure: Any = Figure(figsize=(6.4, 4.8), layout="constrained", facecolor=theme.paper)
-    FigureCanvasAgg(figure)
-    axes: Any = figure.add_subplot()
-    draw_frame(scene, pose, axes, dark=dark)
-    if title:
-        axes.set_title(title, color=theme.ink, fontsize=10, parse_math=False)
-    with written(path):
-        figure.savefig(path, dpi=200, metadata={"Title": title or "freebody"} if path.suffix != ".png" else None)
-    return path
 
 
 def frame_axes(drawing: Drawing, axes: Any, theme: Theme) -> None:

@@ -43,6 +43,8 @@ STYLES: dict[str, Style] = {
     "slips": Style("ink", 1.2, "paper"),
     "presses": Style("muted", 1.0, "muted"),
     "pull": Style("muted", 1.2, dashes=(4.0, 3.0)),
+    "gear": Style("", 0.0, "body", 0.3),
+    "pitch circle": Style("body", 1.0, dashes=(7.0, 2.0, 1.0, 2.0)),
 }
 
 
@@ -59,11 +61,17 @@ class Theme:
     muted: str
     faint: str
     bodies: tuple[str, ...]
+    force: str  # loads
+    reaction: str
+    measure: str  # coordinates
+    velocity: str
+    acceleration: str
 
     def color(self, name: str, body: int = -1) -> str:
         """A colour by name; empty for none."""
-        named = {"paper": self.paper, "ink": self.ink, "muted": self.muted, "": ""}
-        return self.bodies[body % len(self.bodies)] if name == "body" else named[name]
+        if not name:
+            return ""
+        return self.bodies[body % len(self.bodies)] if name == "body" else str(getattr(self, name))
 
 
 THEMES = {
@@ -73,6 +81,11 @@ THEMES = {
         "#66707b",
         "#d0d5da",
         ("#0072b2", "#d55e00", "#009e73", "#b5568c", "#a67c00", "#3a8fc0", "#555555"),
+        "#b3261e",
+        "#2145b8",
+        "#7a3fb5",
+        "#1a7f37",
+        "#b45309",
     ),
     "dark": Theme(
         "#14171b",
@@ -80,5 +93,10 @@ THEMES = {
         "#98a2ad",
         "#3a424b",
         ("#56b4e9", "#f0883e", "#2ec49a", "#e08fc0", "#e6b830", "#8ccbf0", "#b8b8b8"),
+        "#ff8a80",
+        "#9db8ff",
+        "#cfa6ff",
+        "#5fd17f",
+        "#f0a858",
     ),
 }

@@ -1,63 +1,160 @@
-"""A picture of a system at its start."""
+"""Pictures of a system: as it stands at an instant, and bodies cut free with everything that acts on them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, InputError, ModelError, Problem
-from freebody.numeric.reference import Reference
+from freebody.errors import CannotAnswer, InputError
+from freebody.model.names import did_you_mean
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.present.picture.forces import Force
+from freebody.present.picture.picture import Picture, checked_path
+from freebody.study.free_body import FreeBody, checked_bodies
+from freebody.study.instant import Instant, instant_of
+from freebody.study.touching import closed_bounds
 from freebody.system.system import System
 
-FORMATS = (".svg", ".png", ".pdf")
 VIEW = (30.0, 20.0)
+SHOWN = ("velocity", "acceleration", "force", "instant-centres")
+View = tuple[float, float]
+
+
+def picture(
+    system: System,
+    *,
+    at: float | None = None,
+    show: Sequence[str] = (),
+    view: View = VIEW,
+    perspective: bool = False,
+) -> Picture:
+    """The system with what joins and pushes it, coordinates, dimensions and axes.
+
+    at: [s] in its motion, else at the start; show: of `SHOWN`, what to draw over it; view: in space, azimuth and
+    elevation from which one looks [deg]. Raises InputError for other words, CannotAnswer for what there is not."""
+    show = _checked(system, show)
+    _check_view(system, view, perspective=perspective)
+    found = instant_of(system, at, in_motion=bool(set(show) & {"acceleration", "force"}), at_rest=not show)
+    title = system.title if not at else f"{system.title}, t = {at:g} s"
+    moving = [body.name for body in system.moving]
+    acting = FreeBody(found.snapshot, moving).loads() if moving else ()
+    if system.space:
+        from freebody.study.picture_in_space import drawn_in_space
+
+        return drawn_in_space(found, acting, show, title, view=view, perspective=perspective)
+    return _in_the_plane(found, acting, show, title)
+
+
+def free_body(
+    system: System,
+    bodies: Sequence[str],
+    *,
+    at: float | None = None,
+    labels: Mapping[str, str] | None = None,
+    show: Sequence[str] = (),
+    view: View = VIEW,
+    perspective: bool = False,
+) -> Picture:
+    """Bodies cut free together, with every load and reaction from outside as an arrow in the direction in which it is
+    counted positive, labelled as by `reaction_symbols`.
+
+    at: [s] the pose at that time, else at the start; labels: other symbols, by the name of a row, of its symbol or of a
+    load; show: "force" for values in that instant; view: in space, azimuth and elevation [deg]. Raises InputError for
+    bodies that there are not."""
+    bodies = checked_bodies(system, bodies)
+    show = _checked(system, show)
+    _check_view(system, view, perspective=perspective)
+    if set(show) - {"force"}:
+        raise InputError(f"{show[0]} is drawn of the whole system; of bodies cut free there is force")
+    found = instant_of(system, at, in_motion="force" in show, at_rest=True)
+    forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels).forces()
+    if "force" in show:
+        forces = tuple(_valued(force, found) for force in forces)
+    title = f"{system.title}: {', '.join(bodies)} cut free"
+    if system.space:
+        from freebody.study.picture_in_space import free_body as cut_free
+
+        return cut_free(found, bodies, forces, title, view=view, perspective=perspective)
+    from freebody.present.drawing import Drawing
+    from freebody.present.picture.bodies_free import free_body_picture
+    from freebody.present.picture.dimensions import Dimensions
+    from freebody.present.picture.sketch import Sketch
+    from freebody.present.places import Places
+    from freebody.present.scene import Scene
+
+    number = found.snapshot.reference.number
+
+    def dimensions(sketch: Sketch, drawing: Drawing) -> None:
+        Dimensions(system, sketch, drawing, Places(system, number)).draw()
+
+    scene = Scene.of(system, number)
+    return free_body_picture(scene, poses_of(found.snapshot), bodies, forces, title, dimensions)
 
 
 def draw(
     system: System,
     path: str | Path,
     *,
-    view: tuple[float, float] = VIEW,
+    at: float | None = None,
+    show: Sequence[str] = (),
+    free: Sequence[str] = (),
+    view: View = VIEW,
     perspective: bool = False,
     dark: bool = False,
 ) -> Path:
-    """Draws a system at its start into a file (.svg, .png or .pdf). view: in space, from where one looks: azimuth from
-    the front and elevation [deg]. Raises InputError for another format, ModelError where the start cannot be
-    assembled."""
-    path = Path(path)
-    if path.suffix.lower() not in FORMATS:
-        raise InputError(f"{path.name}: a picture is written as {', '.join(FORMATS)}")
-    try:
-        reference = Reference(system)
-        q = reference.assemble()
-    except CannotAnswer as error:
-        raise ModelError([Problem((), str(error))], system.file) from error
-    if system.space:
-        return _in_space(reference, q, path, view=view, perspective=perspective, dark=dark)
-    if perspective or view != VIEW:
+    """Draws a system at its start, or at a time, into a file: .svg, .png, .pdf, or .tex with a tikzpicture; with `free`
+    these bodies alone, cut free. For the others see `picture`. Raises InputError for another format, ModelError where
+    the start cannot be assembled."""
+    path = checked_path(path)
+    if free:
+        made = free_body(system, free, at=at, show=show, view=view, perspective=perspective)
+    else:
+        made = picture(system, at=at, show=show, view=view, perspective=perspective)
+    return made.write(path, dark=dark)
+
+
+def poses_of(snapshot: Snapshot) -> Array:
+    """(n_moving, 3)"""
+    reference = snapshot.reference
+    return np.array([reference.pose(snapshot.q, body.name) for body in reference.system.moving]).reshape(-1, 3)
+
+
+def _checked(system: System, show: Sequence[str]) -> tuple[str, ...]:
+    for word in show:
+        if word not in SHOWN:
+            raise InputError(f"there is no {word} to show.{did_you_mean(word, SHOWN)}")
+    if system.space and "instant-centres" in show:
+        raise CannotAnswer("bodies have instant centres in the plane; in space they move about screws, see mobility")
+    return tuple(dict.fromkeys(show))
+
+
+def _check_view(system: System, view: View, *, perspective: bool) -> None:
+    if not system.space and (perspective or view != VIEW):
         raise InputError("a view from the side is for models in space; this one is in the plane")
-    from freebody.present.scene import Scene
-    from freebody.present.stills import write_still
-
-    poses = np.array([reference.pose(q, body.name) for body in system.moving]).reshape(-1, 3)
-    return write_still(Scene.of(system, reference.number), poses, path, title=system.title, dark=dark)
 
 
-def _in_space(
-    reference: Reference,
-    q: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    path: Path,
-    *,
-    view: tuple[float, float],
-    perspective: bool,
-    dark: bool,
-) -> Path:
-    from freebody.present.space.scene import Scene
-    from freebody.present.space.stills import draw as draw_still
+def _valued(force: Force, found: Instant) -> Force:
+    """A force with its value in an instant, where it is unique."""
+    value = found.reactions.get(force.name)
+    if force.kind != "reaction":
+        value = FreeBody(found.snapshot, [force.body]).load_value(force.name)
+    return replace(force, value=value)
 
-    frames = [reference.frame_of(q, body.name) for body in reference.system.moving]
-    centers, axes = np.array([r for r, _R in frames]), np.array([R for _r, R in frames])
-    scene = Scene.of(reference.system, reference.number)
-    title = reference.system.title
-    return draw_still(scene, centers, axes, path, title=title, view=view, perspective=perspective, dark=dark)
+
+def _in_the_plane(found: Instant, acting: Sequence[Force], show: Sequence[str], title: str) -> Picture:
+    from freebody.present.picture.whole import Whole, described, distance_of
+    from freebody.present.places import Places
+
+    system, reference = found.snapshot.reference.system, found.snapshot.reference
+    arrows = {push.name for push in system.pushes if distance_of(push.measure) is None}
+    loads = [force for force in acting if force.kind == "load" and force.name in arrows]
+    whole = Whole(system, Places(system, reference.number), poses_of(found.snapshot), loads)
+    if show:
+        from freebody.study.shown import add_shown
+
+        add_shown(whole, found, show)
+    return whole.drawn(with_signs=not show).finished(title, described(system, whole.drawing.moved))

@@ -178,7 +178,7 @@ Block = Paragraph | Equations | Bullets | Table | Figure | Figures | Step | Sect
 @dataclass(frozen=True)
 class Report:
     """A whole document. words: what the writers themselves have to say in the report's language: "hint", "show the
-    step", "show all", "equation", "figure", "page", "contents"."""
+    step", "show next", "show all", "equation", "figure", "contents", "right", "wrong"; English where one is missing."""
 
     title: str
     language: str

@@ -44,8 +44,7 @@ class Drawing:
         axes of the bodies, in the order of `scene.names`."""
         poses = scene.poses(np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64))
         low, high = _extent(scene, poses)
-        size = float(np.linalg.norm(high - low))
-        size = size if size > _TINY else 0.0
+        size = _size(low, high)
         shells = Shells(scene, poses, size)
         for form in shells.forms.values():
             way = poses.centers[:, form.index]
@@ -128,6 +127,17 @@ class Drawing:
         flat = plate(np.column_stack((corners, np.zeros(4)))).moved(back)
         place = Place(body, self.poses.back(body, self.poses.place(sheet.through, 0), 0))
         return Piece(flat, place, body, "plane", lines=tuple(line @ back for line in lines))
+
+
+def shells_of(scene: Scene, poses: tuple[Array, Array]) -> Shells:
+    """The bodies of a scene without extent. poses: (n_times, n_moving, 3) and (n_times, n_moving, 3, 3)."""
+    every = scene.poses(*poses)
+    return Shells(scene, every, _size(*_extent(scene, every)))
+
+
+def _size(low: Array, high: Array) -> float:
+    size = float(np.linalg.norm(high - low))
+    return size if size > _TINY else 0.0
 
 
 def round_length(value: float) -> float:

@@ -44,6 +44,3 @@ LOOKS: dict[str, Look] = {
 }
 
 OF_BODIES = frozenset(("body", "fixed body", "hoop", "fixed hoop", "web", "dot"))  # bodies, not what joins them
-
-# the one colour that planar pictures do not have: of forces and torques
-FORCE = {"light": "#b3261e", "dark": "#ff8a80"}

@@ -15,7 +15,7 @@ from freebody.present.figures import Array
 from freebody.present.page import asset, filled
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.figures import Place
-from freebody.present.space.looks import FORCE, LOOKS, OF_BODIES
+from freebody.present.space.looks import LOOKS, OF_BODIES
 from freebody.present.space.painter import DASHES, LIGHT
 from freebody.present.space.pieces import Piece
 from freebody.present.space.stills import description
@@ -78,7 +78,7 @@ def _data(
             [_rounded(center, digits), [_rounded(row, 9) for row in axes]]
             for center, axes in zip(*scene.fixed, strict=True)
         ],
-        "themes": {name: {**asdict(theme), "force": FORCE[name]} for name, theme in THEMES.items()},
+        "themes": {name: asdict(theme) for name, theme in THEMES.items()},
         "looks": {name: {**asdict(look), "of_body": name in OF_BODIES} for name, look in LOOKS.items()},
         "pieces": [_piece(piece, digits + 2) for piece in drawing.pieces],
         "labels": [{"body": form.index, "text": form.name} for form in scene.forms],

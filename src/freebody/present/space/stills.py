@@ -1,8 +1,7 @@
-"""Pictures in space of single instants, drawn with Matplotlib: to axes, or to a file."""
+"""Pictures in space of single instants: to a file, or frame by frame with Matplotlib for films."""
 
 from __future__ import annotations
 
-import html
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,17 +10,15 @@ import numpy as np
 
 from freebody.errors import InputError
 from freebody.present.figures import Array
-from freebody.present.files import written
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.labels import Ink, names
-from freebody.present.space.looks import FORCE, OF_BODIES
+from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
 from freebody.present.space.scene import Scene
 from freebody.present.space.view import AZIMUTH, ELEVATION, View
 from freebody.present.theme import THEMES, Theme
 
-SUFFIXES = (".svg", ".png", ".pdf")
 _WIDTH = 7.2  # inches
 _SHAPES = (0.55, 1.1)  # height by width
 _LETTER, _FONT = 0.56, 9.0  # width of a letter by its height; points
@@ -40,23 +37,19 @@ def draw(
     perspective: bool = False,
     dark: bool = False,
 ) -> Path:
-    """Writes a picture of one instant as `.svg`, `.png` or `.pdf`, by the suffix of the path.
+    """Writes a picture of one instant as `.svg`, `.png`, `.pdf` or `.tex`, by the suffix of the path.
 
     center: (n_moving, 3) [m] of the mass centres; axes: (n_moving, 3, 3), whose columns are the bodies' axes, in the
     order of `scene.names`. view: azimuth and elevation of the viewer [deg]. Returns the path. Raises InputError for
     another suffix, poses that do not fit, or a file that cannot be written."""
-    path = Path(path)
-    if path.suffix.lower() not in SUFFIXES:
-        raise InputError(f"{path.name}: a picture is written as {', '.join(SUFFIXES)}; give one of these suffixes")
+    from freebody.present.picture.picture import checked_path
+    from freebody.present.picture.space import SpaceSketch
+
+    path = checked_path(path)
     center, axes = checked(scene, center, axes, 1)
-    drawing = Drawing.of(scene, center, axes)
-    figure = figure_of(drawing, view, perspective=perspective, title=title, dark=dark)
-    paint_frame(figure, drawing, 0)
-    with written(path):
-        figure.canvas_figure.savefig(path, dpi=150, facecolor=figure.theme.paper, metadata=_metadata(path, title))
-        if path.suffix.lower() == ".svg":
-            described(path, title or scene.title, description(scene))
-    return path
+    sketch = SpaceSketch(Drawing.of(scene, center, axes), view, perspective=perspective)
+    sketch.add_corner()
+    return sketch.finished(title or scene.title, description(scene)).write(path, dark=dark)
 
 
 def checked(scene: Scene, centers: Array, axes: Array, n_times: int) -> tuple[Array, Array]:
@@ -81,22 +74,6 @@ def description(scene: Scene) -> str:
     return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.forms)}"
 
 
-def described(path: Path, title: str, words: str) -> None:
-    """Puts the title and the description of a picture into an SVG file."""
-    text = path.read_text(encoding="utf-8")
-    start = text.index("<svg")
-    end = text.index(">", start)
-    head = text[start:end] + ' role="img" aria-labelledby="picture-title picture-description"'
-    inside = f'<title id="picture-title">{html.escape(title)}</title>'
-    inside += f'<desc id="picture-description">{html.escape(words)}</desc>'
-    path.write_text(f"{text[:start]}{head}>\n {inside}{text[end + 1 :]}", encoding="utf-8")
-
-
-def _metadata(path: Path, title: str) -> dict[str, Any]:
-    key = "Description" if path.suffix.lower() == ".png" else "Title"
-    return {key: title} if title else {}
-
-
 # -- figures ----------------------------------------------------------------------------------
 class Stage:
     """A Matplotlib figure for one view of a drawing."""
@@ -104,7 +81,6 @@ class Stage:
     def __init__(self, figure: Any, axes: Any, view: View, theme: Theme, *, dark: bool, letter: float) -> None:
         self.canvas_figure, self.axes, self.view, self.theme = figure, axes, view, theme
         self.is_dark = dark
-        self.force = FORCE["dark" if dark else "light"]
         self.letter = letter  # [m] on paper, height of a letter
         self.low, self.high = np.zeros(2), np.zeros(2)
         self.choices: dict[str, int] = {}
@@ -217,7 +193,7 @@ def _mixed(stage: Stage, mark: Mark) -> tuple[float, ...]:
 
 
 def _hex(stage: Stage, name: str, body: int) -> str:
-    return stage.force if name == "force" else stage.theme.color(name, body)
+    return stage.theme.color(name, body)
 
 
 def _rgb(color: str) -> tuple[float, ...]:

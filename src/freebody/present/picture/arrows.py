@@ -1,0 +1,167 @@
+"""Forces and couples at bodies as arrows with their symbols, none on top of another.
+
+An arrow begins at its point of action; one that would run into the body ends there instead, coming from outside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.present.figures import Array
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import Label, Run, beside
+from freebody.present.picture.placer import Wish, around
+from freebody.present.picture.shapes import Ink, Shape
+from freebody.present.picture.signs import HEAD, across, arc, arrow, cross, curved_arrow, head
+from freebody.present.picture.sketch import Sketch
+
+LENGTH = 40.0  # [points]
+_LONGER = 1.5  # an arrow whose place is taken
+_INTO = 0.3  # cosine from which on a force points into its body
+_RADIUS, _WIDER = 14.0, 6.5  # [points] of the arc of a couple, of another one there
+_TURN = 1.25 * math.pi
+_HEAD_ON, _SHORTEST = 0.2, 0.45  # shares of its length that an arrow of space is seen with
+INKS = {"weight": Ink("force"), "load": Ink("force"), "reaction": Ink("reaction")}
+
+Where = Callable[[Force], tuple[Array, Array]]  # the point of action and the middle of the body, in points
+Seen = Callable[[tuple[float, ...]], Array]  # (3,) a vector as it is seen: to the right, upwards, towards the viewer
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """An arrow as it is drawn. start, end: (2,) [points]."""
+
+    force: Force
+    start: Array
+    end: Array
+
+
+class Arrows:
+    """Draws forces into a sketch. where: on paper; lengths: [points] by the force, else all alike; seen: how vectors of
+    space are seen, nothing in the plane."""
+
+    def __init__(
+        self, sketch: Sketch, where: Where, lengths: Callable[[Force], float] | None = None, seen: Seen | None = None
+    ) -> None:
+        self.sketch, self.where, self.seen = sketch, where, seen
+        self.lengths = lengths or _usual_length
+        self.taken: list[tuple[Array, Array]] = []  # points and ways of arrows
+        self.couples: list[Array] = []
+        self.drawn: list[Drawn] = []
+
+    def draw(self, forces: Sequence[Force]) -> None:
+        ordered = sorted(forces, key=lambda force: force.kind != "weight")
+        for force in ordered:
+            if force.is_couple and self.seen is None:
+                self._couple(force)
+            else:
+                self._arrow(force)
+
+    # -- forces -------------------------------------------------------------------------------
+    def _arrow(self, force: Force) -> None:
+        at, middle = self.where(force)
+        vector = np.array(force.moment if force.is_couple else force.force)
+        share = 1.0
+        if self.seen is not None:
+            seen = self.seen(tuple((vector / float(np.linalg.norm(vector))).tolist()))
+            share, vector = float(np.hypot(*seen[:2])), seen[:2]
+            if share < _HEAD_ON:
+                self._head_on(force, at, float(seen[2]))
+                return
+        way = vector / float(np.hypot(*vector))
+        inwards = middle - at
+        depth = float(np.hypot(*inwards))
+        is_into = depth > 1.0 and float(way @ inwards) > _INTO * depth and not force.is_couple
+        length = self.lengths(force) * max(share, _SHORTEST)
+        from_outside, is_free = self._side(at, way, is_into)
+        length *= 1.0 if is_free else _LONGER
+        self.taken.append((at, -way if from_outside else way))
+        start, end = (at - length * way, at) if from_outside else (at, at + length * way)
+        ink = INKS[force.kind]
+        self.sketch.add(arrow(start, end, ink))
+        if force.is_couple:  # two heads: about that axis, right-handed
+            self.sketch.add(head(end - 0.85 * HEAD * way, way, ink))
+        self.drawn.append(Drawn(force, start, end))
+        far, out = (start, -way) if from_outside else (end, way)
+        aside = across(way)
+        middle_of = 0.5 * (start + end)
+        places = (
+            *((far, turn) for turn in (out, out + aside, out - aside, aside, -aside)),
+            *((far - 0.35 * length * out, turn) for turn in (aside, -aside)),
+            *((middle_of, turn) for turn in (aside, -aside)),
+        )
+        unit = tuple((a, w / float(np.hypot(*w))) for a, w in places)
+        self.sketch.wish(Wish(labelled(force), unit, 11.0, ink, weight=5.0))
+
+    def _head_on(self, force: Force, at: Array, towards: float) -> None:
+        """An arrow along the view: a circle with a dot where it comes, with a cross where it goes."""
+        at = at + 6.0 * sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples) * np.array((1.0, 1.0))
+        self.couples.append(at)
+        ink = INKS[force.kind]
+        self.sketch.add(Shape(arc(at, 5.0, 0.0, math.tau), ink, 1.3, Ink("paper"), is_closed=True))
+        inner = Shape(arc(at, 1.3, 0.0, math.tau), None, 0.0, ink, is_closed=True)
+        self.sketch.add(inner) if towards > 0 else self.sketch.add(cross(at, ink))
+        self.sketch.wish(Wish(labelled(force), tuple((at + 5.0 * w, w) for _a, w in around(at)), 11.0, ink, weight=5.0))
+
+    def _side(self, at: Array, way: Array, is_into: bool) -> tuple[bool, bool]:
+        """Whether an arrow comes from outside, and whether that side is free."""
+        for from_outside in (is_into, not is_into):
+            own = -way if from_outside else way
+            if not any(np.hypot(*(at - other)) < 3.0 and own @ taken > 0.96 for other, taken in self.taken):
+                return from_outside, True
+        return is_into, False
+
+    # -- couples ------------------------------------------------------------------------------
+    def _couple(self, force: Force) -> None:
+        at, _middle = self.where(force)
+        others = sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples)
+        self.couples.append(at)
+        radius = _RADIUS + _WIDER * others
+        sense = math.copysign(1.0, force.moment[-1])
+        begin = math.pi / 2 - sense * (0.62 * _TURN + 0.5 * others)
+        ink = INKS[force.kind]
+        self.sketch.add(curved_arrow(at, radius, begin, sense * _TURN, ink))
+        spots = arc(at, radius, begin + sense * 0.5 * _TURN, sense * 0.5 * _TURN)[::3]
+        spots = np.concatenate((spots, arc(at, radius, begin, sense * 0.5 * _TURN)[::3]))
+        places = tuple((spot, (spot - at) / radius) for spot in spots)
+        self.sketch.wish(Wish(labelled(force), places, 11.0, ink, weight=5.0))
+
+
+def _usual_length(_force: Force) -> float:
+    return LENGTH
+
+
+def labelled(force: Force) -> Label:
+    """Its symbol, and its value where that is known."""
+    if force.value is None:
+        return force.label
+    unit = "N m" if force.is_couple else "N"
+    size = math.copysign(force.size, force.value)
+    return beside(
+        force.label,
+        Label(
+            (Run(f"{shown(size)} {unit}"),),
+            rf"{shown(size)}\,\mathrm{{{unit.replace(' ', chr(92) + ',')}}}",
+        ),
+        " = ",
+    )
+
+
+def shown(value: float) -> str:
+    return f"{value:.3g}".replace("-", "\u2212")
+
+
+def axes_cross(at: Array, size: float = 20.0) -> Iterator[Shape | Wish]:
+    """x to the right, y up, and the sense in which angles are positive."""
+    from freebody.present.picture.label import name
+
+    ink = Ink("muted")
+    yield from arrow(at, at + np.array((size, 0.0)), ink, 1.0, 5.0)
+    yield from arrow(at, at + np.array((0.0, size)), ink, 1.0, 5.0)
+    yield from curved_arrow(at, 0.62 * size, 0.3, 1.1, ink, 0.9, 4.5)
+    yield Wish(name("x"), ((at + np.array((size, 0.0)), np.array((1.0, 0.0))),), 9.0, ink, weight=9.0)
+    yield Wish(name("y"), ((at + np.array((0.0, size)), np.array((0.0, 1.0))),), 9.0, ink, weight=9.0)

@@ -1,0 +1,127 @@
+"""Bodies cut free, with everything that acts on them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from freebody.present.drawing import Drawing
+from freebody.present.figures import Array, Figure, positions
+from freebody.present.picture.arrows import Arrows, axes_cross
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import words
+from freebody.present.picture.picture import Picture
+from freebody.present.picture.placer import Wish, around
+from freebody.present.picture.plane import part_of, sketched
+from freebody.present.picture.shapes import Ink, Shape
+from freebody.present.picture.signs import across, arc
+from freebody.present.picture.sketch import Sketch
+from freebody.present.scene import Scene
+
+_ROOM = {1: (130.0, 105.0), 2: (190.0, 140.0)}  # [points] for the bodies, without their arrows
+_MOST = 250.0, 180.0
+
+
+def free_body_picture(
+    scene: Scene,
+    pose: Array,
+    bodies: Sequence[str],
+    forces: Sequence[Force],
+    title: str,
+    dimensions: Callable[[Sketch, Drawing], None] | None = None,
+) -> Picture:
+    """pose: (n_moving_bodies, 3), as in `scene.names`; dimensions: draws those of the bodies."""
+    settled = Drawing.of(scene, np.asarray(pose, dtype=np.float64).reshape(1, -1, 3)).poses
+    part = part_of(scene, bodies)
+    drawing, sketch = sketched(part, settled[0], _ROOM.get(len(part.figures), _MOST))
+    figures = {figure.name: figure for figure in part.figures}
+
+    def center(figure: Figure) -> Array:
+        return positions(drawing.poses, figure.mass_center)[0]
+
+    def where(force: Force) -> tuple[Array, Array]:
+        figure = figures[force.body]
+        middle = positions(drawing.poses, figure.center)[0] if figure.radius else center(figure)
+        return sketch.at(center(figure) + np.array(force.at[:2])), sketch.at(middle)
+
+    sketch.add(_cut_joints(scene, bodies, drawing, sketch))
+    for figure in part.figures:
+        name_beside(sketch, figure, drawing.poses)
+    Arrows(sketch, where).draw(forces)
+    if dimensions is not None:
+        dimensions(sketch, drawing)
+    add_axes(sketch)
+    return sketch.finished(title, description(bodies, forces))
+
+
+def _cut_joints(scene: Scene, bodies: Sequence[str], drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:
+    """Small circles where pins and links to others were."""
+    kept = {k for k, name in enumerate(scene.names) if name in bodies}
+    dots = {figure.mass_center for figure in scene.figures if figure.is_particle}
+    ends = [(pin.first, pin.second) for pin in scene.joints.pins if not pin.clamps] + scene.joints.links
+    for pair in ends:
+        for own, other in (pair, pair[::-1]):
+            if own.body in kept and other.body not in kept and own not in dots:
+                at = sketch.at(positions(drawing.poses, own)[0])
+                yield Shape(arc(at, 2.4, 0.0, math.tau), Ink("ink"), 1.1, Ink("paper"), is_closed=True)
+
+
+def name_beside(sketch: Sketch, figure: Figure, poses: Array) -> None:
+    """The name of a body beside it, where there is room."""
+    middle = sketch.at(positions(poses, figure.center if figure.radius else figure.mass_center)[0])
+    places = [*around(middle)]
+    if figure.radius is not None:
+        rim = figure.radius * sketch.scale
+        ways = [way for _at, way in around(middle)]
+        outside = [(middle + rim * way, way) for way in ways]
+        places = [*outside, *places] if figure.is_hollow or rim < 34.0 else [*places, *outside]
+    elif len(figure.outline) > 2:
+        places = [(middle + 4.0 * way, way) for _at, way in around(middle)] + places
+    else:
+        ends = [sketch.at(positions(poses, place)[0]) for place in figure.points.values()]
+        for share in (0.5, 0.3, 0.7, 0.85):
+            for end in (end for end in ends if float(np.hypot(*(end - middle))) > 2.0):
+                side = across(end - middle) / float(np.hypot(*(end - middle)))
+                spot = middle + share * (end - middle)
+                places += [(spot + 4.0 * way, way) for way in (side, -side)]
+    places = [*places, *((at + 5.0 * way, way) for at, way in places)]
+    wish = Wish(words(figure.name), tuple(places), 9.0, Ink("body", figure.number), is_needed=False, weight=1.0)
+    sketch.wish(wish)
+
+
+def add_axes(sketch: Sketch) -> None:
+    """The axes at the lower left, outside of everything."""
+    low, _high = sketch.corners()
+    for item in axes_cross(low + np.array((-26.0, -8.0))):
+        if isinstance(item, Wish):
+            sketch.wish(item)
+        else:
+            sketch.add(item)
+
+
+def description(bodies: Sequence[str], forces: Sequence[Force]) -> str:
+    """What acts on the bodies, in words."""
+    acting = [_in_words(force, len(bodies) > 1) for force in forces]
+    head = f"Free-body diagram of {' and '.join(bodies)}."
+    return f"{head} {'; '.join(acting)}." if acting else f"{head} Nothing acts on it."
+
+
+def _in_words(force: Force, many: bool) -> str:
+    what = f"{force.about} {force.label.text}" if force.about else force.label.text
+    on = f" on {force.body}" if many else ""
+    if force.is_couple:
+        if len(force.moment) == 1:
+            return f"{what}{on}, {'counter-clockwise' if force.moment[0] > 0 else 'clockwise'}"
+        return f"{what}{on}, a couple"
+    return f"{what}{on}, {_heading(force.force)}"
+
+
+def _heading(v: Sequence[float]) -> str:
+    if len(v) == 3:
+        size = float(np.linalg.norm(v))
+        return f"along ({', '.join(f'{c / size:.2g}' for c in v)})"
+    angle = float(np.degrees(np.arctan2(v[1], v[0])))
+    named = {0: "to the right", 90: "up", 180: "to the left", -180: "to the left", -90: "down"}
+    return named.get(round(angle), f"at {angle:.0f} deg") if abs(angle - round(angle)) < 1e-6 else f"at {angle:.0f} deg"

@@ -1,0 +1,221 @@
+"""Dimensions that are plain parameters: radii of circles, lengths along bodies, angles of inclines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from freebody.errors import FreebodyError
+from freebody.language.expression import Expr, Symbol, divide, evaluate, free_symbols, number
+from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND as GROUND_NAME
+from freebody.measures.geometry import Components, Direction
+from freebody.model.elements import RigidBody
+from freebody.present.drawing import Drawing
+from freebody.present.figures import GROUND, Array, Figure, Place, positions
+from freebody.present.picture.label import Label, formula
+from freebody.present.picture.placer import Wish
+from freebody.present.picture.shapes import Ink, Shape
+from freebody.present.picture.signs import across, arc, dimension, head, unit
+from freebody.present.picture.sketch import Sketch
+from freebody.present.places import Places
+from freebody.present.strokes import Path
+from freebody.system.system import System
+
+INK = Ink("muted")
+_SIZE = 9.5
+_LEAST = 16.0  # [points] a length that a dimension line can show
+_ASIDE = (15.0, -15.0, 25.0, -25.0)  # [points]
+_ANGLES = (-0.6, -1.0, -2.2, 0.6, 2.5, -0.2, 1.2, 3.6)  # [rad] of a radius
+_ARC = 34.0  # [points]
+
+
+class Dimensions:
+    """Draws dimensions into a sketch, each symbol once."""
+
+    def __init__(self, system: System, sketch: Sketch, drawing: Drawing, places: Places) -> None:
+        self.system, self.sketch, self.drawing, self.places = system, sketch, drawing, places
+        self.shown: set[str] = set()
+
+    def draw(self) -> None:
+        """Radii and lengths."""
+        for figure in self.drawing.scene.figures:
+            body = self.system.bodies[figure.name]
+            if figure.radius is not None and body.radius is not None:
+                self._radius(figure, body.radius)
+        for figure in self.drawing.scene.figures:
+            self._lengths(figure, self.system.bodies[figure.name])
+
+    def _at(self, place: Place) -> Array:
+        return self.sketch.at(positions(self.drawing.poses, place)[0])
+
+    def _is_new(self, label: Label) -> bool:
+        return label.text.split("/")[0] not in self.shown
+
+    def _show(self, label: Label) -> None:
+        self.shown.add(label.text.split("/")[0])
+
+    # -- radii --------------------------------------------------------------------------------
+    def _radius(self, figure: Figure, radius: Expr) -> None:
+        label = self._plain(radius)
+        rim = (figure.radius or 0.0) * self.sketch.scale
+        if label is None or rim < _LEAST or not self._is_new(label):
+            return
+        middle = self._at(figure.center)
+        turn = 0.0 if figure.turn == GROUND else float(self.drawing.poses[0, figure.turn, 2])
+        options: list[list[Shape]] = []
+        for angle in _ANGLES:
+            way = unit(turn + angle)
+            shaft = Shape(np.array((middle + 3.0 * way, middle + (rim - 4.0) * way)), INK, 0.7)
+            options.append([shaft, head(middle + rim * way, way, INK, 5.0)])
+        k = self.sketch.least_crowded([option[:1] for option in options], 14)
+        if k is not None:
+            self._show(label)
+            self.sketch.add(options[k])
+            way = unit(turn + _ANGLES[k])
+            spots = [middle + share * rim * way for share in (0.55, 0.7, 0.4)]
+            places = tuple((s, sign * across(way)) for s in spots for sign in (1.0, -1.0))
+            self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
+
+    # -- lengths ------------------------------------------------------------------------------
+    def _lengths(self, figure: Figure, body: RigidBody) -> None:
+        """Between neighbours along a rod, along two edges of a polygon."""
+        for first, second in self._stretches(figure, body):
+            a, b = (self._at(figure.points[name]) for name in (first, second))
+            apart = float(np.hypot(*(b - a)))
+            label = self._apart(body.points[first], body.points[second])
+            if label is None or apart < _LEAST or not self._is_new(label):
+                continue
+            sense = 1.0 if len(figure.outline) < 3 else -1.0
+            lines = [list(dimension(a, b, sense * aside, INK)) for aside in _ASIDE]
+            k = self.sketch.least_crowded([line[2:] for line in lines], 5)
+            if k is None:
+                continue
+            self._show(label)
+            self.sketch.add(lines[k])
+            side = sense * across((b - a) / apart)
+            shift = _ASIDE[k] * side
+            outwards = side * math.copysign(1.0, _ASIDE[k])
+            spots = [a + share * (b - a) + shift for share in (0.5, 0.35, 0.65)]
+            places = tuple((s, sign * outwards) for s in spots for sign in (1.0, -1.0))
+            self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
+
+    def _stretches(self, figure: Figure, body: RigidBody) -> Iterator[tuple[str, str]]:
+        if len(figure.corners) > 2:
+            ring = [*body.corners, body.corners[0]]
+            yield from list(pairwise(ring))[:2]
+            return
+        if figure.radius is not None or len(figure.outline) != 2:
+            return
+        along = figure.outline[1] - figure.outline[0]
+        order = sorted(figure.points, key=lambda n: float(along @ np.array(figure.points[n][1:])))
+        distinct: list[str] = []
+        for name in order:
+            if not distinct or np.hypot(*(self._at(figure.points[name]) - self._at(figure.points[distinct[-1]]))) > 1.0:
+                distinct.append(name)
+        yield distinct[0], distinct[-1]
+        yield from pairwise(distinct)
+
+    def _apart(self, first: Components, second: Components) -> Label | None:
+        """The distance of two points of a body, if it is a multiple of one length."""
+        differences = [b - a for a, b in zip(first, second, strict=True)]
+        return self._plain(*differences)
+
+    def _plain(self, *parts: Expr) -> Label | None:
+        """The size of a vector as a parameter, its half or its double."""
+        names = {name for part in parts for name in free_symbols(part)}
+        if len(names) != 1:
+            return None
+        (name,) = names
+        if name not in self.system.parameters or self.system.parameters[name].dimension != LENGTH:
+            return None
+        one, two = (math.hypot(*(float(evaluate(part, {name: x})) for part in parts)) for x in (1.0, 2.0))
+        if abs(two - 2.0 * one) > 1e-9:
+            return None
+        for factor, expr in (
+            (1.0, Symbol(name)),
+            (0.5, divide(Symbol(name), number(2))),
+            (2.0, number(2) * Symbol(name)),
+        ):
+            if abs(one - factor) < 1e-9:
+                return formula(expr)
+        return None
+
+    # -- inclines -----------------------------------------------------------------------------
+    def draw_inclines(self) -> None:
+        """The angle between a surface of the ground and the horizontal or the vertical."""
+        for name, angle, base in self._angles():
+            line = self._surface(angle)
+            if line is None or name in self.shown:
+                continue
+            low, high = line if line[0][1] <= line[1][1] else line[::-1]
+            length = float(np.hypot(*(high - low)))
+            radius = min(_ARC, 0.7 * length)
+            if radius < 0.5 * _ARC:
+                continue
+            way = (high - low) / length
+            level = np.array((math.copysign(1.0, way[0]), 0.0)) if base == 0 else np.array((0.0, 1.0))
+            begin, end = (math.atan2(v[1], v[0]) for v in (level, way))
+            turn = math.remainder(end - begin, math.tau)
+            dashed = Shape(np.array((low, low + (radius + 14.0) * level)), INK, 0.8, dashes=(3.0, 2.5))
+            self.sketch.add(dashed, Shape(arc(low, radius, begin, turn), INK, 0.9))
+            middle = unit(begin + 0.5 * turn)
+            label = formula(Symbol(name))
+            places = ((low + radius * middle, middle), (low + (radius - 5.0) * middle, -middle))
+            self.sketch.wish(Wish(label, places, 10.5, INK, weight=4.5))
+            self.shown.add(name)
+
+    def _angles(self) -> Iterator[tuple[str, float, int]]:
+        """A parameter, the direction of a line [rad], and whether the parameter counts from the horizontal (0) or the
+        vertical (1)."""
+        for components in self._directions():
+            names = {name for part in components for name in free_symbols(part)}
+            if len(names) != 1:
+                continue
+            (name,) = names
+            parameter = self.system.parameters.get(name)
+            if parameter is None or parameter.dimension != DIMENSIONLESS:
+                continue
+            try:
+                at = [self._bearing(components, name, x) for x in (0.0, 0.3)]
+                now = self._bearing(components, name, self.places.number(Symbol(name)))
+            except (FreebodyError, ValueError, ZeroDivisionError):
+                continue
+            if abs(abs(math.remainder(at[1] - at[0], math.tau)) - 0.3) < 1e-9:
+                base = round(at[0] / (math.pi / 2)) % 2
+                if abs(math.remainder(at[0], math.pi / 2)) < 1e-9:
+                    yield name, now, base
+
+    def _bearing(self, components: Sequence[Expr], name: str, value: float) -> float:
+        x, y = (float(evaluate(part, {name: value})) for part in components[:2])
+        return math.atan2(y, x)
+
+    def _directions(self) -> Iterable[Components]:
+        for line in self.system.bodies[GROUND_NAME].lines.values():
+            yield line.direction.components
+        for row in self.system.rows:
+            if isinstance(row.measure, Displacement) and row.measure.along.body == GROUND_NAME:
+                yield _quarter(row.measure.along).components
+
+    def _surface(self, angle: float) -> tuple[Array, Array] | None:
+        """The ends of a surface of the ground with this direction."""
+        for stroke in self.drawing.strokes:
+            if (
+                isinstance(stroke, Path)
+                and stroke.style == "surface"
+                and stroke.turn == GROUND
+                and not stroke.is_closed
+            ):
+                a, b = self.sketch.at(self.drawing.points(stroke, 0))[[0, -1]]
+                way = b - a
+                if abs(math.sin(math.atan2(way[1], way[0]) - angle)) < 1e-6:
+                    return a, b
+        return None
+
+
+def _quarter(direction: Direction) -> Direction:
+    return direction.normal()

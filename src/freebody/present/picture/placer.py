@@ -1,0 +1,95 @@
+"""Where words find room: each tries a few places and takes the one that covers least; what finds none is left out,
+unless it is needed, and then it goes farther away."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freebody.present.figures import Array
+from freebody.present.picture.label import Label
+from freebody.present.picture.shapes import INK, Ink, Shape, Word
+
+_STEP = 2.0  # [points] between the points by which lines are known
+_ROOM = 1.5  # [points] between words
+_BELOW, _LATER = 1.0, 0.35  # cost of a point of a line below a word, and of a later place
+_TOO_MUCH = 6.0  # the cost at which a word that is not needed is left out
+_FARTHER = (2.5, 9.0, 18.0, 30.0, 45.0, 62.0, 80.0)  # [points] from the anchor
+
+
+@dataclass(frozen=True)
+class Wish:
+    """A label and where it would like to be: beside anchors (2,), in directions (2,); the best place first."""
+
+    label: Label
+    places: tuple[tuple[Array, Array], ...]
+    size: float = 10.0
+    ink: Ink = INK
+    is_needed: bool = True
+    weight: float = 0.0  # the heavier ones are placed first
+    gap: float = 2.5  # [points]
+
+
+def around(anchor: Array, first: Sequence[float] = (1.0, 1.0)) -> tuple[tuple[Array, Array], ...]:
+    """Eight places about a point, beginning in a direction."""
+    begin = float(np.arctan2(first[1], first[0]))
+    turns = (0, 1, -1, 2, -2, 3, -3, 4)
+    ways = [np.array((np.cos(begin + k * np.pi / 4), np.sin(begin + k * np.pi / 4))) for k in turns]
+    return tuple((anchor, way) for way in ways)
+
+
+def placed(wishes: Sequence[Wish], shapes: Sequence[Shape], taken: Sequence[Word] = ()) -> list[Word]:
+    """The words that find room among shapes, and words that have their places."""
+    points = dense(shapes)
+    found = list(taken)
+    for wish in sorted(wishes, key=lambda wish: -wish.weight):
+        word = _best(wish, points, found)
+        if word is not None:
+            found.append(word)
+    return found
+
+
+def _best(wish: Wish, points: Array, taken: Sequence[Word]) -> Word | None:
+    best: tuple[float, Word] | None = None
+    for k, farther in enumerate(_FARTHER if wish.is_needed else _FARTHER[:2]):
+        for j, (anchor, way) in enumerate(wish.places):
+            word = Word(wish.label, anchor, wish.size, wish.ink)
+            word = Word(wish.label, anchor + beside(way, word.half, wish.gap - 2.5 + farther), wish.size, wish.ink)
+            if any(word.overlaps(other, _ROOM) for other in taken):
+                continue
+            cost = _LATER * j + 2.5 * k + _BELOW * float(_below(word, points))
+            if best is None or cost < best[0]:
+                best = cost, word
+        if best is not None and best[0] < 2.5 * (k + 1):
+            break
+    if best is None or (not wish.is_needed and best[0] > _TOO_MUCH):
+        return None
+    return best[1]
+
+
+def beside(way: Array, half: Array, gap: float) -> Array:
+    """(2,) from an anchor to the middle of a box beside it."""
+    return way * gap + half * way / float(np.abs(way).max())
+
+
+def _below(word: Word, points: Array) -> int:
+    near = np.abs(points - word.at) < word.half + 0.6
+    return int((near[:, 0] & near[:, 1]).sum())
+
+
+def dense(shapes: Sequence[Shape]) -> Array:
+    """(n, 2) points along all lines and edges."""
+    found = [np.zeros((0, 2))]
+    for shape in shapes:
+        if shape.scheme == "dark" or (shape.stroke is None and shape.fill is None):
+            continue
+        way = np.concatenate((shape.points, shape.points[:1])) if shape.is_closed else shape.points
+        arms = way[1:] - way[:-1]
+        n = np.clip(np.hypot(*arms.T) / _STEP, 0, 400).astype(int) + 1
+        begins = np.repeat(np.cumsum(n) - n, n)
+        share = (np.arange(int(n.sum())) - begins) / np.repeat(n, n)
+        found.append(np.repeat(way[:-1], n, axis=0) + share[:, None] * np.repeat(arms, n, axis=0))
+    every = np.concatenate(found)
+    return np.unique(np.round(every / _STEP), axis=0) * _STEP

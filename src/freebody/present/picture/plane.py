@@ -1,0 +1,95 @@
+"""A planar drawing as shapes on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from freebody.present.drawing import Drawing
+from freebody.present.figures import Array, Joints
+from freebody.present.layout import bounds
+from freebody.present.picture.shapes import Ink, Shape
+from freebody.present.picture.sketch import Sketch
+from freebody.present.scene import Scene
+from freebody.present.strokes import Path, Strand, Stroke
+from freebody.present.theme import style_of
+
+SYMBOL = 6.5  # [points] the size of symbols on paper
+_LEAST = 1e-9  # [m] what is smaller has no size
+
+
+def sketched(
+    scene: Scene, pose: Array, room: tuple[float, float], least: tuple[float, float] = (0.0, 0.0)
+) -> tuple[Drawing, Sketch]:
+    """The drawing of one instant and a sketch with its strokes, as large as fits into a room [points]; surfaces run on
+    as far as `least` [points]. pose: (n_moving_bodies, 3)."""
+    poses = np.asarray(pose, dtype=np.float64).reshape(1, -1, 3)
+    low, high = bounds(scene, poses)
+    scale = _scale(high - low, room)
+    drawing = _drawn(scene, poses, scale, least)
+    low, high = bounds(scene, drawing.poses)
+    if drawing.moved:  # it may need more room
+        scale = _scale(high - low, room)
+        drawing = _drawn(scene, poses, scale, least)
+        low, high = bounds(scene, drawing.poses)
+    sketch = Sketch(scale, (low + high) / 2)
+    sketch.add(shapes(drawing, sketch))
+    return drawing, sketch
+
+
+def _drawn(scene: Scene, poses: Array, scale: float, least: tuple[float, float]) -> Drawing:
+    wide, tall = least
+    return Drawing.of(scene, poses, symbol=SYMBOL / scale, least=(wide / scale, tall / scale))
+
+
+def _scale(size: Array, room: tuple[float, float]) -> float:
+    """[points by m]"""
+    fits = [have / need for have, need in zip(room, size.tolist(), strict=True) if need > _LEAST]
+    return min(fits, default=SYMBOL)
+
+
+def shapes(drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:
+    """The strokes of the first instant."""
+    for stroke in drawing.shown(0):
+        yield shape_of(stroke, sketch.at(drawing.points(stroke, 0)))
+
+
+def shape_of(stroke: Stroke, points: Array) -> Shape:
+    style = style_of(stroke.style)
+    body = stroke.color if isinstance(stroke, Path) else -1
+    edge = Ink(style.stroke, body) if style.stroke else None
+    if isinstance(stroke, Strand) or not stroke.is_closed:
+        return Shape(points, edge, style.width, dashes=style.dashes)
+    fill = Ink(style.fill, body, style.alpha) if style.fill else None
+    return Shape(points, edge, style.width, fill, is_closed=True, dashes=style.dashes)
+
+
+def part_of(scene: Scene, bodies: Sequence[str]) -> Scene:
+    """The scene of some bodies alone: what joins them with each other."""
+    figures = tuple(figure for figure in scene.figures if figure.name in bodies)
+    kept = {k for k, name in enumerate(scene.names) if name in bodies}
+    joints = scene.joints
+
+    def inside(*owners: int) -> bool:
+        return set(owners) <= kept
+
+    part = Joints(
+        pins=[p for p in joints.pins if inside(p.first.body, p.second.body)],
+        guides=[g for g in joints.guides if inside(g.point.body, g.along.body)],
+        links=[(a, b) for a, b in joints.links if inside(a.body, b.body)],
+        contacts=[c for c in joints.contacts if inside(c.first.body, c.second.body)],
+        ropes=[rope for rope in joints.ropes if inside(*(node.place.body for node in rope.nodes))],
+        springs=[s for s in joints.springs if inside(s.first.body, s.second.body)],
+        touching={pair for pair in joints.touching if inside(*pair)},
+    )
+    figures = tuple(
+        replace(
+            f,
+            outside=tuple(name for name in f.outside if name in bodies),
+            inside=tuple(name for name in f.inside if name in bodies),
+        )
+        for f in figures
+    )
+    return replace(scene, figures=figures, joints=part)

@@ -1,0 +1,69 @@
+"""A picture in the making: shapes, and words that wait for a place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from freebody.present.figures import Array
+from freebody.present.picture.picture import Picture
+from freebody.present.picture.placer import Wish, dense, placed
+from freebody.present.picture.shapes import Shape, Word
+
+
+class Sketch:
+    """scale: [points] by metre; origin: (2,) [m] what comes to (0, 0)."""
+
+    def __init__(self, scale: float, origin: Array) -> None:
+        self.scale, self.origin = scale, origin
+        self.shapes: list[Shape] = []
+        self.wishes: list[Wish] = []
+        self.words: list[Word] = []
+        self._known = 0, np.zeros((0, 2))
+
+    def at(self, points: Array) -> Array:
+        """(..., 2) [points] of places [m]."""
+        return (np.asarray(points, dtype=np.float64) - self.origin) * self.scale
+
+    def add(self, *shapes: Shape | Iterable[Shape]) -> None:
+        for shape in shapes:
+            if isinstance(shape, Shape):
+                self.shapes.append(shape)
+            else:
+                self.shapes.extend(shape)
+
+    def wish(self, wish: Wish) -> None:
+        self.wishes.append(wish)
+
+    def crowd(self, shapes: Sequence[Shape], room: float = 3.5) -> int:
+        """How much of what is drawn comes near to shapes that might be."""
+        if self._known[0] != len(self.shapes):
+            self._known = len(self.shapes), dense(self.shapes)
+        taken, new = self._known[1], dense(shapes)
+        if not len(new) or not len(taken):
+            return 0
+        low, high = new.min(axis=0) - room, new.max(axis=0) + room
+        near = taken[((taken > low) & (taken < high)).all(axis=1)]
+        return int((np.abs(new[:, None] - near).max(axis=-1) < room).any(axis=1).sum())
+
+    def least_crowded(self, options: Sequence[Sequence[Shape]], most: int) -> int | None:
+        """The first option that nothing comes near to, or the best one; None if more than `most` does."""
+        best: tuple[int, int] | None = None
+        for k, option in enumerate(options):
+            n = self.crowd(option)
+            if best is None or n < best[0]:
+                best = n, k
+            if n == 0:
+                break
+        return None if best is None or best[0] > most else best[1]
+
+    def corners(self) -> tuple[Array, Array]:
+        """(2,), (2,) [points] round all shapes so far."""
+        every = np.concatenate([np.zeros((0, 2)), *(shape.points for shape in self.shapes)])
+        every = every if len(every) else np.zeros((1, 2))
+        return every.min(axis=0), every.max(axis=0)
+
+    def finished(self, title: str, description: str) -> Picture:
+        words = placed(self.wishes, self.shapes, self.words)
+        return Picture(title, description, tuple(self.shapes), tuple(words))

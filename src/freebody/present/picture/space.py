@@ -1,0 +1,188 @@
+"""A drawing in space as shapes on paper, seen from one side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice, zip_longest
+
+import numpy as np
+
+from freebody.present.figures import Array
+from freebody.present.picture.arrows import Arrows
+from freebody.present.picture.bodies_free import description as described_forces
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import name, words
+from freebody.present.picture.picture import Picture
+from freebody.present.picture.placer import Wish, around
+from freebody.present.picture.shapes import Ink, Shape, Word
+from freebody.present.picture.sketch import Sketch
+from freebody.present.space.corner import corner_marks
+from freebody.present.space.drawing import Drawing, shells_of
+from freebody.present.space.figures import Poses, Ties
+from freebody.present.space.labels import Ink as Painted
+from freebody.present.space.labels import names
+from freebody.present.space.looks import OF_BODIES
+from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
+from freebody.present.space.scene import Scene
+from freebody.present.space.shells import Shells
+from freebody.present.space.symbols import arrow, curved_arrow
+
+_LETTER, _SIZE = 0.56, 9.0  # width of a letter by its height; points
+_ROOM = 350.0, 260.0  # [points]
+_ROOM_FREE = 200.0, 160.0
+
+
+class SpaceSketch(Sketch):
+    """A sketch with a drawing of space on it."""
+
+    def __init__(
+        self,
+        drawing: Drawing,
+        angles: tuple[float, float],
+        room: tuple[float, float],
+        *,
+        perspective: bool,
+        with_names: bool = True,
+    ) -> None:
+        self.drawing, self.view = drawing, drawing.view(angles, perspective=perspective)
+        low, high = drawing.bounds(self.view)
+        scale = min(have / max(need, 1e-9) for have, need in zip(room, (high - low).tolist(), strict=True))
+        super().__init__(scale, (low + high) / 2)
+        self.taken = shots(drawing, 0, self.view)
+        light = [list(paint(shot)) for shot in self.taken]
+        dark = [list(paint(shot, is_dark=True)) for shot in self.taken]
+        for mine, other in zip(light, dark, strict=True):
+            self.shapes.extend(self._both(mine, other))
+        if with_names:
+            self._name(light)
+
+    def _both(self, light: Sequence[Mark], dark: Sequence[Mark]) -> Iterator[Shape]:
+        """Shapes that are the same on both papers but for their colours, and those that are not."""
+        for mine, other in zip_longest(light, dark):
+            if mine is not None and other is not None and _is_alike(mine, other):
+                yield self._shape(mine, other.share)
+                continue
+            if mine is not None:
+                yield replace(self._shape(mine), scheme="light")
+            if other is not None:
+                yield replace(self._shape(other), scheme="dark")
+
+    def _shape(self, mark: Mark, dark_share: float | None = None) -> Shape:
+        other = None if dark_share is None or abs(dark_share - mark.share) < 1e-9 else round(dark_share, 2)
+        ink = Ink(mark.color, mark.body, mark.alpha, round(mark.share, 2), other)
+        points = self.at(mark.points)
+        if mark.is_area:
+            return Shape(points, None, 0.0, ink, is_closed=True)
+        dashes = DASHES if mark.is_dashed else ()
+        return Shape(points, ink, mark.width, is_closed=mark.is_closed, dashes=dashes)
+
+    def seen(self, points: Array) -> Array:
+        """(..., 2) [points] on paper of places in space (..., 3)."""
+        return self.at(self.view.seen(np.asarray(points, dtype=np.float64))[..., :2])
+
+    def vector(self, components: tuple[float, ...]) -> Array:
+        """(3,) of a vector: to the right, upwards, towards the viewer."""
+        return self.view.axes @ np.array(components)
+
+    def _name(self, painted: Sequence[Sequence[Mark]]) -> None:
+        owned: dict[int, list[tuple[Shot, Sequence[Mark]]]] = {}
+        for shot, marks in zip(self.taken, painted, strict=True):
+            if shot.piece.look != "plane":
+                index = shot.piece.turn if shot.piece.look in OF_BODIES else -1
+                owned.setdefault(index, []).append((shot, marks))
+        letter = _SIZE / self.scale
+        inks = {index: Painted.of(own, letter) for index, own in owned.items()}
+        called = {form.index: form.name for form in self.drawing.scene.forms}
+        low, high = self.drawing.bounds(self.view)
+        frame = low - 6 * letter, high + 6 * letter
+        for found in names(inks, called, (_LETTER * letter, letter), frame):
+            self.words.append(Word(words(found.text), self.at(found.at), _SIZE))
+
+    def add_corner(self) -> None:
+        """The axes of the ground and gravity, at the lower left."""
+        low, _high = self.corners()
+        corner = low - np.array((4.0, 76.0))
+        letter = _SIZE / self.scale
+        marks, texts = corner_marks(self.drawing, self.view, corner / self.scale + self.origin, letter)
+        self.shapes.extend(self._shape(mark) for mark in marks)
+        for at, text, color in texts:
+            label = words(text) if len(text) > 1 else name(text)
+            self.words.append(Word(label, self.at(at), _SIZE, Ink(color)))
+
+    def name_loads(self, forces: Sequence[Force]) -> None:
+        """Symbols beside the arrows that the drawing has for forces and torques, in their order."""
+        pieces = iter(piece for piece in self.drawing.pieces if piece.look == "force")
+        for force, load in zip(forces, self.drawing.scene.ties.arrows, strict=False):
+            parts = list(islice(pieces, _N_CURVED if load.turns else _N_STRAIGHT))
+            points = np.concatenate([self.seen(piece.placed(self.drawing.poses, 0)[0]) for piece in parts])
+            middle = points.mean(axis=0)
+            spots = [points[int(((points - middle) @ way).argmax())] for _at, way in around(middle)]
+            places = tuple((spot, way) for spot, (_at, way) in zip(spots, around(middle), strict=True))
+            self.wish(Wish(force.label, places, 10.5, Ink("force"), weight=5.0))
+
+
+def _is_alike(first: Mark, second: Mark) -> bool:
+    """Whether two marks differ at most in their colours."""
+    alike = np.array_equal(first.points, second.points) and first.is_closed == second.is_closed
+    return alike and (first.alpha, first.width) == (second.alpha, second.width)
+
+
+# pieces of an arrow
+_N_STRAIGHT = len(list(arrow(np.eye(3)[0], 0.0, 1.0, 1.0)))
+_N_CURVED = len(list(curved_arrow(np.eye(3)[0], np.eye(3)[2], 1.0, 1.0)))
+
+
+def whole_in_space(
+    drawing: Drawing, loads: Sequence[Force], angles: tuple[float, float], *, perspective: bool
+) -> SpaceSketch:
+    """A system in space."""
+    sketch = SpaceSketch(drawing, angles, _ROOM, perspective=perspective)
+    sketch.name_loads(loads)
+    sketch.add_corner()
+    return sketch
+
+
+def free_body_in_space(
+    scene: Scene,
+    poses: tuple[Array, Array],
+    bodies: Sequence[str],
+    forces: Sequence[Force],
+    title: str,
+    angles: tuple[float, float],
+    *,
+    perspective: bool,
+    partners: Mapping[str, frozenset[int]],
+) -> Picture:
+    """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes; partners: which bodies a force acts between, by its
+    name."""
+    part = replace(scene, forms=tuple(form for form in scene.forms if form.name in bodies), ties=Ties(), gravity=None)
+    drawing, shells = Drawing.of(part, *poses), shells_of(scene, poses)
+    if any(form.index in shells.forms for form in part.forms):  # of made-up size: as in the whole picture
+        whole = Drawing.of(scene, *poses)
+        own = {form.index for form in part.forms}
+        pieces = [p for p in whole.pieces if p.look in OF_BODIES and p.turn in own and p.place.body in own]
+        drawing = replace(whole, scene=part, pieces=[p for p in pieces if p.end is None])
+    sketch = SpaceSketch(drawing, angles, _ROOM_FREE, perspective=perspective, with_names=False)
+    index = {form.name: form.index for form in part.forms}
+
+    def where(force: Force) -> tuple[Array, Array]:
+        center = drawing.poses.centers[0, index[force.body]]
+        apart = _apart(scene, drawing.poses, shells, partners.get(force.name, frozenset()))
+        return sketch.seen(center + np.array(force.at) + apart), sketch.seen(center)
+
+    Arrows(sketch, where, seen=sketch.vector).draw(forces)
+    for form in part.forms:
+        middle = sketch.seen(drawing.poses.centers[0, form.index])
+        places = tuple((at + 8.0 * way, way) for at, way in around(middle))
+        sketch.wish(Wish(words(form.name), places, _SIZE, Ink("body", form.number), is_needed=False))
+    sketch.add_corner()
+    return sketch.finished(title, described_forces(bodies, forces))
+
+
+def _apart(scene: Scene, poses: Poses, shells: Shells, bodies: frozenset[int]) -> Array:
+    """(3,) [m] how far from its place a joint of bodies without extent is drawn."""
+    for joint in scene.ties.joints:
+        if frozenset((joint.first.body, joint.second.body)) == bodies and joint.axis is not None:
+            return poses.heading(joint.axis, 0) * shells.tip(joint)
+    return np.zeros(3)

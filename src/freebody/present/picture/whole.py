@@ -1,0 +1,197 @@
+"""A system as it stands: what it is made of, what pushes it, its coordinates, dimensions and axes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from freebody.language.expression import differentiate, free_symbols
+from freebody.loads.gravity import Gravity
+from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.present.figures import GROUND, Array, Place, positions
+from freebody.present.picture.arrows import Arrows, axes_cross
+from freebody.present.picture.bodies_free import name_beside
+from freebody.present.picture.coordinates import Coordinates
+from freebody.present.picture.dimensions import Dimensions
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import Label, Run, name, words
+from freebody.present.picture.placer import Wish, around
+from freebody.present.picture.plane import sketched
+from freebody.present.picture.shapes import Ink, Shape
+from freebody.present.picture.signs import across, arrow
+from freebody.present.picture.sketch import Sketch
+from freebody.present.places import Places
+from freebody.present.scene import Scene, inside
+from freebody.system.system import System
+
+_ROOMS = {0: (120.0, 90.0), 1: (170.0, 120.0), 2: (265.0, 190.0)}  # [points], by the number of bodies
+_ROOM = 340.0, 235.0  # of more
+_LENGTH = 34.0  # [points] of an arrow
+_LEAST = 190.0, 105.0
+_CORNER = 64.0, 34.0  # [points] what the axes and the arrow of gravity take
+
+
+class Whole:
+    """One instant of a system. pose: (n_moving_bodies, 3); loads: those that are drawn as arrows."""
+
+    def __init__(self, system: System, places: Places, pose: Array, loads: Sequence[Force]) -> None:
+        self.system, self.places, self.loads = system, places, loads
+        self.lengths: Callable[[Force], float] = lambda _force: _LENGTH
+        self.scene = Scene.of(system, places.number)
+        self.drawing, self.sketch = sketched(self.scene, pose, _ROOMS.get(len(self.scene.figures), _ROOM), _LEAST)
+
+    def drawn(self, *, with_signs: bool = True) -> Sketch:
+        """The sketch with everything on it, before words are placed; with coordinates and dimensions or without."""
+        figures = {figure.name: figure for figure in self.scene.figures}
+
+        def where(force: Force) -> tuple[Array, Array]:
+            figure = figures[force.body]
+            center = positions(self.drawing.poses, figure.mass_center)[0]
+            return self.sketch.at(center + np.array(force.at[:2])), self.sketch.at(center)
+
+        Arrows(self.sketch, where, self.lengths).draw(self.loads)
+        if with_signs:
+            self._draw_signs()
+        for figure in self.scene.figures:
+            name_beside(self.sketch, figure, self.drawing.poses)
+        self._name_springs()
+        self._name_points()
+        corner_signs(self.sketch, gravity_of(self.system, self.places))
+        return self.sketch
+
+    def _draw_signs(self) -> None:
+        """Angles of inclines, coordinates, dimensions."""
+        dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
+        dimensions.draw_inclines()
+        coordinates = Coordinates(self.sketch, self.drawing, self.places)
+        for called, measure in self.system.measures.items():
+            coordinates.draw(called, measure)
+        dimensions.draw()
+
+    # -- names --------------------------------------------------------------------------------
+    def _name_springs(self) -> None:
+        for push in self.system.pushes:
+            inner = distance_of(push.measure)
+            label = constants_of(push)
+            if inner is None or label is None:
+                continue
+            a, b = (self._at(self.places.place(point)) for point in (inner.start, inner.end))
+            length = float(np.hypot(*(b - a)))
+            if length < 8.0:
+                continue
+            side = across((b - a) / length)
+            spots = [a + share * (b - a) + 7.0 * sign * side for share in (0.5, 0.35, 0.65) for sign in (1.0, -1.0)]
+            ways = [sign * side for _share in range(3) for sign in (1.0, -1.0)]
+            self.sketch.wish(Wish(label, tuple(zip(spots, ways, strict=True)), 10.0, weight=3.5))
+
+    def _name_points(self) -> None:
+        """Points of the ground and of bodies at which something is joined, if their names are short."""
+        joints = self.scene.joints
+        used = {place for pin in joints.pins for place in (pin.first, pin.second)}
+        used |= {place for link in joints.links for place in link}
+        used |= {place for spring in joints.springs for place in (spring.first, spring.second)}
+        used |= {node.place for rope in joints.ropes for node in rope.nodes if not node.arm}
+        named: dict[Place, str] = {}
+        for body in self.system.bodies.values():
+            for called in body.points:
+                place = self.places.place(body.point(called))
+                if place in used and len(called) <= 2:
+                    named.setdefault(place, called)
+        seen: set[tuple[str, int, int]] = set()
+        for place, called in named.items():
+            at = self._at(place)
+            key = called, round(at[0]), round(at[1])
+            if key not in seen:
+                seen.add(key)
+                places = tuple((spot + 2.0 * way, way) for spot, way in around(at, (-1.0, 1.0)))
+                self.sketch.wish(Wish(words(called), places, 9.5, Ink(), is_needed=False, weight=2.0))
+
+    def _at(self, place: Place) -> Array:
+        return self.sketch.at(positions(self.drawing.poses, place)[0])
+
+
+def corner_signs(sketch: Sketch, gravity: Array | None) -> None:
+    """Axes and gravity in a corner where there is room, else outside at the lower left."""
+    low, high = sketch.corners()
+    wide, tall = _CORNER if gravity is not None else (0.55 * _CORNER[0], _CORNER[1])
+    corners = [
+        low,
+        np.array((high[0] - wide, low[1])),
+        np.array((low[0], high[1] - tall)),
+        high - np.array((wide, tall)),
+        low - np.array((wide + 6.0, 0.0)) if high[1] - low[1] > high[0] - low[0] else low - np.array((0.0, tall + 8.0)),
+    ]
+    for corner in corners:
+        shapes = list(_signs(corner + np.array((6.0, 5.0)), gravity))
+        if not sketch.crowd([shape for shape in shapes if isinstance(shape, Shape)], 12.0) or corner is corners[-1]:
+            for item in shapes:
+                if isinstance(item, Wish):
+                    sketch.wish(item)
+                else:
+                    sketch.add(item)
+            return
+
+
+def _signs(at: Array, gravity: Array | None) -> Iterator[Shape | Wish]:
+    yield from axes_cross(at)
+    if gravity is not None:
+        middle = at + np.array((42.0, 11.0))
+        ink = Ink("force")
+        yield from arrow(middle - 12.0 * gravity, middle + 12.0 * gravity, ink, 1.3, 6.0)
+        side = across(gravity)
+        yield Wish(name("g"), ((middle, side), (middle, -side)), 10.0, ink, weight=9.0)
+
+
+def gravity_of(system: System, places: Places) -> Array | None:
+    """(2,) its direction, if there is any."""
+    for push in system.pushes:
+        if isinstance(system.loads.get(push.load), Gravity) and isinstance(push.measure, Displacement):
+            heading = places.heading(push.measure.along)
+            return np.array(heading[1:]) if heading.body == GROUND else None
+    return None
+
+
+def distance_of(measure: Measure | RateMeasure) -> Distance | None:
+    """The distance that a spring pushes."""
+    inner = inside(measure)
+    return inner if isinstance(inner, Distance) else None
+
+
+def constants_of(push: Push) -> Label | None:
+    """The stiffness and the damping of a linear law, by their symbols."""
+    found: list[Label] = []
+    for variable in (VALUE.name, RATE.name):
+        if variable in free_symbols(push.law):
+            slope = differentiate(push.law, variable)
+            used = free_symbols(slope)
+            if len(used) != 1 or variable in used:
+                return None
+            found.append(name(*used))
+    if not found:
+        return None
+    if len(found) == 1:
+        return found[0]
+    return Label((*found[0].runs, Run(", "), *found[1].runs), f"{found[0].latex},\\, {found[1].latex}")
+
+
+def described(system: System, moved: Sequence[str]) -> str:
+    """What a picture shows, in words. moved: bodies that are drawn aside of their places."""
+    parts = [f"{system.title}."]
+    bodies = [body.name for body in system.bodies.values() if body.name != "ground"]
+    parts.append(f"Bodies: {', '.join(bodies)}.")
+    for called, connection in system.connections.items():
+        between = dict.fromkeys(b for row in system.rows if row.connection == called for b in row.measure.bodies())
+        joined = f" between {' and '.join(between)}" if between else ""
+        parts.append(f"{called}: {connection.kind.replace('_', ' ')}{joined}.")
+    loads = [f"{called} ({load.kind.replace('_', ' ')})" for called, load in system.loads.items()]
+    if loads:
+        parts.append(f"Loads: {', '.join(loads)}.")
+    if system.measures:
+        parts.append(f"Coordinates: {', '.join(system.measures)}.")
+    if moved:
+        parts.append(f"Drawn aside of their places: {', '.join(moved)}.")
+    return " ".join(parts)

@@ -1,0 +1,85 @@
+"""Long formulas over several rows: broken before relations, then before the signs of a long sum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr, Sum, Symbol
+from freebody.language.notation.parts import signed_terms
+from freebody.language.notation.stacked import stacked
+from freebody.present.report.blocks import Derivative, Difference, Formula, Side
+
+
+@dataclass(frozen=True)
+class Row:
+    """left is what stands before the first relation, in the first row only; right are the operators and the sides
+    behind them, as ("=", a), ("+", b), or ("", a) where there is no relation. unit: behind the last."""
+
+    left: Side | None
+    right: tuple[tuple[str, Side], ...]
+    unit: str = ""
+
+    @property
+    def width(self) -> int:
+        """[characters]"""
+        return (0 if self.left is None else side_width(self.left)) + self.right_width
+
+    @property
+    def right_width(self) -> int:
+        """[characters] from the first relation on"""
+        return sum(3 + side_width(side) for _, side in self.right)
+
+
+def rows(formula: Formula, width: int) -> list[Row]:
+    """The rows of a formula. width: [characters] that a row may be wide, as the terminal would draw it."""
+    left, *others = formula.sides
+    if not others:
+        others, left = [left], None
+    steps: list[tuple[str, Side]] = list(zip(formula.relations or ("",), others, strict=True))
+    free = max(width - (0 if left is None else side_width(left)), width // 2)
+    lines: list[tuple[tuple[str, Side], ...]] = []
+    if sum(3 + side_width(side) for _, side in steps) <= free:
+        lines.append(tuple(steps))
+    else:
+        for relation, side in steps:
+            lines += _broken(relation, side, free)
+    last = len(lines) - 1
+    return [Row(left if k == 0 else None, line, formula.unit if k == last else "") for k, line in enumerate(lines)]
+
+
+def side_width(side: Side) -> int:
+    """[characters] over which a terminal would draw it."""
+    match side:
+        case tuple():
+            return 2 + max((side_width(entry) for entry in side), default=0)
+        case Derivative(Symbol() as of, by):
+            return 1 + max(side_width(of), side_width(by))
+        case Derivative(of, by):
+            return 1 + side_width(by) + 2 + side_width(of)
+        case Difference(first, second):
+            return side_width(first) + side_width(second) + 3
+        case _:
+            return stacked(side)[0].width
+
+
+def _broken(operator: str, side: Side, width: int) -> list[tuple[tuple[str, Side], ...]]:
+    """A side that is a long sum, a row for as many of its terms as fit."""
+    if not isinstance(side, Sum) or side_width(side) <= width:
+        return [((operator, side),)]
+    lines: list[tuple[tuple[str, Side], ...]] = []
+    taken: list[Expr] = []
+    used = 0
+    for term, (is_subtracted, unsigned) in zip(side.terms, signed_terms(side.terms), strict=True):
+        needed = side_width(unsigned) + 3
+        if taken and used + needed > width:
+            lines.append(((operator, _sum(taken)),))
+            # The sign of the first term of a row is its operator.
+            operator, taken, used = ("-" if is_subtracted else "+"), [unsigned], needed
+        else:
+            taken.append(term)
+            used += needed
+    return [*lines, ((operator, _sum(taken)),)]
+
+
+def _sum(terms: list[Expr]) -> Expr:
+    return terms[0] if len(terms) == 1 else Sum(tuple(terms))

@@ -1,0 +1,287 @@
+"""A report as a web page that needs nothing else: MathML, drawings as SVG, one style sheet and a short script in it.
+
+Steps are closed when the page opens and open by themselves (`details`); the script only adds the buttons that open
+the next one or all.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from html import escape
+from importlib.resources import files
+
+from freebody.present.report.blocks import (
+    Block,
+    Bullets,
+    Columns,
+    Emphasis,
+    Equation,
+    Equations,
+    Figure,
+    Figures,
+    Formula,
+    Paragraph,
+    Piece,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Side,
+    Step,
+    Table,
+    Text,
+)
+from freebody.present.report.formulas.mathml import MathMLFormulas
+from freebody.present.report.formulas.rows import rows, side_width
+from freebody.present.report.words import capital, plain, word
+
+_ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
+_LABEL_WIDTH = 26  # a longer label may be broken
+_PAPER_WIDTH = 80  # that fit on a page
+_INLINE_WIDTH = 24  # a wider formula in a text scrolls on a narrow screen
+_FORMULAS = MathMLFormulas()
+_SIGNS = {"right": "✓", "wrong": "✗"}
+_LOOKS = {"code": "<code>{}</code>", "strong": "<strong>{}</strong>", "soft": '<span class="soft">{}</span>'}
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
+
+
+def html_page(report: Report) -> str:
+    """The text of the page."""
+    has_steps = _count_steps(report.blocks) > 0
+    return f"""<!DOCTYPE html>
+<html lang="{escape(report.language)}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{_POLICY}">
+<meta name="color-scheme" content="light dark">
+<title>{_words(report.title)}</title>
+<style>
+{_asset("report.css")}body {{ margin: 0; }}
+</style>
+</head>
+<body>
+<div class="freebody-report page">
+{_body(report, "", "main")}
+</div>
+{f"<script>{_asset('report.js')}</script>" if has_steps else ""}
+</body>
+</html>
+"""
+
+
+def html_fragment(report: Report) -> str:
+    """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
+    digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]
+    style = f"<style>\n{_asset('report.css')}</style>"
+    return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
+
+
+def _asset(name: str) -> str:
+    return files("freebody.present.report").joinpath(name).read_text(encoding="utf-8")
+
+
+def _body(report: Report, prefix: str, element: str) -> str:
+    subtitle = f'<p class="subtitle">{_words(report.subtitle)}</p>' if report.subtitle else ""
+    writer = _Writer(report, prefix)
+    content = writer.blocks(report.blocks)
+    bar = writer.bar() if writer.n_steps and not prefix else ""
+    heading = f"<header><h1>{_words(report.title)}</h1>{subtitle}</header>"
+    return f'<{element} class="sheet">\n{heading}\n{writer.contents()}{content}{bar}\n</{element}>'
+
+
+def _count_steps(blocks: Sequence[Block]) -> int:
+    n = 0
+    for block in blocks:
+        match block:
+            case Step():
+                n += 1
+            case Section():
+                n += _count_steps(block.blocks)
+            case Columns(left, right):
+                n += _count_steps(left) + _count_steps(right)
+            case _:
+                pass
+    return n
+
+
+class _Writer:
+    """Writes the blocks of one report, and counts the sections and steps that it has met."""
+
+    def __init__(self, report: Report, prefix: str) -> None:
+        self.report = report
+        self.prefix = prefix
+        self.n_sections = 0
+        self.n_steps = 0
+        self.depth = 1
+
+    def word(self, key: str) -> str:
+        return escape(word(self.report, key))
+
+    def contents(self) -> str:
+        """A list of the top sections, if there are more than two."""
+        top = [block for block in self.report.blocks if isinstance(block, Section)]
+        if len(top) <= 2:
+            return ""
+        number, items = 0, ""
+        for section in top:
+            number += 1
+            items += f'<li><a href="#{self.prefix}section-{number}">{self.text(section.title)}</a></li>'
+            number += _count_sections(section.blocks)
+        label = self.word("contents")
+        return f'<nav class="contents" aria-label="{label}"><h2>{label}</h2><ol>{items}</ol></nav>\n'
+
+    def bar(self) -> str:
+        return (
+            f'\n<div class="bar" hidden><button type="button" data-show="next" aria-keyshortcuts="n">'
+            f"{self.word('show next')} <kbd>n</kbd></button>"
+            f'<button type="button" data-show="all" aria-keyshortcuts="a">{self.word("show all")} <kbd>a</kbd></button>'
+            "<output></output></div>"
+        )
+
+    # -- blocks -----------------------------------------------------------------------------------
+    def blocks(self, blocks: Sequence[Block]) -> str:
+        return "\n".join(self.block(block) for block in blocks)
+
+    def block(self, block: Block) -> str:
+        match block:
+            case Paragraph(text):
+                return f"<p>{self.text(text)}</p>"
+            case Equations(lines):
+                widest = max((row.width for line in lines for row in rows(line.formula, _ROW_WIDTH)), default=0)
+                # On paper nothing scrolls: a wide formula is made smaller.
+                size = f' style="--widest: {widest}"' if widest > _PAPER_WIDTH else ""
+                return f'<div class="equations"{size}>{"".join(self.equation(line) for line in lines)}</div>'
+            case Bullets(items, is_numbered):
+                element = "ol" if is_numbered else "ul"
+                return f"<{element}>{''.join(f'<li>{self.text(item)}</li>' for item in items)}</{element}>"
+            case Table():
+                return self.table(block)
+            case Figure():
+                return self.figure(block)
+            case Figures(figures):
+                return f'<div class="figures">{"".join(self.figure(figure) for figure in figures)}</div>'
+            case Step():
+                return self.step(block)
+            case Section():
+                return self.section(block)
+            case Columns(left, right):
+                return f'<div class="columns"><div>{self.blocks(left)}</div><div>{self.blocks(right)}</div></div>'
+            case Remark(text, kind):
+                return f'<div class="remark {kind}" role="note"><p>{self.text(text)}</p></div>'
+
+    def section(self, section: Section) -> str:
+        self.n_sections += 1
+        name = f"{self.prefix}section-{self.n_sections}"
+        before, self.depth = self.depth, max(2, min(section.level, 6))
+        heading = f'<h{self.depth} id="{name}">{self.text(section.title)}</h{self.depth}>'
+        content = self.blocks(section.blocks)
+        self.depth = before
+        return f'<section aria-labelledby="{name}">\n{heading}\n{content}\n</section>'
+
+    def step(self, step: Step) -> str:
+        self.n_steps += 1
+        name = f"{self.prefix}step-{self.n_steps}"
+        before, self.depth = self.depth, min(self.depth + 1, 6)
+        title = f'<h{self.depth} id="{name}">{self.text(step.title)}</h{self.depth}>'
+        hint = f'<p class="hint"><b>{capital(self.word("hint"))}</b> {self.text(step.hint)}</p>' if step.hint else ""
+        summary = f'<summary aria-describedby="{name}">{capital(self.word("show the step"))}</summary>'
+        content = self.blocks(step.blocks)
+        self.depth = before
+        return (
+            f'<section class="step" aria-labelledby="{name}">\n{title}\n{hint}\n'
+            f'<details>{summary}\n<div class="inside">{content}</div></details>\n</section>'
+        )
+
+    def equation(self, equation: Equation) -> str:
+        """A line of the grid: label, left side, the rest, note, number; a broken formula has further rows."""
+        number, note = equation.number, self.text(equation.note)
+        long = " long" if len(equation.label) > _LABEL_WIDTH else ""
+        cells = f'<span class="label{long}">{_words(equation.label)}</span>' if equation.label else ""
+        broken = rows(equation.formula, _ROW_WIDTH)
+        for k, row in enumerate(broken):
+            cells += f'<span class="left">{_math(_FORMULAS.left(row))}</span>'
+            cells += f'<span class="rest">{_math(_FORMULAS.right(row))}</span>'
+            if k == 0 and number is not None:
+                where = f"#{self.prefix}eq-{number}"
+                label = f"{self.word('equation')} {number}"
+                cells += f'<a class="number" href="{where}" aria-label="{label}">({number})</a>'
+        if note:
+            cells += f'<span class="note">{note}</span>'
+        anchor = f' id="{self.prefix}eq-{number}"' if number is not None else ""
+        return f'<div class="equation"{anchor}>{cells}</div>'
+
+    def table(self, table: Table) -> str:
+        marked = any(table.marks)
+        head = "".join(f'<th scope="col">{self.text(cell)}</th>' for cell in table.header)
+        body = ""
+        for k, row in enumerate(table.rows):
+            mark = table.marks[k] if k < len(table.marks) else ""
+            cells = "".join(f"<td>{self.text(cell)}</td>" for cell in row)
+            body += f'<tr class="{mark}">{self.mark(mark) if marked else ""}{cells}</tr>'
+        corner = "<td></td>" if marked else ""
+        return f'<div class="table"><table><thead><tr>{corner}{head}</tr></thead><tbody>{body}</tbody></table></div>'
+
+    def mark(self, mark: str) -> str:
+        if not mark:
+            return '<td class="mark"></td>'
+        return f'<td class="mark"><span role="img" aria-label="{self.word(mark)}">{_SIGNS[mark]}</span></td>'
+
+    def figure(self, figure: Figure) -> str:
+        picture = figure.picture
+        label = escape(plain(f"{picture.title}. {picture.description}"), quote=True)
+        lead = f"<b>{capital(self.word('figure'))} {figure.number}</b>"
+        caption = f"<figcaption>{lead} {self.text(figure.caption)}</figcaption>"
+        drawing = f'<div class="drawing" role="img" aria-label="{label}">{picture.svg()}</div>'
+        return f'<figure id="{self.prefix}fig-{figure.number}">{drawing}{caption}</figure>'
+
+    # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        return "".join(self.piece(piece) for piece in text)
+
+    def piece(self, piece: Piece) -> str:
+        match piece:
+            case str():
+                return _words(piece)
+            case Formula():
+                math = _math(_FORMULAS.formula(piece), is_display=False)
+                return f'<span class="wide">{math}</span>' if _width(piece) > _INLINE_WIDTH else math
+            case Emphasis(words, look):
+                return _LOOKS[look].format(_words(words))
+            case Reference(number, "equation"):
+                label = f"{self.word('equation')} {number}"
+                return f'<a href="#{self.prefix}eq-{number}" aria-label="{label}">({number})</a>'
+            case Reference(number, _):
+                return f'<a href="#{self.prefix}fig-{number}">{self.word("figure")} {number}</a>'
+
+
+def _count_sections(blocks: Sequence[Block]) -> int:
+    n = 0
+    for block in blocks:
+        match block:
+            case Section():
+                n += 1 + _count_sections(block.blocks)
+            case Step():
+                n += _count_sections(block.blocks)
+            case Columns(left, right):
+                n += _count_sections(left) + _count_sections(right)
+            case _:
+                pass
+    return n
+
+
+def _width(formula: Formula) -> int:
+    sides: tuple[Side, ...] = formula.sides
+    return sum(side_width(side) + 3 for side in sides)
+
+
+def _math(elements: str, is_display: bool = True) -> str:
+    if not elements:
+        return ""
+    display = ' displaystyle="true"' if is_display else ""
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{display}><mrow>{elements}</mrow></math>'
+
+
+def _words(text: str) -> str:
+    return escape(plain(text))

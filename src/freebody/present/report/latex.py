@@ -1,0 +1,231 @@
+r"""A report as a LaTeX document for pdflatex with plain packages; drawings are TikZ.
+
+Numbers are the report's own (\tag), so that a part of it can stand in another document.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.present.report.blocks import (
+    Block,
+    Bullets,
+    Columns,
+    Emphasis,
+    Equation,
+    Equations,
+    Figure,
+    Figures,
+    Formula,
+    Paragraph,
+    Piece,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Step,
+    Table,
+    Text,
+)
+from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows
+from freebody.present.report.latex_text import latex_words, math_words
+from freebody.present.report.words import capital, word
+from freebody.present.theme import THEMES
+
+_ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
+_BABEL = {"de": "ngerman", "en": "english"}
+_HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
+_LOOKS = {"code": r"\texttt{{{}}}", "strong": r"\textbf{{{}}}", "soft": r"{{\color{{frmuted}}{}}}"}
+_MARKS = {"": "", "right": r"\textcolor{frright}{$\checkmark$}", "wrong": r"\textcolor{frwrong}{$\times$}"}
+
+# \frfitted{width}{what} shrinks what is wider; \frbox{colour}{text} is a frame.
+MACROS = r"""\providecommand{\frfitted}[2]{\sbox0{#2}\ifdim\wd0>#1\resizebox{#1}{!}{\usebox0}\else\usebox0\fi}
+\providecommand{\frbox}[2]{\par\medskip\noindent{\setlength{\fboxsep}{6pt}%
+  \fcolorbox{#1}{white}{\parbox{\dimexpr\linewidth-2\fboxsep-2\fboxrule}{#2}}}\par\medskip}
+"""
+PACKAGES = "amsmath, amssymb, textcomp, xcolor, graphicx, booktabs, array, tikz, hyperref"
+
+
+def latex_document(report: Report) -> str:
+    """The text of a .tex file."""
+    language = _BABEL.get(report.language.split("-")[0], "english")
+    light = THEMES["light"]
+    colors = {"frmuted": light.muted, "fraccent": light.bodies[0], "frright": "#00704f", "frwrong": "#b03a00"}
+    named = {"ink": light.ink, "muted": light.muted, "faint": light.faint, "paper": light.paper, **colors}
+    defined = "".join(rf"\definecolor{{{name}}}{{HTML}}{{{color[1:].upper()}}}" + "\n" for name, color in named.items())
+    subtitle = rf"\par\smallskip{{\color{{frmuted}}{latex_words(report.subtitle)}}}" if report.subtitle else ""
+    return rf"""\documentclass[11pt,a4paper]{{article}}
+\usepackage[utf8]{{inputenc}}
+\usepackage[T1]{{fontenc}}
+\usepackage{{lmodern}}
+\usepackage[{language}]{{babel}}
+\usepackage[margin=25mm]{{geometry}}
+\usepackage{{amsmath,amssymb,textcomp,xcolor,graphicx,booktabs,array,tikz}}
+\usetikzlibrary{{arrows.meta,calc,patterns,decorations.pathmorphing}}
+\usepackage[hidelinks]{{hyperref}}
+\setlength{{\parindent}}{{0pt}}
+\setlength{{\parskip}}{{6pt plus 2pt}}
+\setcounter{{secnumdepth}}{{0}}
+\allowdisplaybreaks
+{defined}{MACROS}\hypersetup{{pdftitle={{{latex_words(report.title)}}}}}
+\begin{{document}}
+{{\LARGE\bfseries\raggedright {latex_words(report.title)}\par}}{subtitle}
+\bigskip
+
+{_Writer(report).blocks(report.blocks)}
+\end{{document}}
+"""
+
+
+def latex_fragment(report: Report) -> str:
+    """The body alone, to be read by \\input where the packages named in its first line are loaded."""
+    colors = "".join(
+        rf"\providecolor{{{name}}}{{HTML}}{{{color}}}" + "\n"
+        for name, color in (("frmuted", "59636E"), ("fraccent", "0072B2"), ("frright", "00704F"), ("frwrong", "B03A00"))
+    )
+    return f"% needs the packages {PACKAGES}\n{MACROS}{colors}{_Writer(report).blocks(report.blocks)}\n"
+
+
+class _Writer:
+    """Writes the blocks of one report. width: [characters] of a displayed formula."""
+
+    def __init__(self, report: Report, width: int = _ROW_WIDTH) -> None:
+        self.report = report
+        self.width = width
+
+    def word(self, key: str) -> str:
+        return latex_words(word(self.report, key))
+
+    # -- blocks -----------------------------------------------------------------------------------
+    def blocks(self, blocks: Sequence[Block]) -> str:
+        """A formula goes on with the paragraph before it, which keeps the space above it small."""
+        return "".join(("\n" if isinstance(b, Equations) else "\n\n") + self.block(b) for b in blocks).strip("\n")
+
+    def block(self, block: Block) -> str:
+        match block:
+            case Paragraph(text):
+                return self.text(text)
+            case Equations(lines):
+                return self.equations(lines)
+            case Bullets(items, is_numbered):
+                name = "enumerate" if is_numbered else "itemize"
+                # \relax keeps a bracket at the start of an item from being its option.
+                inner = "\n".join(rf"\item\relax {self.text(item)}" for item in items)
+                return f"\\begin{{{name}}}\n{inner}\n\\end{{{name}}}"
+            case Table():
+                return self.table(block)
+            case Figure():
+                return "\\begin{center}\n" + self.figure(block, r"\linewidth") + "\n\\end{center}"
+            case Figures(figures):
+                share = 0.95 / max(1, min(3, len(figures)))
+                drawn = [_minipage(share, r"\centering", self.figure(figure, r"\linewidth")) for figure in figures]
+                return "\\begin{center}\n" + "\\hfill\n".join(drawn) + "\n\\end{center}"
+            case Step():
+                return self.step(block)
+            case Section():
+                heading = _HEADINGS.get(block.level, "paragraph")
+                title = rf"\{heading}{{\texorpdfstring{{{self.text(block.title)}}}{{{self.bookmark(block.title)}}}}}"
+                return f"{title}\n{self.blocks(block.blocks)}"
+            case Columns(left, right):
+                narrow = _Writer(self.report, _COLUMN_WIDTH)
+                parts = [_minipage(0.48, r"\setlength{\parskip}{4pt}", narrow.blocks(side)) for side in (left, right)]
+                return "\\noindent" + "\\hfill\n".join(parts)
+            case Remark(text, kind):
+                return self.remark(self.text(text), kind)
+
+    def step(self, step: Step) -> str:
+        """A line before the title, and the hint in italics, as nothing can be hidden on paper."""
+        rule = r"\medskip{\color{fraccent}\rule{1.2em}{1.5pt}}\enspace"
+        title = rf"{rule}\textbf{{{self.text(step.title)}}}\nopagebreak"
+        if step.hint:
+            lead = rf"\textit{{{capital(self.word('hint'))}:}}"
+            title += f"\n\n{lead} {{\\color{{frmuted}}{self.text(step.hint)}}}\\par\\nopagebreak"
+        return f"{title}\n\n{self.blocks(step.blocks)}"
+
+    def remark(self, text: str, kind: str) -> str:
+        if kind == "evidence":
+            return rf"{{\small\color{{frmuted}}{_MARKS['right']}\enspace {text}\par}}"
+        sign = r"\textcolor{frwrong}{\textbf{!}}\enspace " if kind == "warning" else ""
+        text = text if kind == "warning" else rf"\everymath{{\displaystyle}}{text}"
+        return rf"\frbox{{{'frwrong' if kind == 'warning' else 'fraccent'}}}{{{sign}{text}}}"
+
+    def equations(self, lines: Sequence[Equation]) -> str:
+        dialect = Dialect(math_words, _tag, self.above, _shrunk)
+        return f"\\begin{{alignat*}}{{3}}\n{aligned_rows(lines, self.width, dialect)}\\end{{alignat*}}"
+
+    def above(self, text: Text) -> str:
+        """A text over the whole line between the rows of a formula."""
+        return rf"\noalign{{\vskip6pt\vbox{{\normalbaselines\noindent {self.text(text)}\endgraf}}\vskip2pt}}" + "\n"
+
+    def table(self, table: Table) -> str:
+        marked = any(table.marks)
+        kinds = "@{}" + ("c@{\\enspace}" if marked else "") + _column_kinds(table)
+        rows = [("" if marked else None, table.header)]
+        rows += [
+            (_MARKS[table.marks[k] if k < len(table.marks) else ""] if marked else None, row)
+            for k, row in enumerate(table.rows)
+        ]
+        texts = [" & ".join([*([mark] if mark is not None else []), *map(self.cell, row)]) for mark, row in rows]
+        # Fractions need room between the rows.
+        space = "\\addlinespace[5pt]\n" if any("\\frac" in line for line in texts) else ""
+        body = f" \\\\\n{space}".join(texts[1:])
+        return (
+            f"\\begin{{center}}\\renewcommand{{\\arraystretch}}{{1.3}}\n\\begin{{tabular}}{{{kinds}@{{}}}}\n\\toprule\n"
+            f"{texts[0]} \\\\\n\\midrule\n{body} \\\\\n\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
+        )
+
+    def cell(self, text: Text) -> str:
+        return r"{\everymath{\displaystyle}" + self.text(text) + "}"
+
+    def figure(self, figure: Figure, width: str) -> str:
+        name = rf"\textbf{{{capital(self.word('figure'))} {figure.number}}}"
+        return (
+            f"\\phantomsection\\label{{fig:{figure.number}}}\\frfitted{{{width}}}{{%\n{figure.picture.tikz()}}}\\\\[4pt]\n"
+            f"{{\\small {name}\\enspace {self.text(figure.caption)}}}"
+        )
+
+    # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        return "".join(self.piece(piece) for piece in text)
+
+    def piece(self, piece: Piece) -> str:
+        match piece:
+            case str():
+                return latex_words(piece)
+            case Formula():
+                return f"${WRITER.formula(piece)}$"
+            case Emphasis(words, look):
+                return _LOOKS[look].format(latex_words(words))
+            case Reference(number, "equation"):
+                return rf"(\ref{{eq:{number}}})"
+            case Reference(number, _):
+                return rf"\hyperref[fig:{number}]{{{self.word('figure')}~{number}}}"
+
+    def bookmark(self, text: Text) -> str:
+        """A title without formulas, for the list of contents of a PDF."""
+        return "".join(latex_words(p) for p in text if isinstance(p, str)).replace(r"\ensuremath", "")
+
+
+def _minipage(share: float, setting: str, content: str) -> str:
+    # The empty line at the top is what they are aligned at.
+    return f"\\begin{{minipage}}[t]{{{share:.2f}\\linewidth}}{setting}\\vspace{{0pt}}\n{content}\n\\end{{minipage}}"
+
+
+def _tag(number: int) -> str:
+    return rf"\tag{{{number}}}\label{{eq:{number}}}"
+
+
+def _shrunk(formula: str) -> str:
+    return rf"\vcenter{{\hbox{{\frfitted{{0.78\linewidth}}{{$\displaystyle {formula}$}}}}}}"
+
+
+def _column_kinds(table: Table) -> str:
+    """Columns of long texts are paragraphs that share the width of the line."""
+    lengths = [0] * len(table.header)
+    for row in (table.header, *table.rows):
+        for k, cell in enumerate(row):
+            lengths[k] = max(lengths[k], sum(len(p) if isinstance(p, str) else 12 for p in cell))
+    if sum(lengths) <= 75:
+        return "l" * len(lengths)
+    wide = [max(length, 6) for length in lengths]
+    return "".join(rf">{{\raggedright\arraybackslash}}p{{{0.82 * n / sum(wide):.3f}\linewidth}}" for n in wide)

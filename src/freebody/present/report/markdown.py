@@ -1,0 +1,192 @@
+r"""A report in GitHub-flavoured Markdown with $...$ and $$...$$; drawings are files beside it, steps fold.
+
+Words are escaped sign by sign, so that nothing in them is markup or HTML.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from html import escape
+
+from freebody.present.report.blocks import (
+    Block,
+    Bullets,
+    Columns,
+    Emphasis,
+    Equation,
+    Equations,
+    Figure,
+    Figures,
+    Formula,
+    Paragraph,
+    Piece,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Step,
+    Table,
+    Text,
+)
+from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows, fits, lead_of
+from freebody.present.report.formulas.rows import rows
+from freebody.present.report.latex_text import web_words
+from freebody.present.report.words import capital, plain, word
+
+_ROW_WIDTH = 72
+_MARKS = {"": "", "right": "✓", "wrong": "✗"}
+_ALERTS = {"result": "IMPORTANT", "warning": "WARNING", "evidence": "NOTE"}
+_SPECIAL = re.compile(r"([`*_\[\]|~#])")
+_AT_START = re.compile(r"^(\s*\d*)((?<!\d)[-+=](?=[-+=\s]|$)|(?<=\d)[.)](?=\s|$))")
+
+
+def markdown_files(report: Report, name: str) -> tuple[str, dict[str, str]]:
+    """The text of NAME.md, and the drawings by the path relative to it: NAME-figures/1.svg and so on."""
+    files: dict[str, str] = {}
+
+    def place(figure: Figure) -> str:
+        path = f"{name}-figures/{figure.number}.svg"
+        files[path] = figure.picture.svg()
+        return f"<{path}>" if re.search(r"[\s()]", path) else path
+
+    return MarkdownWriter(report, place).document(), files
+
+
+class MarkdownWriter:
+    """Writes the blocks of one report. place: keeps a drawing, and says where it is. has_alerts: remarks as the
+    coloured boxes of GitHub, otherwise as quotations."""
+
+    def __init__(self, report: Report, place: Callable[[Figure], str], *, has_alerts: bool = True) -> None:
+        self.report = report
+        self.place = place
+        self.has_alerts = has_alerts
+
+    def document(self) -> str:
+        return "\n\n".join([self.heading(), *map(self.block, self.report.blocks)]) + "\n"
+
+    def heading(self) -> str:
+        subtitle = f"\n\n{_words(self.report.subtitle)}" if self.report.subtitle.strip() else ""
+        return f"# {_words(self.report.title)}{subtitle}"
+
+    def word(self, key: str) -> str:
+        return word(self.report, key)
+
+    # -- blocks -----------------------------------------------------------------------------------
+    def blocks(self, blocks: Sequence[Block]) -> str:
+        return "\n\n".join(self.block(block) for block in blocks)
+
+    def block(self, block: Block) -> str:
+        match block:
+            case Paragraph(text):
+                return self.text(text).strip()
+            case Equations(lines):
+                return self.equations(lines)
+            case Bullets(items, is_numbered):
+                leads = [f"{k}. " if is_numbered else "- " for k in range(1, len(items) + 1)]
+                return "\n".join(lead + self.text(item) for lead, item in zip(leads, items, strict=True))
+            case Table():
+                return self.table(block)
+            case Figure():
+                return self.figure(block)
+            case Figures(figures):
+                return "\n\n".join(self.figure(figure) for figure in figures)
+            case Step():
+                return self.step(block)
+            case Section():
+                level = max(2, min(block.level, 6))
+                return f"{'#' * level} {self.text(block.title)}\n\n{self.blocks(block.blocks)}"
+            case Columns(left, right):
+                return f"{self.blocks(left)}\n\n---\n\n{self.blocks(right)}"
+            case Remark(text, kind):
+                alert = f"> [!{_ALERTS[kind]}]\n" if self.has_alerts else ""
+                sign = {"result": "", "warning": "**!** ", "evidence": "✓ "}[kind] if not alert else ""
+                return f"{alert}> {sign}{self.text(text)}"
+
+    def step(self, step: Step) -> str:
+        hint = f"\n\n*{_words(capital(self.word('hint')))}:* {self.text(step.hint)}" if step.hint else ""
+        summary = f"<details>\n<summary>{_html(capital(self.word('show the step')))}</summary>"
+        return f"**{self.title(step.title)}**{hint}\n\n{summary}\n\n{self.blocks(step.blocks)}\n\n</details>"
+
+    def title(self, text: Text) -> str:
+        """A title that stands out as a whole has no words that stand out."""
+        return "".join(_words(p.words) if isinstance(p, Emphasis) else self.piece(p) for p in text)
+
+    def equations(self, lines: Sequence[Equation]) -> str:
+        """One formula on one row by itself; anything more as an aligned environment."""
+        if any(map(lead_of, lines)) and not fits(lines, _ROW_WIDTH):
+            return "\n\n".join(self.below_words(line) for line in lines)
+        if len(lines) == 1 and not lead_of(lines[0]) and len(rows(lines[0].formula, _ROW_WIDTH)) == 1:
+            number = lines[0].number
+            return self.displayed(WRITER.formula(lines[0].formula) + (f" {_tag(number)}" if number is not None else ""))
+        body = aligned_rows(lines, _ROW_WIDTH, _DIALECT)
+        return self.displayed(f"\\begin{{alignat*}}{{3}}\n{body}\\end{{alignat*}}")
+
+    def below_words(self, line: Equation) -> str:
+        """A formula whose label and note stand above it."""
+        lead = self.text(lead_of(line)).strip()
+        return (f"{lead}\n\n" if lead else "") + self.equations((replace(line, label="", note=()),))
+
+    def displayed(self, formula: str) -> str:
+        return f"$$\n{_math(formula)}\n$$"
+
+    def table(self, table: Table) -> str:
+        marked = any(table.marks)
+        marks = [_MARKS[mark] for mark in table.marks] + [""] * (len(table.rows) - len(table.marks))
+        header = [*([" "] if marked else []), *map(self.text, table.header)]
+        body = [[*([marks[k]] if marked else []), *map(self.text, row)] for k, row in enumerate(table.rows)]
+        return "\n".join("| " + " | ".join(row) + " |" for row in (header, ["---"] * len(header), *body))
+
+    def figure(self, figure: Figure) -> str:
+        label = _words(f"{figure.picture.title}. {figure.picture.description}")
+        name = f"**{_words(capital(self.word('figure')))} {figure.number}**"
+        return f"![{label}]({self.place(figure)})\n\n{name} {self.text(figure.caption)}"
+
+    # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        return "".join(self.piece(piece) for piece in text)
+
+    def piece(self, piece: Piece) -> str:
+        match piece:
+            case str():
+                return _words(piece)
+            case Formula():
+                return f"${_math(WRITER.formula(piece))}$"
+            case Emphasis(words, "code"):
+                return f"<code>{_words(words)}</code>"
+            case Emphasis(words, look):
+                # Beside a sign, asterisks are not always read as emphasis.
+                mark, element = ("**", "strong") if look == "strong" else ("*", "em")
+                is_plain = words[:1].isalnum() and words[-1:].isalnum()
+                return f"{mark}{_words(words)}{mark}" if is_plain else f"<{element}>{_words(words)}</{element}>"
+            case Reference(number, "equation"):
+                return f"({number})"
+            case Reference(number, _):
+                return f"{_words(self.word('figure'))} {number}"
+
+
+def _words(text: str) -> str:
+    """Signs with a meaning are escaped; $ and the backslash stand by their names, since notebooks look for mathematics
+    before they look at backslashes."""
+    text = escape(plain(text), quote=False).replace("\\", "&bsol;").replace("$", "&dollar;")
+    text = _SPECIAL.sub(r"\\\1", text)
+    # What would make a line an item of a list, a rule or a heading.
+    return _AT_START.sub(r"\1\\\2", text)
+
+
+def _html(text: str) -> str:
+    return escape(plain(text)).replace("$", "&dollar;")
+
+
+def _math(formula: str) -> str:
+    r"""Without signs that Markdown or HTML would take for theirs: <, > and the bar of a table."""
+    formula = formula.replace(r"\left|", r"\left\vert ").replace(r"\right|", r"\right\vert ")
+    return re.sub(r"< *", r"\\lt ", re.sub(r"> *", r"\\gt ", formula)).strip()
+
+
+def _tag(number: int) -> str:
+    return rf"\tag{{{number}}}"
+
+
+_DIALECT = Dialect(web_words, _tag)

@@ -1,0 +1,246 @@
+"""A report as text for a terminal: formulas with drawn fractions, numbers at the right margin, aligned tables."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import replace
+
+from freebody.language.notation.stacked import Box
+from freebody.present.report.blocks import (
+    Block,
+    Bullets,
+    Columns,
+    Emphasis,
+    Equation,
+    Equations,
+    Figure,
+    Figures,
+    Formula,
+    Paragraph,
+    Piece,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Step,
+    Table,
+    Text,
+)
+from freebody.present.report.formulas.line import LineFormulas
+from freebody.present.report.formulas.rows import Row, rows, side_width
+from freebody.present.report.formulas.stacked import StackedFormulas, flat
+from freebody.present.report.words import capital, plain, word
+
+WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 120, 40
+_INDENT = 4
+_LINE, _STACKED = LineFormulas(), StackedFormulas()
+_SIGNS = {"": " ", "right": "✓", "wrong": "✗"}
+_NO_BREAK = "\u00a0"
+_SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
+
+
+def terminal_text(report: Report, width: int = WIDTH) -> str:
+    """The report in lines of at most `width` characters; only a table, or a word too long, may be wider."""
+    writer = _Writer(report, max(MIN_WIDTH, min(width, MAX_WIDTH)))
+    head = [plain(report.title), *([plain(report.subtitle)] if report.subtitle else [])]
+    lines = [*head, "═" * min(writer.width, max(map(columns, head))), "", *writer.blocks(report.blocks)]
+    return "\n".join(line.replace(_NO_BREAK, " ").rstrip() for line in lines).rstrip("\n") + "\n"
+
+
+def columns(text: str) -> int:
+    """How many columns of a terminal a text takes."""
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+class _Writer:
+    def __init__(self, report: Report, width: int) -> None:
+        self.report = report
+        self.width = width
+
+    def word(self, key: str) -> str:
+        return plain(word(self.report, key))
+
+    # -- blocks -----------------------------------------------------------------------------------
+    def blocks(self, blocks: Sequence[Block]) -> list[str]:
+        """The lines of some blocks, an empty one after each."""
+        lines: list[str] = []
+        for block in blocks:
+            lines += [*self.block(block), ""]
+        return lines
+
+    def block(self, block: Block) -> list[str]:
+        match block:
+            case Paragraph(text):
+                return self.wrapped(self.text(text))
+            case Equations(lines):
+                return self.equations(lines)
+            case Bullets(items, is_numbered):
+                found: list[str] = []
+                for k, item in enumerate(items, 1):
+                    found += self.wrapped(self.text(item), f"{k:>3}. " if is_numbered else "  • ")
+                return found
+            case Table():
+                return self.table(block)
+            case Figure():
+                return self.figure(block)
+            case Figures(figures):
+                return [line for figure in figures for line in self.figure(figure)]
+            case Step():
+                return self.step(block)
+            case Section():
+                title = self.text(block.title)
+                rule = "─" if block.level <= 2 else "╌"
+                heading = [*self.wrapped(title), rule * min(self.width, columns(title)), ""]
+                return [*heading, *self.blocks(block.blocks)][:-1]
+            case Columns(left, right):
+                return [*self.blocks(left), "· · ·".center(self.width), "", *self.blocks(right)][:-1]
+            case Remark(text, kind):
+                return self.remark(self.text(text), kind)
+
+    def step(self, step: Step) -> list[str]:
+        lines = self.wrapped(self.text(step.title), "▸ ")
+        if step.hint:
+            lines += self.wrapped(f"{capital(self.word('hint'))}: {self.text(step.hint)}", "  ")
+        inner = _Writer(self.report, self.width - 2)
+        content = inner.blocks(step.blocks)[:-1]
+        return [*lines, "", *(f"  {line}" for line in content)] if content else lines
+
+    def remark(self, text: str, kind: str) -> list[str]:
+        if kind != "result":
+            return self.wrapped(text, "✓ " if kind == "evidence" else "! ")
+        inside = textwrap.wrap(text, self.width - 4, break_long_words=False) or [""]
+        size = max(map(columns, inside))
+        body = [f"│ {line}{' ' * (size - columns(line))} │" for line in inside]
+        return [f"┌{'─' * (size + 2)}┐", *body, f"└{'─' * (size + 2)}┘"]
+
+    def figure(self, figure: Figure) -> list[str]:
+        caption = self.text(figure.caption)
+        drawing = [plain(line).rstrip() for line in figure.picture.text().splitlines()]
+        name = f"{self.word('figure')} {figure.number}"
+        if any(drawing):
+            return [*drawing, *self.wrapped(f"{capital(name)}: {caption}")]
+        return self.wrapped(f"[{name}: {caption}]" if caption else f"[{name}]")
+
+    def table(self, table: Table) -> list[str]:
+        texts = [[self.text(cell) for cell in row] for row in (table.header, *table.rows)]
+        if any(table.marks):
+            marks = [_SIGNS[mark] for mark in table.marks] + [" "] * (len(table.rows) - len(table.marks))
+            texts = [[mark, *row] for mark, row in zip([" ", *marks], texts, strict=True)]
+        sizes = [max(columns(row[k]) for row in texts) for k in range(len(texts[0]))]
+        words = [max((columns(w) for row in texts for w in row[k].split(" ")), default=0) for k in range(len(sizes))]
+        sizes = _shrunk(sizes, words, self.width - 2 * len(sizes))
+        lines: list[str] = []
+        for row in texts:
+            cells = [
+                textwrap.wrap(cell, size, break_long_words=False) or [""] for cell, size in zip(row, sizes, strict=True)
+            ]
+            for k in range(max(map(len, cells))):
+                parts = [cell[k] if k < len(cell) else "" for cell in cells]
+                padded = [part + " " * (size - columns(part)) for part, size in zip(parts, sizes, strict=True)]
+                lines.append("  ".join(padded))
+            if row is texts[0]:
+                lines.append("  ".join("─" * size for size in sizes))
+        return lines
+
+    # -- formulas ---------------------------------------------------------------------------------
+    def equations(self, lines: Sequence[Equation]) -> list[str]:
+        """Aligned at the first relation; the label before, the note behind, the number at the right margin."""
+        label_size = max((columns(plain(line.label)) for line in lines), default=0)
+        is_above = label_size > 0.3 * self.width
+        start = _INDENT + (label_size + 2 if label_size and not is_above else 0)
+        free = self.width - start - 8
+        lefts = [side_width(line.formula.sides[0]) for line in lines if line.formula.relations]
+        left_size = max((size for size in lefts if size <= free // 2), default=0)
+        drawn = [(line, _parts(line.formula, free, left_size)) for line in lines]
+        found: list[str] = []
+        below = 0
+        for line, parts in drawn:
+            if found and below + max(box.baseline for box in parts[0]) > 1:
+                found.append("")
+            if is_above and line.label:
+                found += self.wrapped(plain(line.label), " " * _INDENT)
+            found += self._equation(replace(line, label="") if is_above else line, parts, start, left_size)
+            below = max(box.below for box in parts[-1])
+        return found
+
+    def _equation(self, line: Equation, parts: list[tuple[Box, Box]], start: int, left_size: int) -> list[str]:
+        label, note = plain(line.label), self.text(line.note)
+        number = f"({line.number})" if line.number is not None else ""
+        found: list[str] = []
+        for k, (left, rest) in enumerate(parts):
+            before = (" " * _INDENT + label if k == 0 else "").ljust(start + max(left_size - left.width, 0))
+            box = _STACKED.beside([flat(before), left, rest])
+            end = len(parts) - 1
+            if k == end and note and box.width + columns(note) + 12 <= self.width:
+                box, note = _STACKED.beside([box, flat(f"    {note}")]), ""
+            drawn = list(box.lines)
+            if k and box.baseline + max(part.below for part in parts[k - 1]) > 1:
+                found.append("")
+            if k == end and number:
+                gap = max(2, self.width - box.width - len(number))
+                drawn[box.baseline] += " " * gap + number
+            found += drawn
+        return [*found, *self.wrapped(note, " " * start)] if note else found
+
+    # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        return "".join(self.piece(piece) for piece in text)
+
+    def piece(self, piece: Piece) -> str:
+        match piece:
+            case str():
+                return plain(piece)
+            case Formula():
+                written = _LINE.formula(piece)
+                # A short formula stays on one line.
+                return written.replace(" ", _NO_BREAK) if len(written) <= 30 else written
+            case Emphasis(words, _):
+                return plain(words)
+            case Reference(number, "equation"):
+                return f"({number})"
+            case Reference(number, _):
+                return f"{self.word('figure')}{_NO_BREAK}{number}"
+
+    def wrapped(self, text: str, lead: str = "") -> list[str]:
+        indent = " " * columns(lead)
+        return textwrap.wrap(
+            text,
+            self.width,
+            initial_indent=lead,
+            subsequent_indent=indent,
+            break_long_words=False,
+            break_on_hyphens=False,
+        ) or [lead.rstrip()]
+
+
+def _parts(formula: Formula, width: int, left_size: int) -> list[tuple[Box, Box]]:
+    """The rows of a formula whose left side stands in a column of that size."""
+    own = side_width(formula.sides[0]) if formula.relations else 0
+    width -= max(left_size - own, 0)
+    return [_drawn(row, width) for row in rows(formula, width)]
+
+
+def _drawn(row: Row, width: int) -> tuple[Box, Box]:
+    """What stands before the relation of a row, and the rest; on lines of text where a drawing would be too wide."""
+    left, right = _STACKED.left(row), _STACKED.right(row)
+    if left.width + right.width <= width:
+        return left, right
+    left, written = flat(_LINE.left(row)), _LINE.right(row).strip()
+    written = _SHORT_BRACKETS.sub(lambda found: found[0].replace(" ", _NO_BREAK), written)
+    lines = textwrap.wrap(written, max(width - left.width - 3, MIN_WIDTH // 2), subsequent_indent="  ") or [""]
+    size = max(map(len, lines))
+    return left, Box(tuple(f" {line.ljust(size)}" for line in lines), 0)
+
+
+def _shrunk(sizes: list[int], words: list[int], width: int) -> list[int]:
+    """Columns of a table made narrower, the widest first, until they fit; none is narrower than its longest word."""
+    sizes = list(sizes)
+    while sum(sizes) > width:
+        free = [k for k, size in enumerate(sizes) if size > words[k]]
+        if not free:
+            break
+        sizes[max(free, key=lambda k: sizes[k])] -= 1
+    return sizes

@@ -1,0 +1,192 @@
+"""A report in Typst, and as a PDF by the package `typst`, which has the compiler in it.
+
+Words stand in strings, so that nothing in them is markup. Displayed formulas are lines of text: the left sides in boxes
+of the widest one's width, the numbers pushed to the right.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from freebody.errors import InputError
+from freebody.present.report.blocks import (
+    Block,
+    Bullets,
+    Columns,
+    Emphasis,
+    Equation,
+    Equations,
+    Figure,
+    Figures,
+    Formula,
+    Paragraph,
+    Piece,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Step,
+    Table,
+    Text,
+)
+from freebody.present.report.formulas.rows import rows
+from freebody.present.report.formulas.typst import TypstFormulas, quoted
+from freebody.present.report.words import capital, plain, word
+
+_ROW_WIDTH, _COLUMN_WIDTH = 68, 30  # characters of a displayed formula
+_FORMULAS = TypstFormulas()
+
+
+def typst_files(report: Report) -> tuple[str, dict[str, str]]:
+    """The text of a .typ file, and the drawings by the names by which it reads them."""
+    writer = _Writer(report)
+    style = files("freebody.present.report").joinpath("report.typ").read_text(encoding="utf-8")
+    head = f"#show: sheet.with({_words(report.title)}, {_words(report.subtitle)}, {quoted(_language(report))})"
+    return f"{style}\n{head}\n\n{writer.blocks(report.blocks)}\n", writer.drawings
+
+
+def pdf_bytes(report: Report) -> bytes:
+    """A PDF. Raises InputError if the package typst is not installed."""
+    check_typst()
+    typst: Any = import_module("typst")
+    source, drawings = typst_files(report)
+    with TemporaryDirectory() as folder:
+        for name, svg in drawings.items():
+            Path(folder, name).write_text(svg, encoding="utf-8")
+        main = Path(folder, "report.typ")
+        main.write_text(source, encoding="utf-8")
+        return bytes(typst.compile(str(main)))
+
+
+def check_typst() -> None:
+    if find_spec("typst") is None:
+        raise InputError('a PDF needs the package typst: pip install "freebody[report]"')
+
+
+def _language(report: Report) -> str:
+    found = re.match("[a-z]{2,3}", report.language)
+    return found[0] if found else "en"
+
+
+class _Writer:
+    """Writes the blocks of one report and keeps its drawings."""
+
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.width = _ROW_WIDTH
+        self.drawings: dict[str, str] = {}
+        self.labels: set[str] = set()
+
+    def word(self, key: str) -> str:
+        return word(self.report, key)
+
+    # -- blocks -----------------------------------------------------------------------------------
+    def blocks(self, blocks: Sequence[Block]) -> str:
+        return "\n\n".join(self.block(block) for block in blocks)
+
+    def block(self, block: Block) -> str:
+        match block:
+            case Paragraph(text):
+                return self.text(text)
+            case Equations(lines):
+                return f"#equations(({''.join(self.equation(line) + ', ' for line in lines)}))"
+            case Bullets(items, is_numbered):
+                name = "enum" if is_numbered else "list"
+                return f"#{name}({', '.join(f'[{self.text(item)}]' for item in items)})"
+            case Table():
+                return self.table(block)
+            case Figure():
+                return self.figure(block)
+            case Figures(figures):
+                return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
+            case Step(title, hint, inner):
+                given = f"[{self.text(hint)}]" if hint else "none"
+                label = _words(capital(self.word("hint")))
+                return f"#step([{self.text(title)}], {label}, {given})[\n{self.blocks(inner)}\n]"
+            case Section(title, inner, level):
+                return f"#heading(level: {max(1, level - 1)})[{self.text(title)}]\n\n{self.blocks(inner)}"
+            case Columns(left, right):
+                before, self.width = self.width, _COLUMN_WIDTH
+                sides = [self.blocks(left), self.blocks(right)]
+                self.width = before
+                return f"#two-columns[\n{sides[0]}\n][\n{sides[1]}\n]"
+            case Remark(text, kind):
+                return f'#remark("{kind}")[{self.text(text)}]'
+
+    def equation(self, equation: Equation) -> str:
+        broken = rows(equation.formula, self.width)
+        parts = "".join(f"({_displayed(_FORMULAS.left(row))}, {_displayed(_FORMULAS.right(row))}), " for row in broken)
+        label = f"[{self.words(equation.label)}]" if equation.label else "none"
+        note = f"[{self.text(equation.note)}]" if equation.note else "none"
+        number = "none"
+        if equation.number is not None:
+            number = f"[({equation.number}) {self.anchor(f'eq-{equation.number}')}]"
+        return f"(rows: ({parts}), label: {label}, note: {note}, number: {number})"
+
+    def anchor(self, name: str) -> str:
+        """A label to be linked to, at the first place that has this name."""
+        if name in self.labels:
+            return ""
+        self.labels.add(name)
+        return f"#metadata(none)<{name}>"
+
+    def link(self, name: str, text: str) -> str:
+        return f"#goto({quoted(name)}, {_words(text)});"
+
+    def table(self, table: Table) -> str:
+        marks = [f'"{mark}"' for mark in table.marks] + ['""'] * (len(table.rows) - len(table.marks))
+        header = "".join(f"[{self.text(cell)}], " for cell in table.header)
+        body = "".join(f"({''.join(f'[{self.text(cell)}], ' for cell in row)}), " for row in table.rows)
+        return f"#grid-of(({header}), ({body}), ({''.join(mark + ', ' for mark in marks) if any(table.marks) else ''}))"
+
+    def figure(self, figure: Figure) -> str:
+        name = f"{figure.number}.svg"
+        self.drawings[name] = _still(figure.picture.svg())
+        described = _words(f"{figure.picture.title}. {figure.picture.description}")
+        lead = _words(f"{capital(self.word('figure'))} {figure.number}")
+        where = self.anchor(f"fig-{figure.number}")
+        return f"#drawing({quoted(name)}, {described}, {lead})[{self.text(figure.caption)}] {where}"
+
+    # -- text -------------------------------------------------------------------------------------
+    def text(self, text: Text) -> str:
+        return "".join(self.piece(piece) for piece in text)
+
+    def words(self, text: str) -> str:
+        return f"#{_words(text)};"
+
+    def piece(self, piece: Piece) -> str:
+        match piece:
+            case str():
+                return self.words(piece)
+            case Formula():
+                written = _FORMULAS.formula(piece)
+                # A column within a text would be set in small letters.
+                is_column = any(isinstance(side, tuple) for side in piece.sides)
+                return f"$display({written})$" if is_column else f"${written}$"
+            case Emphasis(words, look):
+                return f"#{look}({_words(words)});"
+            case Reference(number, "equation"):
+                return self.link(f"eq-{number}", f"({number})")
+            case Reference(number, _):
+                return self.link(f"fig-{number}", f"{self.word('figure')} {number}")
+
+
+def _words(text: str) -> str:
+    return quoted(plain(text))
+
+
+def _displayed(formula: str) -> str:
+    return f"$display({formula})$"
+
+
+def _still(svg: str) -> str:
+    """A drawing as it is on white paper: rules for dark screens left out, variables by what they fall back to."""
+    light = re.sub(r"@media[^{]*\{(?:[^{}]|\{[^{}]*\})*\}", "", svg)
+    return re.sub(r"var\(\s*--[\w-]+\s*,\s*([^()]+)\)", r"\1", light)

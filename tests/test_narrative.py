@@ -1,0 +1,186 @@
+"""Derivations are re-read: every line holds, names only what was introduced, and follows from lines before it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from freebody import System
+from freebody.errors import InputError, RoutesDisagree
+from freebody.language.expression import Symbol, number
+from freebody.language.parser import parse
+from freebody.narrative.context import Context
+from freebody.narrative.explain import Derivation, Explanation, explain
+from freebody.narrative.script import Legend, Line, Script, Sentence, Stage, names_in
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+def load(name: str) -> System:
+    return System.load(EXAMPLES / f"{name}.yaml")
+
+
+def lines_of(stages: tuple[Stage, ...]) -> list[Line]:
+    return [item for stage in stages for item in stage.items if isinstance(item, Line)]
+
+
+def sentences_of(stages: tuple[Stage, ...]) -> list[Sentence]:
+    return [item for stage in stages for item in stage.items if isinstance(item, Sentence)]
+
+
+def legend_of(stages: tuple[Stage, ...]) -> set[str]:
+    entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
+    return set().union(*(names_in(symbol) for symbol, _what, _unit in entries)) if entries else set()
+
+
+def reread(explanation: Explanation, derivation: Derivation) -> None:
+    """Raises AssertionError at the first line that names what was not introduced or follows from a later one."""
+    known = legend_of(explanation.opening) | {"t"}
+    earlier = {line.number for line in lines_of(explanation.opening)}
+    for stages in (derivation.stages, derivation.compared):
+        here = set(known)
+        for stage in stages:
+            for item in stage.items:
+                if isinstance(item, Legend):
+                    here |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
+                if isinstance(item, Line):
+                    used = set().union(*(names_in(side) for side in item.sides))
+                    defined = names_in(item.sides[0]) if stage.title.key == "stage.result" else set()
+                    assert used - defined <= here, f"({item.number}) uses {used - here} before they are introduced"
+                    assert set(item.uses) <= earlier, f"({item.number}) follows from {set(item.uses) - earlier}"
+                    earlier.add(item.number)
+
+
+def the(name: str, question: str, **options: str) -> tuple[Explanation, Derivation]:
+    found = explain(load(name), question, **options)
+    (derivation,) = found.derivations
+    assert not derivation.reason
+    return found, derivation
+
+
+def principles(derivation: Derivation) -> list[tuple[str, tuple[str, ...], str]]:
+    """kind, bodies, and the key of the point or direction of each principle."""
+    found: list[tuple[str, tuple[str, ...], str]] = []
+    for s in sentences_of(derivation.stages):
+        if s.key in ("principle.linear", "principle.angular"):
+            where = s.args.get("point", s.args.get("direction"))
+            assert isinstance(where, Sentence)
+            bodies = s.args["bodies"]
+            assert isinstance(bodies, tuple)
+            found.append((s.key.removeprefix("principle."), tuple(map(str, bodies)), where.key))
+    return found
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.yaml")))
+def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> None:
+    found = explain(load(name))
+    assert [d.question.id for d in found.derivations] == [q.id for q in found.system.questions]
+    for derivation in found.derivations:
+        assert not derivation.reason, f"{derivation.question.text}: {derivation.reason}"
+        reread(found, derivation)
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.yaml")))
+def test_every_formula_that_is_an_answer_is_the_last_line_of_its_derivation(name: str) -> None:
+    found = explain(load(name))
+    for derivation in found.derivations:
+        if derivation.answer.expression is not None:
+            last = lines_of(derivation.stages)[-1]
+            assert last.sides[-1] == derivation.answer.expression, derivation.question.text
+
+
+def test_a_rolling_disk_takes_moments_about_its_contact_point() -> None:
+    _found, derivation = the("disk_rolling_down_incline", "acceleration")
+    assert principles(derivation) == [("angular", ("disk",), "point.contact")]
+
+
+def test_an_atwood_machine_takes_two_momenta_and_one_moment() -> None:
+    _found, derivation = the("atwood_machine", "acceleration")
+    assert [(kind, bodies) for kind, bodies, _where in principles(derivation)] == [
+        ("linear", ("left",)),
+        ("linear", ("right",)),
+        ("angular", ("pulley",)),
+    ]
+
+
+def test_a_planetary_gear_takes_one_planet_about_its_contact_with_the_ring_and_the_sun() -> None:
+    _found, derivation = the("planetary_gear", "acceleration")
+    assert sorted(principles(derivation)) == [
+        ("angular", ("P1",), "point.contact"),
+        ("angular", ("sun",), "point.mass_center"),
+    ]
+    said = next(s for s in sentences_of(derivation.stages) if s.key == "symmetry.said")
+    assert said.args["bodies"] == ("P1", "P2", "P3")
+
+
+def test_a_cart_and_its_pendulum_are_taken_together_where_the_pin_need_not_be_known() -> None:
+    _found, derivation = the("cart_and_pendulum", "cart")
+    assert ("linear", ("cart", "rod"), "direction.measure") in principles(derivation)
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "first", "second"),
+    [
+        ("atwood_machine", "acceleration", "newton", "lagrange"),
+        ("atwood_machine", "acceleration", "lagrange", "energy"),
+        ("cart_and_pendulum", "cart", "newton", "lagrange"),
+        ("double_pendulum", "acceleration", "newton", "lagrange"),
+        ("disk_rolling_down_incline", "speed", "newton", "energy"),
+        ("hoist", "acceleration", "newton", "energy"),
+        ("body_on_driven_roller", "equation", "newton", "lagrange"),
+    ],
+)
+def test_two_methods_end_in_the_same_result(name: str, question: str, first: str, second: str) -> None:
+    found, derivation = the(name, question, method=first, compare=second)
+    reread(found, derivation)
+    assert derivation.compared
+    assert lines_of(derivation.compared)[-1].sides[-1] == derivation.answer.expression
+
+
+def test_a_method_that_does_not_know_a_reaction_says_so() -> None:
+    found = explain(load("atwood_machine"), "tension", method="lagrange")
+    assert "reactions" in found.derivations[0].reason
+    assert not found.is_complete
+
+
+def test_a_line_that_does_not_hold_is_not_taken() -> None:
+    context = Context(load("atwood_machine"))
+    script = Script(context.glossary)
+    script.line(parse("rate(x2)"), parse("-rate(x1)"))
+    with pytest.raises(RoutesDisagree, match="does not hold"):
+        script.line(parse("rate(x2)"), parse("rate(x1)"))
+    with pytest.raises(RoutesDisagree):
+        script.line(parse("rate(rate(x1))"), parse("(m1 - m2)/(m1 + m2)*g"))
+    assert script.next_number == 2
+
+
+def test_a_symbol_without_a_meaning_is_not_taken() -> None:
+    context = Context(load("atwood_machine"))
+    with pytest.raises(InputError, match="has no value"):
+        Script(context.glossary).line(Symbol("nobody"), number(0))
+
+
+def test_unknown_methods_and_languages_are_told_with_a_suggestion() -> None:
+    with pytest.raises(InputError, match=r"no method lagrnge.*lagrange"):
+        explain(load("atwood_machine"), method="lagrnge")
+    with pytest.raises(InputError, match="language"):
+        _ = explain(load("atwood_machine"), "acceleration", language="xx").report
+
+
+def test_limiting_cases_of_the_atwood_machine_are_told() -> None:
+    found = explain(load("atwood_machine"), "acceleration").to_text()
+    assert "m₁ = m₂: 0" in found
+    assert "m₁ → ∞: tends to g" in found
+
+
+def test_a_redundant_constraint_is_named_where_freedoms_are_counted() -> None:
+    said = sentences_of(explain(load("planetary_gear"), "planet_rate").opening)
+    assert any(s.key == "freedom.redundant" for s in said)
+
+
+def test_a_moving_point_with_a_term_of_its_own_is_explained() -> None:
+    _found, derivation = the("cart_and_pendulum", "rod")
+    assert any(s.key == "moving_point.instant" for s in sentences_of(derivation.stages))
+    _found, derivation = the("disk_rolling_down_incline", "acceleration")
+    assert any(s.key == "moving_point.parallel" for s in sentences_of(derivation.stages))
