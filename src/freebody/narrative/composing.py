@@ -14,7 +14,7 @@ from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, 
 if TYPE_CHECKING:
     from freebody.narrative.explain import Derivation, Explanation
 
-_WORDS = ("hint", "show", "show_all", "show_next", "equation", "figure", "page", "contents")
+_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
 
 
 def report_of(explanation: Explanation) -> Report:
@@ -38,7 +38,7 @@ def report_of(explanation: Explanation) -> Report:
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
     blocks += [_section(catalogue, telling, d) for d in explanation.derivations]
-    words = {name: catalogue.word(f"report.{name}") for name in _WORDS}
+    words = {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _WORDS}
     title = system.title or "freebody"
     return Report(title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), words)
 

@@ -30,7 +30,8 @@ OTHER_POINT = 0.05  # a centre other than the mass centre or a fixed point
 MOVING_POINT = 0.05
 UNNATURAL = 0.02  # per place in the list of directions
 MASSLESS = -0.2
-MOST_STATES = 6000
+MOST_STATES = 4000
+MOST_EQUATIONS = 12
 _ZERO = 1e-9
 _SPAN = 1e-7
 
@@ -62,6 +63,7 @@ class Planner:
         n = len(self.model.accelerations)
         self.columns = {row: n + k for k, row in enumerate(table.rows)}
         self.n = n + len(self.columns)
+        self._known: dict[frozenset[str] | None, list[_Entry]] = {}
         self._slopes = {
             row: {slot: self._number(x) for slot, x in slopes.items()} for row, slopes in table.directions.items()
         }
@@ -105,16 +107,7 @@ class Planner:
     def plan(self, target: Array, among: Sequence[str] | None = None) -> Plan:
         """Principles from whose rows all targets (n_targets, n_unknowns) can be put together. among: bodies that may be
         cut free. Raises CannotAnswer if there are none."""
-        entries: list[_Entry] = []
-        for group in self.table.groups():
-            if among is not None and not set(group) <= set(among):
-                continue
-            for place, principle in enumerate(self.table.of(group)):
-                row = self.row_of(principle.weights)
-                if row.any() and not any(
-                    _is_multiple(row, e.row) and e.cost <= self._cost(principle, row, place) for e in entries
-                ):
-                    entries.append(_Entry(principle, row, self._cost(principle, row, place)))
+        entries = self._entries(frozenset(among) if among is not None else None)
         chosen = self._search(entries, target)
         if chosen is None:
             raise CannotAnswer("no closed set of principles was found")
@@ -123,10 +116,27 @@ class Planner:
         contained = tuple(tuple(r for r, k in self.columns.items() if e.row[k]) for e in ordered)
         return Plan(tuple(e.principle for e in ordered), avoided, contained)
 
+    def _entries(self, among: frozenset[str] | None) -> list[_Entry]:
+        """The principles that may be written, each kind of equation in its cheapest form."""
+        if among not in self._known:
+            found: list[_Entry] = []
+            for group in self.table.groups():
+                if among is not None and not set(group) <= among:
+                    continue
+                for place, principle in enumerate(self.table.of(group)):
+                    row = self.row_of(principle.weights)
+                    if row.any():
+                        found.append(_Entry(principle, row, self._cost(principle, row, place)))
+            self._known[among] = _thinned(found)
+        return self._known[among]
+
     def _search(self, entries: Sequence[_Entry], target: Array) -> tuple[int, ...] | None:
-        """Best first over sets of entries."""
-        wanted = {int(k) for k in np.flatnonzero(np.abs(target).max(axis=0))}
-        cheapest = min((e.cost for e in entries), default=0.0)
+        """Best first over sets of entries. A set in which an unknown that is not asked for stands in one row only cannot
+        be closed: that row would have to be left out."""
+        wanted = np.abs(target).max(axis=0) > 0
+        support = np.array([e.row != 0 for e in entries])
+        costs = np.array([e.cost for e in entries])
+        cheapest = float(costs.min(initial=np.inf))
         tie = count()
         queue: list[tuple[float, int, tuple[int, ...]]] = [(0.0, next(tie), ())]
         seen: set[tuple[int, ...]] = set()
@@ -137,51 +147,40 @@ class Planner:
             bound, _k, chosen = heapq.heappop(queue)
             if best is not None and bound >= best[0]:
                 break
-            for k in self._useful(entries, chosen, wanted):
-                more = tuple(sorted((*chosen, k)))
+            for k in self._useful(support, chosen, wanted):
+                more = tuple(sorted((*chosen, int(k))))
                 if more in seen:
                     continue
                 seen.add(more)
-                rows = np.array([entries[i].row for i in more])
-                if np.linalg.matrix_rank(rows, tol=_SPAN) < len(more):
+                times = support[list(more)].sum(axis=0)
+                reactions = np.flatnonzero((times > 0) & ~wanted)
+                n_reactions = int((reactions >= len(self.model.accelerations)).sum())
+                cost = float(costs[list(more)].sum()) + REACTION * n_reactions
+                if best is not None and cost >= best[0]:
                     continue
-                cost = self._total(entries, more, wanted)
-                if _spans(rows, target):
-                    if best is None or cost < best[0]:
-                        best = cost, more
-                    continue
-                bound = cost + cheapest
-                if best is None or bound < best[0]:
-                    heapq.heappush(queue, (bound, next(tie), more))
+                if not ((times == 1) & ~wanted).any() and _spans(np.array([entries[i].row for i in more]), target):
+                    best = cost, more
+                elif len(more) < MOST_EQUATIONS:
+                    heapq.heappush(queue, (cost + cheapest, next(tie), more))
         if best is not None:
             return best[1]
         return self._everything(entries, target)
 
-    def _useful(self, entries: Sequence[_Entry], chosen: tuple[int, ...], wanted: set[int]) -> list[int]:
+    def _useful(self, support: Array, chosen: tuple[int, ...], wanted: Array) -> Array:
         """Entries that contain the unknown in the way which the fewest entries contain."""
         if not chosen:
             in_the_way = wanted
         else:
-            rows = np.array([entries[i].row for i in chosen])
-            in_the_way = {int(k) for k in np.flatnonzero(np.abs(rows).max(axis=0))} | wanted
-            n_with = {k: sum(1 for i in chosen if entries[i].row[k]) for k in in_the_way}
-            # an unknown that stands in one chosen equation only needs another one to go away
-            lonely = {k for k in in_the_way if n_with[k] <= 1 and not (k in wanted and n_with[k] == 1)}
-            in_the_way = lonely or in_the_way
-        found: dict[int, None] = {}
-        counts = {k: [i for i, e in enumerate(entries) if e.row[k] and i not in chosen] for k in in_the_way}
-        for k in sorted(counts, key=lambda k: (len(counts[k]) == 0, len(counts[k]))):
-            for i in counts[k]:
-                found[i] = None
-            if found:
-                break
-        return list(found)
-
-    def _total(self, entries: Sequence[_Entry], chosen: tuple[int, ...], wanted: set[int]) -> float:
-        n = len(self.model.accelerations)
-        used = {int(k) for i in chosen for k in np.flatnonzero(entries[i].row)}
-        unwanted = [k for k in used if k >= n and k not in wanted]
-        return sum(entries[i].cost for i in chosen) + REACTION * len(unwanted)
+            times = support[list(chosen)].sum(axis=0)
+            lonely = (times == 1) & ~wanted
+            in_the_way = lonely if lonely.any() else (times > 0) | wanted
+        free = support.copy()
+        free[list(chosen)] = False
+        how_many = np.where(in_the_way, free.sum(axis=0), 0)
+        if not how_many.any():
+            return np.array([], dtype=int)
+        column = int(np.argmin(np.where(how_many > 0, how_many, np.iinfo(np.int64).max)))
+        return np.flatnonzero(free[:, column])
 
     def _everything(self, entries: Sequence[_Entry], target: Array) -> tuple[int, ...] | None:
         """All single-body equations, thinned out one by one."""
@@ -232,6 +231,17 @@ class Planner:
 
 def _is_multiple(a: Array, b: Array) -> bool:
     return bool(np.linalg.matrix_rank(np.array([a, b]), tol=_SPAN) < 2)
+
+
+def _thinned(entries: list[_Entry]) -> list[_Entry]:
+    """Without multiples of cheaper ones, and with at most two equations of the same unknowns."""
+    kept: dict[tuple[int, ...], list[_Entry]] = {}
+    for e in sorted(entries, key=lambda e: e.cost):
+        same = kept.setdefault(tuple(map(int, np.flatnonzero(e.row))), [])
+        if len(same) < 2 and not any(_is_multiple(e.row, other.row) for other in same):
+            same.append(e)
+    found = [e for same in kept.values() for e in same]
+    return sorted(found, key=lambda e: e.cost)
 
 
 def _spans(rows: Array, targets: Array) -> bool:

@@ -1,11 +1,13 @@
-"""Expressions as text: for Python, for reading on one line, for LaTeX, and stacked for the terminal.
+"""Expressions as text: for Python, for reading on one line, for LaTeX, MathML and Typst, and stacked for the terminal.
 
-All four writers see an expression the same way: a sum is signed terms, a product is a sign and a fraction
+All writers see an expression the same way: a sum is signed terms, a product is a sign and a fraction
 (`Quotient`), and a number is written as a decimal only where that is exact and reads better than p/q.
 
 parts      what the writers share
 one_line   for Python, and for reading
 latex      for LaTeX
+mathml     for browsers
+typst      for Typst
 stacked    for the terminal
 """
 
@@ -30,6 +32,20 @@ def to_latex(expr: Expr) -> str:
     from freebody.language.notation.latex import latex
 
     return latex(expr)[0]
+
+
+def to_mathml(expr: Expr) -> str:
+    """Presentation MathML, elements for a `math`: <mfrac><mrow>...</mrow><mrow>...</mrow></mfrac>."""
+    from freebody.language.notation.mathml import mathml
+
+    return mathml(expr)[0]
+
+
+def to_typst(expr: Expr) -> str:
+    """Typst mathematics, as between dollar signs: frac(2 m_(1) g, m_(1) + m_(2))."""
+    from freebody.language.notation.typst import typst
+
+    return typst(expr)[0]
 
 
 def to_pretty(expr: Expr, width: int = 100) -> str:

@@ -27,13 +27,12 @@ from freebody.present.report.blocks import (
     Remark,
     Report,
     Section,
-    Side,
     Step,
     Table,
     Text,
 )
 from freebody.present.report.formulas.mathml import MathMLFormulas
-from freebody.present.report.formulas.rows import rows, side_width
+from freebody.present.report.formulas.rows import formula_width, rows
 from freebody.present.report.words import capital, plain, word
 
 _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
@@ -246,7 +245,7 @@ class _Writer:
                 return _words(piece)
             case Formula():
                 math = _math(_FORMULAS.formula(piece), is_display=False)
-                return f'<span class="wide">{math}</span>' if _width(piece) > _INLINE_WIDTH else math
+                return f'<span class="wide">{math}</span>' if formula_width(piece) > _INLINE_WIDTH else math
             case Emphasis(words, look):
                 return _LOOKS[look].format(_words(words))
             case Reference(number, "equation"):
@@ -269,11 +268,6 @@ def _count_sections(blocks: Sequence[Block]) -> int:
             case _:
                 pass
     return n
-
-
-def _width(formula: Formula) -> int:
-    sides: tuple[Side, ...] = formula.sides
-    return sum(side_width(side) + 3 for side in sides)
 
 
 def _math(elements: str, is_display: bool = True) -> str:

@@ -28,6 +28,7 @@ from freebody.present.report.blocks import (
     Text,
 )
 from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows
+from freebody.present.report.formulas.rows import formula_width
 from freebody.present.report.latex_text import latex_words, math_words
 from freebody.present.report.words import capital, word
 from freebody.present.theme import THEMES
@@ -193,7 +194,8 @@ class _Writer:
             case str():
                 return latex_words(piece)
             case Formula():
-                return f"${WRITER.formula(piece)}$"
+                written = f"${WRITER.formula(piece)}$"
+                return rf"\frfitted{{\linewidth}}{{{written}}}" if formula_width(piece) > self.width else written
             case Emphasis(words, look):
                 return _LOOKS[look].format(latex_words(words))
             case Reference(number, "equation"):

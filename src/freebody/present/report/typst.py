@@ -36,7 +36,7 @@ from freebody.present.report.blocks import (
     Table,
     Text,
 )
-from freebody.present.report.formulas.rows import rows
+from freebody.present.report.formulas.rows import formula_width, rows
 from freebody.present.report.formulas.typst import TypstFormulas, quoted
 from freebody.present.report.words import capital, plain, word
 
@@ -169,7 +169,8 @@ class _Writer:
                 written = _FORMULAS.formula(piece)
                 # A column within a text would be set in small letters.
                 is_column = any(isinstance(side, tuple) for side in piece.sides)
-                return f"$display({written})$" if is_column else f"${written}$"
+                written = f"$display({written})$" if is_column else f"${written}$"
+                return f"#alone({written});" if formula_width(piece) > self.width else written
             case Emphasis(words, look):
                 return f"#{look}({_words(words)});"
             case Reference(number, "equation"):

@@ -47,6 +47,11 @@ def rows(formula: Formula, width: int) -> list[Row]:
     return [Row(left if k == 0 else None, line, formula.unit if k == last else "") for k, line in enumerate(lines)]
 
 
+def formula_width(formula: Formula) -> int:
+    """[characters] of all sides on one row"""
+    return sum(side_width(side) + 3 for side in formula.sides)
+
+
 def side_width(side: Side) -> int:
     """[characters] over which a terminal would draw it."""
     match side:
