@@ -1,6 +1,6 @@
 """Equations of motion of n pendulums on a cart: freebody beside SymPy's KanesMethod, in one run.
 
-    python -m pytest benchmarks --benchmark-columns=median,min,max,rounds
+    python -m pytest -n 0 benchmarks --benchmark-columns=median,min,max,rounds    # pip install ".[test,benchmark]"
 
 Both derive mass matrix and forcing from scratch; freebody's are in the form that it prints. The number of operations
 is recorded with each (`extra_info`). SymPy's result is not simplified (that takes 24 s at n = 6).

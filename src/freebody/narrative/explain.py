@@ -12,10 +12,10 @@ from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDis
 from freebody.model.names import did_you_mean
 from freebody.model.question import Question
 from freebody.narrative.closing import closing
-from freebody.narrative.context import METHODS, Context, Method
+from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.opening import opening
-from freebody.narrative.script import Stage
+from freebody.narrative.script import Line, Stage
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
 from freebody.system.system import System
@@ -137,17 +137,22 @@ def _derived(
         compared, trouble = _attempt(context, question, answer, second, derive)
         reason = trouble
     if answer.is_answered and not reason:
-        stages = [*stages, *closing(context, question, answer)]
+        end, reason = _attempt(context, question, answer, method, _closing)
+        stages = [*stages, *end]
     return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
 
 
+def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    return closing(context, question, answer)
+
+
 def _attempt(
-    context: Context, question: Question, answer: Answer, method: Method, derive: object
+    context: Context, question: Question, answer: Answer, method: Method, derive: Derive
 ) -> tuple[list[Stage], str]:
     try:
-        stages = derive(context, question, answer, method)  # type: ignore[operator]
+        stages = derive(context, question, answer, method)
     except (CannotAnswer, RoutesDisagree, ExpressionError, ZeroDivisionError) as error:
         return [], str(error)
-    numbers = [item.number for stage in stages for item in stage.items if hasattr(item, "number")]  # type: ignore[union-attr]
+    numbers = [item.number for stage in stages for item in stage.items if isinstance(item, Line)]
     context.next_number = max([context.next_number - 1, *numbers]) + 1
     return stages, ""

@@ -54,6 +54,11 @@ def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float])
         moved = max(moved, float(np.linalg.norm(force(z))))
         K[:, i] = -(8.0 * (force(z) - force(-z)) - (force(2.0 * z) - force(-2.0 * z))) / (12.0 * h)
     if np.linalg.norm(pull) > 1e-7 * scale + 1e-5 * moved:
+        if reference.velocities(q, with_start=False).any():
+            raise CannotAnswer(
+                "a driver keeps the system moving, so no pose of it is an equilibrium at rest; freebody modes takes "
+                "small motions about the steady motion beside the driver"
+            )
         raise CannotAnswer(
             f"this pose is no equilibrium: the loads set {reference.most_moved(N @ pull)} in motion. Ask for "
             "the frequencies about an equilibrium"

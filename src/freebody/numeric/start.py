@@ -100,9 +100,10 @@ def assembled(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure,
     if best is None:
         raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
     if best.error > ACCEPTED:
+        turned = "turned" if reference.system.space else "angle"
         raise CannotAnswer(
             f"the start cannot be assembled: at best {best.worst}. "
-            "Change the start of the model (at, angle, start) or the lengths"
+            f"Change the start of the model (at, {turned}, start) or the lengths"
         )
     return best
 

@@ -1,0 +1,369 @@
+"""Pictures of systems and of bodies cut free: what the arrows mean, where words stand, and what the files hold."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import freebody as fb
+from freebody.cli import app
+from freebody.model.elements import Held
+from freebody.numeric.jets import Array
+from freebody.present.picture.forces import Force
+from freebody.present.picture.picture import Picture
+from freebody.study.free_body import FreeBody
+from freebody.study.instant import Instant, instant_of, start_of
+from freebody.study.picture import draw, free_body, picture
+from freebody.study.touching import closed_bounds
+from freebody.system.symbols import reaction_symbols
+from freebody.system.system import System
+
+EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.yaml"))
+SVG = "{http://www.w3.org/2000/svg}"
+each_example = pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+
+
+def example(name: str) -> System:
+    return System.load(next(path for path in EXAMPLES if path.stem == name))
+
+
+def cut(found: Instant, *bodies: str) -> tuple[Force, ...]:
+    return FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot)).forces()
+
+
+def cross(a: Iterable[float], b: Iterable[float]) -> Array:
+    r, f = np.array([*a]), np.array([*b])
+    return np.array([r[0] * f[1] - r[1] * f[0]]) if len(r) == 2 else np.cross(r, f)
+
+
+def wrench(forces: Iterable[Force], n: int) -> tuple[Array, Array]:
+    """Force and moment about the mass centre, per unit of each force's value where it has one."""
+    total, turn = np.zeros(n), np.zeros(3 if n == 3 else 1)
+    for force in forces:
+        size = 1.0 if force.value is None else force.value
+        total = total + size * np.array(force.force)
+        turn = turn + size * (cross(force.at, force.force) + np.array(force.moment))
+    return total, turn
+
+
+def rows_of(found: Instant) -> list[Held]:
+    system = found.snapshot.reference.system
+    closed = closed_bounds(found.snapshot)
+    rows = [*system.held, *(bound.row for bound in system.bounds if bound.name in closed)]
+    return rows + [rub.row for rub in system.rubs if not rub.of or rub.of in closed]
+
+
+def pictures(system: System) -> list[Picture]:
+    """The whole, and every body cut free."""
+    return [picture(system), *(free_body(system, [body.name]) for body in system.moving)]
+
+
+# -- what arrows mean -------------------------------------------------------------------------
+@each_example
+def test_arrows_have_the_force_and_the_moment_of_the_gradient(path: Path) -> None:
+    found = start_of(System.load(path))
+    system, n = found.snapshot.reference.system, 3 if found.snapshot.reference.system.space else 2
+    size = found.snapshot.reference.sizes.length
+    for body in system.moving:
+        forces = cut(found, body.name)
+        for row in rows_of(found):
+            if body.name not in set(row.measure.bodies()):
+                continue
+            gradient = row.sign * np.array(found.snapshot.gradient(row.measure, body.name))
+            force, moment = wrench([f for f in forces if f.name == row.name], n)
+            assert force == pytest.approx(gradient[:n], abs=1e-9)
+            if body.turns:
+                assert moment == pytest.approx(gradient[n:], abs=1e-6 * size)
+
+
+@pytest.mark.parametrize(
+    ("name", "at"),
+    [
+        ("slider_crank", 0.1),
+        ("cart_and_pendulum", 0.4),
+        ("atwood_machine", 0.2),
+        ("cylinder_pulled_by_string", 0.1),
+        ("sphere_launched_down_incline", 0.1),
+        ("multi_bar_platform", 0.05),
+        ("yo_yo", 0.1),
+        ("tilted_disk_on_shaft", 0.2),
+    ],
+)
+def test_forces_on_a_body_sum_to_mass_times_acceleration(name: str, at: float) -> None:
+    found = instant_of(example(name), at)
+    system, reference = found.snapshot.reference.system, found.snapshot.reference
+    for body in system.moving:
+        free = FreeBody(found.snapshot, [body.name], closed=closed_bounds(found.snapshot))
+        total = np.zeros(3 if system.space else 2)
+        for force in free.forces():
+            value = found.reactions[force.name] if force.kind == "reaction" else free.load_value(force.name)
+            assert value is not None
+            total = total + value * np.array(force.force)
+        expected = reference.number(body.mass) * found.accelerations[body.name]
+        scale = max(1.0, float(np.abs(expected).max()))
+        assert total == pytest.approx(expected, abs=1e-6 * scale)
+
+
+@each_example
+def test_action_and_reaction_have_one_name_and_opposite_arrows(path: Path) -> None:
+    found = start_of(System.load(path))
+    system = found.snapshot.reference.system
+    moving = {body.name for body in system.moving}
+    symbols = reaction_symbols(system)
+    for row in rows_of(found):
+        bodies = set(row.measure.bodies())
+        if len(bodies) != 2 or not bodies <= moving:
+            continue
+        first, second = ([f for f in cut(found, body) if f.name == row.name] for body in sorted(bodies))
+        n = 3 if system.space else 2
+        assert wrench(first, n)[0] == pytest.approx(-wrench(second, n)[0], abs=1e-9)
+        letter = symbols[row.name].name.split("_")[0]
+        for force in (*first, *second):
+            assert letter in force.label.text
+
+
+def test_a_body_shows_every_load_and_reaction_once() -> None:
+    found = start_of(example("slider_crank"))
+    assert [force.label.text for force in cut(found, "piston")] == ["F_wristpin,x", "F_wristpin,y", "N"]
+    assert next(force.label.text for force in cut(found, "crank")) == "T"
+
+
+def test_what_acts_between_bodies_cut_free_together_is_not_drawn() -> None:
+    found = start_of(example("slider_crank"))
+    names = {force.name for force in cut(found, "crank", "rod")}
+    assert not any(name.startswith("crankpin") for name in names)
+    assert {"main.x", "main.y", "wristpin.x", "wristpin.y", "drive"} == names
+
+
+def test_a_string_pulls_where_it_leaves_its_pulley() -> None:
+    found = start_of(example("atwood_machine"))
+    tensions = {f.label.text: f for f in cut(found, "pulley") if f.label.text.startswith("T")}
+    assert tensions["T_left"].at == pytest.approx((-0.1, 0.0))
+    assert tensions["T_right"].at == pytest.approx((0.1, 0.0))
+    assert tensions["T_left"].force == pytest.approx((0.0, -1.0))
+
+
+def test_normal_force_and_friction_act_where_a_disk_touches_its_incline() -> None:
+    found = start_of(example("disk_rolling_down_incline"))
+    forces = {f.label.text: f for f in cut(found, "disk")}
+    down = 0.2 * np.array((-np.sin(np.radians(30)), -np.cos(np.radians(30))))
+    assert forces["N"].at == pytest.approx(tuple(down))
+    assert forces["F"].at == pytest.approx(tuple(down))
+    assert forces["m\u2009g"].kind == "weight"
+
+
+def test_gears_push_each_other_at_the_pitch_point() -> None:
+    found = start_of(example("planetary_gear"))
+    (sun,) = (f for f in cut(found, "sun") if f.name == "sun_P1.teeth")
+    (planet,) = (f for f in cut(found, "P1") if f.name == "sun_P1.teeth")
+    places = [found.snapshot.reference.pose(found.snapshot.q, body)[:2] for body in ("sun", "P1")]
+    points = [np.array(f.at) + place for f, place in zip((sun, planet), places, strict=True)]
+    assert points[0] == pytest.approx(points[1])
+
+
+def test_labels_can_be_given_by_row_symbol_or_load() -> None:
+    made = free_body(example("slider_crank"), ["crank"], labels={"drive": "M_motor", "F_main_x": "X", "main.y": "Y"})
+    texts = {word.label.text for word in made.words}
+    assert {"M_motor", "X", "Y"} <= texts
+
+
+def test_values_stand_beside_forces_that_are_wanted_in_numbers() -> None:
+    made = free_body(example("atwood_machine"), ["left"], at=0.2, show=["force"])
+    texts = [word.label.text for word in made.words]
+    assert any(text.startswith("T_left = 24.1 N") for text in texts)
+    assert any(text.endswith("= 29.4 N") for text in texts)
+
+
+# -- words ------------------------------------------------------------------------------------
+@each_example
+def test_no_two_words_overlap_and_all_are_in_the_picture(path: Path) -> None:
+    for made in pictures(System.load(path)):
+        low, high = made.corners
+        for k, word in enumerate(made.words):
+            assert (word.at - word.half > low).all()
+            assert (word.at + word.half < high).all()
+            for other in made.words[k + 1 :]:
+                assert not word.overlaps(other), (made.title, word.label.text, other.label.text)
+
+
+@each_example
+def test_every_force_of_a_free_body_has_its_symbol(path: Path) -> None:
+    system = System.load(path)
+    found = start_of(system)
+    for body in system.moving:
+        texts = [word.label.text for word in free_body(system, [body.name]).words]
+        for force in cut(found, body.name):
+            assert force.label.text in texts
+
+
+def test_coordinates_dimensions_and_loads_are_named() -> None:
+    texts = {word.label.text for word in picture(example("slider_crank")).words}
+    assert {"θ", "φ", "r", "l", "T", "crank", "rod", "piston", "x", "y"} <= texts
+    texts = {word.label.text for word in picture(example("disk_rolling_down_incline")).words}
+    assert {"R", "α", "s", "g", "disk"} <= texts
+
+
+def test_gears_have_dash_dotted_pitch_circles() -> None:
+    dashes = {shape.dashes for shape in picture(example("planetary_gear")).shapes}
+    assert any(len(dash) == 4 for dash in dashes)
+
+
+# -- files ------------------------------------------------------------------------------------
+@each_example
+def test_an_svg_is_well_formed_and_says_what_it_shows(path: Path) -> None:
+    system = System.load(path)
+    for made in pictures(system)[:2]:
+        root = ET.fromstring(made.svg())
+        title, desc = root.find(f"{SVG}title"), root.find(f"{SVG}desc")
+        assert title is not None
+        assert desc is not None
+        assert title.text == made.title
+        assert (desc.text or "").endswith(".")
+        assert root.get("role") == "img"
+        assert root.get("aria-labelledby") == f"{title.get('id')} {desc.get('id')}"
+    described = picture(system).description
+    assert all(body.name in described for body in system.moving)
+
+
+def test_two_pictures_on_one_page_share_no_names() -> None:
+    system = example("slider_crank")
+    found = [name for made in pictures(system) for name in re.findall(r'id="([^"]+)"', made.svg())]
+    assert len(set(found)) == len(found)
+
+
+def test_indices_are_real_text_and_greek_letters_are_letters() -> None:
+    text = free_body(example("planetary_gear"), ["sun"]).svg()
+    assert re.search(r"<tspan[^>]*>F</tspan><tspan dy=[^>]*>t,sun,P1</tspan>", text)
+    assert "θ" in picture(example("slider_crank")).svg()
+
+
+def test_colours_follow_a_dark_page_and_are_light_without_style_sheets() -> None:
+    made = picture(example("slider_crank"))
+    text = made.svg()
+    assert "prefers-color-scheme:dark" in text
+    assert "var(--freebody-ink,#1f2328)" in text
+    assert "var(--freebody-ink,#e6e9ec)" in text
+    assert 'stroke="#1f2328"' in text
+    assert "<style" not in made.svg(dark=True)
+    assert 'stroke="#e6e9ec"' in made.svg(dark=True)
+
+
+@each_example
+def test_braces_of_a_tikzpicture_are_balanced(path: Path) -> None:
+    text = picture(System.load(path)).tikz()
+    plain = re.sub(r"\\[{}]", "", text)
+    depth = np.cumsum([{"{": 1, "}": -1}.get(letter, 0) for letter in plain])
+    assert depth.min() >= 0
+    assert depth[-1] == 0
+    assert text.count(r"\begin{tikzpicture}") == text.count(r"\end{tikzpicture}") == 1
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no LaTeX")
+def test_tikzpictures_compile_with_plain_tikz(tmp_path: Path) -> None:
+    made = [one.tikz() for path in EXAMPLES for one in pictures(System.load(path))[:2]]
+    page = r"\documentclass{article}\usepackage{tikz}\begin{document}" + "\n\n".join(made) + r"\end{document}"
+    (tmp_path / "page.tex").write_text(page, encoding="utf-8")
+    run = subprocess.run(
+        ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"], cwd=tmp_path, capture_output=True
+    )
+    assert run.returncode == 0, run.stdout.decode(errors="replace")[-2000:]
+
+
+@pytest.mark.parametrize(
+    ("suffix", "start"), [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF"), (".tex", b"%")]
+)
+@pytest.mark.parametrize("name", ["slider_crank", "spinning_top"])
+def test_a_picture_is_written_by_its_suffix(tmp_path: Path, name: str, suffix: str, start: bytes) -> None:
+    assert draw(example(name), tmp_path / f"a{suffix}").read_bytes().startswith(start)
+
+
+@pytest.mark.parametrize("name", ["slider_crank", "spinning_top"])
+def test_dark_paper_is_dark_in_pixels(tmp_path: Path, name: str) -> None:
+    for dark in (False, True):
+        path = draw(example(name), tmp_path / "a.png", dark=dark)
+        corner = np.asarray(Image.open(path).convert("L"))[3, 3]
+        assert corner < 50 if dark else corner > 200
+
+
+def test_an_svg_takes_milliseconds_and_no_matplotlib() -> None:
+    code = (
+        "import sys, freebody as fb; s = fb.System.load(sys.argv[1]); s.free_body('rod').svg(); s.picture().svg();"
+        "assert 'matplotlib' not in sys.modules"
+    )
+    import sys
+
+    path = next(path for path in EXAMPLES if path.stem == "slider_crank")
+    subprocess.run([sys.executable, "-c", code, str(path)], check=True)
+
+
+# -- in motion --------------------------------------------------------------------------------
+def test_a_picture_of_a_motion_shows_its_pose_and_velocities() -> None:
+    made = picture(example("slider_crank"), at=0.3, show=["velocity", "acceleration"])
+    texts = [word.label.text for word in made.words]
+    assert any(re.fullmatch(r"v = [\d.]+ m/s", text) for text in texts)
+    assert "2 m/s" in texts
+    assert "t = 0.3 s" in made.title
+
+
+def test_instant_centres_are_named_crosses() -> None:
+    texts = {word.label.text for word in picture(example("four_bar"), show=["instant-centres"]).words}
+    assert {"crank\u2013coupler", "coupler\u2013rocker", "crank"} <= texts
+
+
+def test_forces_in_numbers_are_resultants_at_pins() -> None:
+    texts = [word.label.text for word in picture(example("atwood_machine"), at=0.2, show=["force"]).words]
+    assert any(text.startswith("F_axle = 57.1 N") for text in texts)
+
+
+@pytest.mark.parametrize("name", ["spatial_slider_crank", "spinning_top"])
+def test_pictures_in_space_show_motion_too(name: str) -> None:
+    made = picture(example(name), at=0.1, show=["velocity", "force"])
+    assert any("N" in word.label.text for word in made.words)
+
+
+# -- mistakes ---------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"free": ["crnk"]}, "there is no body crnk. Did you mean crank?"),
+        ({"free": ["ground"]}, "the ground cannot be cut free"),
+        ({"show": ["velocitie"]}, "Did you mean velocity?"),
+        ({"show": ["colours"]}, "There is: acceleration, force, instant-centres, velocity"),
+        ({"free": ["crank"], "show": ["velocity"]}, "velocity is drawn of the whole system"),
+        ({"at": -1.0}, "the motion begins at 0 s"),
+        ({"perspective": True}, "for models in space"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_in_words(tmp_path: Path, options: dict[str, Any], message: str) -> None:
+    with pytest.raises(fb.InputError, match=re.escape(message)):
+        draw(example("slider_crank"), tmp_path / "a.svg", **options)
+
+
+def test_space_has_no_instant_centres() -> None:
+    with pytest.raises(fb.CannotAnswer, match="screws"):
+        picture(example("cardan_joint"), show=["instant-centres"])
+
+
+def test_another_format_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
+    with pytest.raises(fb.InputError, match=re.escape(".svg, .png, .pdf, .tex")):
+        draw(example("slider_crank"), tmp_path / "a.bmp")
+
+
+def test_the_command_draws_bodies_cut_free_and_in_motion(tmp_path: Path) -> None:
+    from typer.testing import CliRunner
+
+    model, out = str(next(path for path in EXAMPLES if path.stem == "slider_crank")), tmp_path / "a.svg"
+    for options in (["--free-body", "crank,rod"], ["--at", "200 ms", "--show", "velocity"], ["--free-body", "piston"]):
+        result = CliRunner().invoke(app, ["draw", model, "-o", str(out), *options])
+        assert result.exit_code == 0, result.output
+        ET.parse(out)
