@@ -9,6 +9,7 @@ from freebody.measures.geometry import ZERO
 from freebody.model.phrases import phrase_text
 from freebody.narrative.context import Context
 from freebody.narrative.script import Diagram, Legend, Script, Sentence, Sheet, Stage
+from freebody.narrative.settings import has_phases
 from freebody.study.gruebler import Gruebler, gruebler
 
 
@@ -32,7 +33,9 @@ def _system(context: Context, script: Script) -> None:
     rows: list[tuple[Sentence | Expr | str, ...]] = []
     for body in system.moving:
         inertia: Expr | str = body.inertia if body.turns and not system.space else ""
-        mass: Sentence | Expr = Sentence("system.massless") if body.mass == ZERO else body.mass
+        is_massless = body.mass == ZERO and body.inertia == ZERO
+        mass: Sentence | Expr | str = Sentence("system.massless") if is_massless else body.mass
+        mass = "–" if mass == ZERO else mass  # only its inertia matters
         rows.append((body.name, mass, inertia if inertia != ZERO else ""))
     header = tuple(Sentence(f"system.table_{name}") for name in ("body", "mass", "inertia"))
     if rows:
@@ -78,7 +81,9 @@ def _unit(dimension: Dimension) -> str:
 
 def count_freedoms(context: Context, script: Script) -> int:
     """The count by bodies and constraints, and what the rank says; returns the degrees of freedom."""
-    found = gruebler(context.system)
+    found = gruebler(context.setup.system)
+    if has_phases(context.system):
+        script.say("freedom.first_phase")
     script.say("freedom.count_space" if found.space else "freedom.count")
     header = tuple(Sentence(f"system.table_{name}") for name in ("connection", "kind", "between", "constraints"))
     rows = tuple((c.connection, c.kind, ", ".join(c.between), number(c.n)) for c in found.connections)

@@ -91,8 +91,9 @@ class Solution:
         }
 
 
-def solve(system: System, question: str | None = None) -> Solution:
-    """Answers the questions of a system, or one question given in words.
+def solve(system: System, question: str | None = None, *, setup: Setup | None = None) -> Solution:
+    """Answers the questions of a system, or one question given in words. setup: of the same system, where there is one
+    already.
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
@@ -101,7 +102,7 @@ def solve(system: System, question: str | None = None) -> Solution:
         return _at_rest(system, questions)
     if system.bounds or system.rubs or any(q.transition is not None for q in questions):
         return _in_phases(system, questions)
-    setup = Setup(system)
+    setup = Setup(system) if setup is None else setup
     try:
         model = setup.model
     except CannotAnswer as error:
