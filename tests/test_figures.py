@@ -24,6 +24,7 @@ from freebody.study.free_body import FreeBody
 from freebody.study.instant import Instant, instant_of, start_of
 from freebody.study.picture import draw, free_body, picture
 from freebody.study.touching import closed_bounds
+from freebody.system.modes import Mode, in_mode
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
 
@@ -168,6 +169,31 @@ def test_gears_push_each_other_at_the_pitch_point() -> None:
     places = [found.snapshot.reference.pose(found.snapshot.q, body)[:2] for body in ("sun", "P1")]
     points = [np.array(f.at) + place for f, place in zip((sun, planet), places, strict=True)]
     assert points[0] == pytest.approx(points[1])
+
+
+def test_reactions_of_a_rolling_coin_act_where_it_touches_its_plane() -> None:
+    found = start_of(example("rolling_coin"))
+    points = [np.array(f.at) for f in cut(found, "coin") if f.kind == "reaction"]
+    assert len(points) == 3
+    for point in points:
+        assert point == pytest.approx(points[0], abs=1e-9)
+    center = np.array(found.snapshot.reference.pose(found.snapshot.q, "coin")[:3])
+    assert (center + points[0])[1] == pytest.approx(0.0, abs=1e-9)  # on the floor
+
+
+@pytest.mark.parametrize(("slip", "side"), [(1, -1.0), (-1, 1.0)])
+def test_kinetic_friction_is_a_load_against_the_slip(slip: int, side: float) -> None:
+    system, _loads = in_mode(example("ball_with_back_spin"), Mode.of({"contact.contact"}, {"contact.slip": slip}))
+    forces = {f.label.text: f for f in cut(start_of(system, at_rest=True), "ball")}
+    assert forces["μ\u2009N"].force == pytest.approx((side, 0.0))
+    assert forces["μ\u2009N"].kind == "load"
+    assert forces["N"].at == pytest.approx(forces["μ\u2009N"].at)
+
+
+def test_a_model_in_symbols_is_drawn_with_some_values() -> None:
+    text = next(path for path in EXAMPLES if path.stem == "slider_crank").read_text(encoding="utf-8")
+    system = System.from_text(text.replace("r: 0.1 m, l: 0.3 m", "r: m, l: m"))
+    assert any(word.label.text == "r" for word in picture(system).words)
 
 
 def test_labels_can_be_given_by_row_symbol_or_load() -> None:

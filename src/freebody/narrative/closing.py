@@ -7,6 +7,7 @@ from contextlib import suppress
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Expr
+from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.instant import asked_symbol, side_of
@@ -30,7 +31,7 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Stage]
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    if answer.expression is not None:
+    if answer.expression is not None and not isinstance(question.quantity, RestQuantity):
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)
         sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)
@@ -51,7 +52,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
 
 
 def _when(question: Question) -> When:
-    if question.event is not None:
+    if question.event is not None or question.transition is not None:
         return "event"
     return "start" if question.at_start else "always"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any, cast
 
 import numpy as np
 
@@ -49,8 +50,8 @@ class ContactNewton(Newton):
 
     def asked(self, quantity: Quantity) -> tuple[Ratio, ...]:
         """The quantity in coordinates, speeds, accelerations and reactions of this phase."""
-        value = value_in_mode(quantity, self.phase.base, self.phase.system, ContactState(self.table))
-        parts = value if isinstance(value, tuple) else (value,)
+        value: Any = value_in_mode(quantity, self.phase.base, self.phase.system, ContactState(self.table))
+        parts: tuple[Any, ...] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
         return tuple(self.field.lowest_terms(self.field.element(p)) for p in parts)
 
     def reaction(self, row: str) -> int:

@@ -1,8 +1,8 @@
 """The table of principles of one phase: dry friction that slides is a force of its own, with its law beside it.
 
 In a phase a contact that is closed has a row like any connection, and so has friction that sticks. Friction that slides
-is F = -s c N along its slip (s the sense of the slip, c the kinetic coefficient): F stands in the principles as an unknown
-like N, and the law is one more equation, which the planner counts by writing F in terms of N.
+is F = -s c N along its slip (s the sense of the slip, c the kinetic coefficient): F stands in the principles as an
+unknown like N, and the law is one more equation, which the planner counts by writing F in terms of N.
 """
 
 from __future__ import annotations
@@ -10,19 +10,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.model.elements import Held, Push, Rub
 from freebody.narrative.formal import FormalState
 from freebody.narrative.glossary import Meaning, World
-from freebody.narrative.planner import Array, Planner
+from freebody.narrative.planner import Array, Entry
 from freebody.narrative.script import Sentence
-from freebody.narrative.table import Slot, Table
+from freebody.narrative.table import Principle, Slot, Table
+from freebody.narrative.wide_planner import WidePlanner
 from freebody.study.phases.phase import Phase
 from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
+
+_MOVING = 0.4
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class ContactState(FormalState):
         return super().law(push)
 
 
-class ContactPlanner(Planner):
+class ContactPlanner(WidePlanner):
     """Chooses principles; a friction that slides counts as its normal force."""
 
     table: ContactTable
@@ -129,7 +131,12 @@ class ContactPlanner(Planner):
             row[column] = 0.0
         return row
 
-    def _avoided(self, e: Any) -> tuple[str, ...]:
+    def _cost(self, p: Principle, row: Array, place: int) -> float:
+        """Moments about a point that moves with the contact are what one takes last."""
+        moves = p.centre is not None and not p.centre.is_fixed and not p.centre.mass_center_of
+        return super()._cost(p, row, place) + (_MOVING if moves else 0.0)
+
+    def _avoided(self, e: Entry) -> tuple[str, ...]:
         kept = super()._avoided(e)
         standing = {n for n in self.table.laws if abs(self._arm(e.principle.weights, n)) > 1e-9}
         pressing = {self.table.laws[n].load for n in standing}

@@ -13,6 +13,7 @@ from freebody.model.question import Question
 from freebody.narrative.glossary import Glossary
 from freebody.narrative.newton import Newton
 from freebody.narrative.script import Script, Stage
+from freebody.narrative.settings import setup_of
 from freebody.study.answer import Answer
 from freebody.study.setup import Setup
 from freebody.system.symbols import reaction_symbols
@@ -33,7 +34,7 @@ class Context:
 
     @cached_property
     def setup(self) -> Setup:
-        return Setup(self.system)
+        return setup_of(self.system)
 
     @cached_property
     def glossary(self) -> Glossary:

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, differentiate, evaluate, rate_key
+from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
 from freebody.measures.base import Measure
 from freebody.model.question import Event, Quantity
 from freebody.narrative.script import Sentence, When
@@ -23,6 +23,7 @@ from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 
+ROUND_OFF_OF_FORCES = 1e-12
 N_WORLDS = 4  # random motions at which a line is looked at
 
 
@@ -53,6 +54,19 @@ class World(Mapping[str, Any]):
             return (value_of(side, self),)
         parts = side if isinstance(side, tuple) else (side,)
         return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)
+
+    @cached_property
+    def noise(self) -> float:
+        """What forces in this motion are known to: round-off of the largest of them."""
+        masses, v = self.snapshot.reference.masses, self.snapshot.v
+        with suppress(CannotAnswer):
+            forces = abs(masses * self.snapshot.accelerations), abs(masses * v * v)
+            return ROUND_OFF_OF_FORCES * max(float(f.max(initial=0.0)) for f in forces)
+        return 0.0
+
+    def forget(self, name: str) -> None:
+        """A symbol gets another meaning."""
+        self._known.pop(name, None)
 
     def scale(self, sides: Sequence[Any]) -> float:
         """The largest term in some formulas, by which round-off is judged."""
@@ -125,14 +139,27 @@ class Glossary:
         self.meanings.setdefault(rate_key(meaning.symbol), meaning)
         return meaning.symbol
 
+    def redefine(self, meaning: Meaning) -> Expr:
+        """Gives a symbol its meaning in a new derivation; what it was before is forgotten."""
+        key = rate_key(meaning.symbol)
+        self.meanings[key] = meaning
+        self.formulas.pop(key, None)
+        for name in ("_anywhere", "_at_start", "_at_event"):
+            for world in self.__dict__.get(name, ()):
+                world.forget(key)
+        return meaning.symbol
+
     def is_known(self, name: str) -> bool:
         return name in self.meanings or name in self.setup.system.parameters or name in self.measures or name == "t"
 
     @cached_property
     def measures(self) -> dict[str, Measure]:
         """What has rates: named measures, and coordinates that are measures."""
-        model = self.setup.model
         found = dict(self.setup.system.measures)
+        try:
+            model = self.setup.model
+        except CannotAnswer:
+            return found
         for c in (*model.coordinates, *model.dependent):
             measure = model.measure_of(c)
             if measure is not None:
@@ -172,7 +199,11 @@ class Glossary:
 
     @cached_property
     def _anywhere(self) -> list[World]:
-        pairs = zip(self.setup.draws, self.setup.anywhere, strict=True)
+        try:
+            general = self.setup.anywhere
+        except CannotAnswer:  # without formulas there is no branch to be on
+            general = [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(self.setup.draws)]
+        pairs = zip(self.setup.draws, general, strict=True)
         return [World(self, draw, draw.seen(snapshot)) for draw, snapshot in list(pairs)[:N_WORLDS]]
 
     @cached_property

@@ -17,6 +17,7 @@ from freebody.study.answer import Answer
 from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
+from freebody.system.symbols import reaction_symbols
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
@@ -61,7 +62,7 @@ def finish(
     if not is_there:
         with script.stage("stage.value", "hint.value"):
             names = (name,) if len(parts) == 1 else names_of(name, len(parts))
-            script.add(Legend(tuple((n, Sentence("symbol.asked", {"question": question.text}), "") for n in names[:1])))
+            script.add(Legend(tuple((n, Sentence("symbol.asked", {"question": question.text}), "") for n in names)))
             shown = tuple(map(tidy, general)) if len(general) > 1 else tidy(general[0])
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
             unsolved = tuple(map(tidy, parts)) if len(parts) > 1 else tidy(parts[0])
@@ -97,6 +98,9 @@ def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]
 def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
     own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    reactions = {r.name for r in reaction_symbols(context.system).values()}
+    if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
+        own = f"{own}_asked"
     symbol = context.symbol(own, f"{own}_asked")
     what = Sentence("symbol.asked", {"question": question.text})
     quantity, system = question.quantity, context.system

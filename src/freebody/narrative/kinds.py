@@ -5,9 +5,10 @@ from __future__ import annotations
 from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import Conserved, Equilibrium, Freedom, InstantCentre, Question, Small
 from freebody.model.steady_questions import SteadyQuantity
-from freebody.narrative import conserving, course, freedom, instant, small, spatial, steady
+from freebody.narrative import conserving, course, freedom, instant, phases, rest, small, spatial, steady
 from freebody.narrative.context import Derive
 from freebody.narrative.numeric import or_in_numbers
+from freebody.narrative.settings import has_phases
 from freebody.system.system import System
 
 
@@ -18,6 +19,12 @@ def derivation_of(system: System, question: Question) -> Derive:
 
 def _by_kind(system: System, question: Question) -> Derive:
     q = question.quantity
+    if isinstance(q, RestQuantity):
+        return rest.derive
+    if has_phases(system) and not isinstance(q, (Freedom, Conserved)):
+        return phases.derive
+    if question.transition is not None:
+        return phases.derive
     if isinstance(q, Freedom):
         return freedom.derive
     if isinstance(q, Conserved):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass, replace
+from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
@@ -39,8 +40,8 @@ _DYNAMICS = (
 
 @dataclass(frozen=True)
 class Factor:
-    """What one factor multiplies: "mass" and "inertia" of a body, its "speed" and "turning", a "load", "bias" (terms with
-    velocities), "start" (speeds) or "event" (the value that is reached)."""
+    """What one factor multiplies: "mass" and "inertia" of a body, its "speed" and "turning", a "load", "bias" (terms
+    with velocities), "start" (speeds) or "event" (the value that is reached)."""
 
     what: str
     of: str = ""
@@ -162,10 +163,11 @@ class Marked:
         return {k: self.start * x if k in speeds else x for k, x in self.setup.start.values.items()}
 
     def _value(self, question: Question, state: SymbolicState) -> Elements:
-        value = quantity_value(question.quantity, self.system, state)
-        return tuple(map(self._plain, value if isinstance(value, tuple) else (value,)))
+        value: Any = quantity_value(question.quantity, self.system, state)
+        if isinstance(value, tuple):
+            return tuple(map(self._plain, cast("tuple[Ratio, ...]", value)))
+        return (self._plain(value),)
 
     def _plain(self, x: Ratio | int) -> Ratio:
         f = self.model.field
         return f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
-

@@ -1,5 +1,5 @@
-"""Mistakes in counting freedoms: a load taken for a constraint, the ground for a body, a connection forgotten, dependent
-constraints counted as if they were independent."""
+"""Mistakes in counting freedoms: a load taken for a constraint, the ground for a body, a connection forgotten,
+dependent constraints counted as if they were independent."""
 
 from __future__ import annotations
 

@@ -17,6 +17,7 @@ from freebody.narrative.elimination import Row, Solver, Unknowns, positive_first
 from freebody.narrative.formal import FormalState
 from freebody.narrative.glossary import Glossary, Meaning, World
 from freebody.narrative.kinematics import Kinematics, Term, scaled, total
+from freebody.narrative.places import words_of
 from freebody.narrative.planner import Plan, Planner
 from freebody.narrative.script import Argument, Diagram, Legend, Script, Sentence
 from freebody.narrative.symmetry import Copies, copies
@@ -40,6 +41,8 @@ class Written:
 
 class Newton:
     """Derives unknowns of a system in the plane by momentum and angular momentum."""
+
+    principle_words = "principle"  # group of the catalogue
 
     def __init__(self, setup: Setup, glossary: Glossary) -> None:
         self.setup = setup
@@ -154,6 +157,9 @@ class Newton:
 
     def _reaction_words(self, name: str, ends: tuple[str, ...]) -> Sentence:
         row = self.table.rows[name]
+        own = words_of(row) if ends else None
+        if own is not None:
+            return own
         args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
         if len(row.component) <= 1 or row.component.split()[-1] in ("x", "y", "z"):
             return Sentence("symbol.reaction_component", {**args, "axis": row.component.split()[-1]})
@@ -164,7 +170,7 @@ class Newton:
     # -- principles ---------------------------------------------------------------------------
     def _principle(self, script: Script, plan: Plan, k: int) -> Written:
         p = self._oriented(plan.principles[k])
-        script.say(f"principle.{p.kind}", bodies=p.bodies, **self._where(p))
+        script.say(f"{self.principle_words}.{p.kind}", bodies=p.bodies, **self._where(p))
         self._say_why(script, p, plan.avoided[k])
         if p.kind == "angular":
             self._say_of_moving_point(script, p)

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.model.elements import Push, RigidBody
-from freebody.model.question import Energy, Question, When
+from freebody.model.question import Energy, OfMeasure, OfPoint, Question, When
 from freebody.narrative.marked import Factor, Marked
 from freebody.narrative.script import Argument, Sentence
 from freebody.narrative.slips import Mistake
@@ -15,13 +15,21 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 ROUND = {"disk": Fraction(1, 2), "sphere": Fraction(2, 5), "ring": Fraction(1), "shell": Fraction(2, 3)}  # I/(m r^2)
+# what is called by its energy where an energy is asked for
+OF_ENERGY = (
+    *("inertia", "pulley", "parallel_axes", "inertia_of_mass", "mass_times_acceleration", "all_inertia"),
+    *("inertia_turned", "mass_turned", "inertia_twice", "inertia_half", "mass_twice", "mass_half"),
+    *("load", "load_turned", "load_on", "load_on_turned", "inertia_of_masses", "inertias", "all_inertias"),
+)
 END_OF_ROD = 4  # times the moment of inertia about its middle
 
 
 class Omissions:
     """The mistakes that the factors of a marked system allow."""
 
-    def __init__(self, marked: Marked, question: Question, *, is_uniform: bool, groups: Sequence[tuple[str, ...]]) -> None:
+    def __init__(
+        self, marked: Marked, question: Question, *, is_uniform: bool, groups: Sequence[tuple[str, ...]]
+    ) -> None:
         self.marked = marked
         self.question = question
         self.is_uniform = is_uniform
@@ -51,7 +59,8 @@ class Omissions:
     ) -> Iterator[Mistake]:
         values = self._put(value, *factors)
         if values:
-            yield Mistake(Sentence(f"mistake.{key}", said), values, is_common=is_common)
+            group = "mistake_energy" if isinstance(self.question.quantity, Energy) and key in OF_ENERGY else "mistake"
+            yield Mistake(Sentence(f"{group}.{key}", said), values, is_common=is_common)
 
     # -- bodies -------------------------------------------------------------------------------
     def _body(self, body: RigidBody) -> Iterator[Mistake]:
@@ -62,7 +71,9 @@ class Omissions:
             key = "pulley" if self._is_gripped(name) else "inertia"
             yield from self._mistake(key, 0, inertia, body=name)
         if mass in self.marked.factors:
-            key = "parallel_axes" if self._turns_about_a_point(name) else "inertia_of_mass"
+            # the factor stands in all equations; only in that of moments it is the axis that is taken wrongly
+            is_moment = self.marked.with_speeds and self._turns_about_a_point(name)
+            key = "parallel_axes" if is_moment else "inertia_of_mass"
             yield from self._mistake(key if body.turns else "mass_times_acceleration", 0, mass, body=name)
         if mass in self.marked.factors and inertia in self.marked.factors:
             yield from self._mistake("all_inertia", 0, mass, inertia, body=name)
@@ -139,21 +150,22 @@ class Omissions:
         yield from self._mistake("bias", 0, Factor("bias"))
         yield from self._mistake("bias_turned", -1, Factor("bias"))
         loads = [Factor("load", p.name) for p in self.system.pushes]
-        half = Fraction(1, 2)
+        q, half = self.question.quantity, Fraction(1, 2)
         if event is not None:
             yield from self._mistake("start", 0, Factor("start"))
             yield from self._mistake("start_turned", -1, Factor("start"))
-            if self.is_uniform and isinstance(self.question.quantity, When):
+            if event.order == 0 and self.is_uniform and isinstance(q, When):
                 yield from self._mistake("half_of_time", 2, *loads)
-            elif self.is_uniform:
-                yield from self._mistake("half_of_speed", half, *loads)
-            else:
-                yield from self._mistake("half_of_energy", half, *loads)
+            elif event.order == 0 and isinstance(q, (OfMeasure, OfPoint)) and q.order == 1:
+                yield from self._mistake("half_of_speed" if self.is_uniform else "half_of_energy", half, *loads)
             yield from self._event()
-        if isinstance(self.question.quantity, Energy):
+        if isinstance(q, Energy):
             moving = [Factor(what, b.name) for b in self.system.moving for what in ("mass", "inertia")]
             yield from self._mistake("half_of_energy", 2, *moving)
             yield from self._mistake("kinetic", 0, *moving)
+            names = tuple(b.name for b in self.system.moving)
+            for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
+                yield from self._mistake(key, 0, *(Factor(what, name) for name in names), bodies=names)
 
     def _event(self) -> Iterator[Mistake]:
         """A drop taken for a way along an incline, or the other way round."""
@@ -192,4 +204,3 @@ def marked_omissions(
     if not answers:
         raise CannotAnswer("nothing is asked")
     return answers, Omissions(marked, question, is_uniform=is_uniform, groups=groups)
-

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
+import re
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Expr, Symbol, add, negate, number
+from freebody.language.expression import Expr, add
 from freebody.measures.angle import Angle
 from freebody.model.contact_questions import Change, EnergyLost, Turns
 from freebody.model.question import Energy as EnergyOf
 from freebody.model.question import Question, When, Work
+from freebody.narrative.context import Context
 from freebody.narrative.glossary import Meaning, World
-from freebody.narrative.instant import names_of
+from freebody.narrative.instant import names_of, side_of
 from freebody.narrative.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
 from freebody.narrative.phase_way import Leg, Way, on_the_way
 from freebody.narrative.phase_worlds import CourseWorld
@@ -19,24 +24,26 @@ from freebody.narrative.script import Legend, Script, Sentence
 from freebody.study.answer import Answer
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
 
-def asked_name(way: Way, leg: Leg, question: Question) -> Expr:
-    """The symbol of what is asked, with its meaning at the end of the way."""
-    name = leg.free_name(question.id if question.id.isidentifier() else "result")
-    while name in leg.glossary.meanings:
-        name += "_asked"
+def asked_side(context: Context, way: Way, leg: Leg, script: Script, question: Question) -> Expr | tuple[Expr, ...]:
+    """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
+    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    name = context.symbol(own, f"{own}_asked")
     what = Sentence("symbol.asked", {"question": question.text})
-    parts = way.piece.value if isinstance(way.piece.value, tuple) else (way.piece.value,)
-    if len(parts) == 1:
-        leg.glossary.introduce(Meaning(Symbol(name), what, lambda w: float(_number(way, question, w)), ""))
-    for k, axis in enumerate("xyz"[: len(parts)] if len(parts) > 1 else ""):
-        leg.glossary.introduce(
-            Meaning(Symbol(f"{name}_{axis}"), what, lambda w, k=k: float(_number(way, question, w)[k]), "")
-        )
-    return Symbol(name)
+    n = len(way.piece.value) if isinstance(way.piece.value, tuple) else 1
+    leg.glossary.introduce(Meaning(name, what, lambda w: float(_number(way, question, w)), ""))
+
+    def part(k: int) -> Callable[[World], float]:
+        return lambda world: float(_number(way, question, world)[k])
+
+    for k, one in enumerate(names_of(name, n) if n > 1 else ()):
+        leg.glossary.introduce(Meaning(one, what, part(k), ""))
+    script.add(Legend(((name, what, ""),)))
+    return side_of(name, n)
 
 
 def _number(way: Way, question: Question, world: World) -> Any:
@@ -59,7 +66,7 @@ def _number(way: Way, question: Question, world: World) -> Any:
             assert isinstance(world, CourseWorld)
             angle = Angle(body)
             marks = [_begin(world).value(angle), *(s.snapshot().value(angle) for s in world.run.seen)]
-            return sum(abs(b - a) for a, b in zip(marks, marks[1:], strict=False)) / (2 * 3.141592653589793)
+            return sum(abs(b - a) for a, b in pairwise(marks)) / (2 * math.pi)
         case _:
             return value_in_mode(question.quantity, base, system, now)
 
@@ -72,38 +79,42 @@ def _begin(world: World) -> Any:
 
 # -- the last stage ---------------------------------------------------------------------------
 def tell_answer(
-    script: Script, way: Way, question: Question, answer: Answer, ends: list[dict[str, int]], forces: dict[int, tuple[Ratio, int]]
-) -> Expr:
-    """What is asked, from the lines at the events; ends in the solver's answer. Returns its symbol."""
+    context: Context,
+    script: Script,
+    way: Way,
+    question: Question,
+    answer: Answer,
+    ends: list[dict[str, int]],
+    forces: dict[int, tuple[Ratio, int]],
+) -> None:
+    """What is asked, from the lines at the events; ends in the solver's answer."""
     leg = way.legs[-1]
     assert answer.expression is not None
     lines = tuple(dict.fromkeys(n for end in ends for n in end.values()))
     q = question.quantity
-    if isinstance(q, EnergyLost):
-        uses = _energies(script, way, ends)
-    with script.stage("stage.value", "hint.value"):
-        with on_the_way(script, leg.course):
-            if not isinstance(q, EnergyLost):
-                uses = ()
-            name = asked_name(way, leg, question)
-            script.add(Legend(((name, Sentence("symbol.asked", {"question": question.text}), ""),)))
-            left = names_of(name, len(answer.expression)) if isinstance(answer.expression, tuple) else name
-            match q:
-                case When():
-                    _time(script, way, left, answer, ends)
-                case EnergyLost():
-                    script.line(left, answer.expression, why="answer.lost", args={"lines": uses}, uses=uses, when="event")
-                case Turns(body):
-                    _difference(script, way, left, answer, Angle(body), "answer.turns", lines, body)
-                case Change(measure, _name):
-                    _difference(script, way, left, answer, measure, "answer.change", lines, "")
-                case Work(of):
-                    script.line(
-                        left, answer.expression, why="answer.work", args={"lines": lines, "load": of}, uses=lines, when="event"
-                    )
-                case _:
-                    _instant(script, way, left, answer, lines, forces)
-    return name
+    uses = _energies(script, way, ends) if isinstance(q, EnergyLost) else ()
+    with script.stage("stage.value", "hint.value"), on_the_way(script, leg.course):
+        left = asked_side(context, way, leg, script, question)
+        match q:
+            case When():
+                _time(script, way, left, answer, ends)
+            case EnergyLost():
+                script.line(left, answer.expression, why="answer.lost", args={"lines": uses}, uses=uses, when="event")
+            case Turns(body):
+                _difference(script, way, left, answer, Angle(body), "answer.turns", lines, body)
+            case Change(measure, _name):
+                _difference(script, way, left, answer, measure, "answer.change", lines, "")
+            case Work(of):
+                script.line(
+                    left,
+                    answer.expression,
+                    why="answer.work",
+                    args={"lines": lines, "load": of},
+                    uses=lines,
+                    when="event",
+                )
+            case _:
+                _instant(script, way, left, answer, lines, forces)
 
 
 def _time(script: Script, way: Way, left: Any, answer: Answer, ends: list[dict[str, int]]) -> None:
@@ -121,12 +132,13 @@ def _energies(script: Script, way: Way, ends: list[dict[str, int]]) -> tuple[int
     first, last = way.legs[0], way.legs[-1]
     found: list[int] = []
     with script.stage("stage.energy", "hint.energy_lost"):
+        lines: tuple[int, int] = (0, 0)
         for leg, values, when, own in (
             (first, first.phase.start.values, "start", ()),
             (last, last.first.zero.values if last.first else {}, "event", tuple(ends[-1].values())),
         ):
-            with on_the_way(script, leg.glossary):
-                if leg is first or last is not first:
+            if when == "start" or leg is not first:
+                with on_the_way(script, leg.glossary):
                     lines = tell_energies(script, leg)
             f = leg.phase.model.field
             total = f.lowest_terms(f.follow(sum(energy_parts(leg), f.zero), values))
@@ -150,19 +162,23 @@ def _difference(
 ) -> None:
     """A measure at the event less the same at the start; by phases where what counts has no sign."""
     assert answer.expression is not None
-    shown: list[Expr] = []
+    home = way.tree.home.model.field
+    total = home.zero
     for leg in way.legs:
         assert leg.first is not None
         there = SymbolicState(leg.phase.model, {**leg.phase.course.still, **leg.first.zero.values})
         change = way.home(leg, there.value(measure)) - way.home(leg, leg.phase.start_instant.value(measure))
-        signs = {bool(x < 0) for x in way.tree.numbers(change)[way.piece.sets]}
-        expr = way.shown(leg, f_change) if (f_change := None) else tidy(change)
-        shown.append(negate(expr) if key == "answer.turns" and signs == {True} else expr)
-    total = add(*shown)
-    if key == "answer.turns":
-        total = total / (number(2) * Symbol("pi"))
-    sides = (left, total, answer.expression) if total != answer.expression else (left, total)
+        falls = bool((way.tree.numbers(change)[way.piece.sets] < 0).any())
+        total = total - change if body and falls else total + change
+    shown = readable(home.lowest_terms(total))
+    sides = (left, answer.expression) if body or shown == answer.expression else (left, shown, answer.expression)
     script.line(*sides, why=key, args={"lines": lines, "body": body}, uses=lines, when="event")
+
+
+def shown_parts(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
+    """A scalar, or the components of a vector."""
+    shown = tuple(map(tidy, parts))
+    return shown if len(shown) != 1 else next(iter(shown))
 
 
 def _instant(
@@ -180,13 +196,9 @@ def _instant(
     wanted = way.piece.value if isinstance(way.piece.value, tuple) else (way.piece.value,)
     if any(not (a - b).is_zero() for a, b in zip(reached, wanted, strict=True)):
         raise RoutesDisagree("the derivation ends in another formula than the solver. This is a defect of freebody")
-    shown = tuple(map(tidy, general)) if len(general) > 1 else tidy(general[0])
-    used = tuple(dict.fromkeys((*(line for _v, line in forces.values()), *lines)))
+    shown = shown_parts(general)
+    asked = {g for part in parts for g in f.ingredients(part)}
+    used = tuple(dict.fromkeys((*(line for unknown, (_v, line) in forces.items() if unknown in asked), *lines)))
     assert answer.expression is not None
     sides = (left, shown, answer.expression) if shown != answer.expression else (left, shown)
     script.line(*sides, why="answer.there", args={"lines": used}, uses=used, when="event")
-
-
-def last_leg(way: Way) -> Leg:
-    """The phase in which the event comes."""
-    return way.legs[-1]

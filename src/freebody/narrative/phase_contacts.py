@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from freebody.language.expression import Call, Expr, Symbol, number
 from freebody.model.elements import Rub
-from freebody.model.question import OfMeasure
 from freebody.narrative.glossary import Meaning
 from freebody.narrative.phase_way import Leg, Way, on_the_way
 from freebody.narrative.script import Legend, Listing, Script, Sentence
@@ -16,16 +15,18 @@ from freebody.symbolic.tidy import tidy
 ZERO = number(0)
 
 
-def tell_contacts(script: Script, way: Way, leg: Leg, before: tuple[int, ...]) -> dict[str, int]:
-    """States and reasons; returns the lines of the slip velocities by friction. before: lines with the state in which
-    the phase begins."""
+def tell_contacts(script: Script, way: Way, leg: Leg, before: tuple[int, ...]) -> tuple[dict[str, int], list[int]]:
+    """States and reasons; returns the lines of the slip velocities by friction, and those of their signs. before: lines
+    with the state in which the phase begins."""
     phase = leg.phase
     script.add(Listing(tuple(_states(leg))))
     found: dict[str, int] = {}
+    signs: list[int] = []
     for name, state in phase.mode.states.items():
         if state:
-            found[name] = _slip(script, way, leg, phase.rubs[name], state, before)
-    return found
+            found[name], sign = _slip(script, way, leg, phase.rubs[name], state, before)
+            signs += [sign] if sign else []
+    return found, signs
 
 
 def _states(leg: Leg) -> list[Sentence]:
@@ -51,7 +52,7 @@ def _states(leg: Leg) -> list[Sentence]:
     return found
 
 
-def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tuple[int, ...]) -> int:
+def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tuple[int, ...]) -> tuple[int, int]:
     """The slip velocity in the coordinates, and its sign at the start of the phase."""
     phase = leg.phase
     rate = phase.model.field.lowest_terms(phase.state.rate(rub.row.measure))
@@ -59,16 +60,16 @@ def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tupl
     line = 0
     if isinstance(symbol, Symbol):
         what = Sentence("symbol.slip", {"connection": label(rub.of or rub.name)})
-        leg.glossary.introduce(Meaning(symbol, what, OfMeasure(rub.row.measure, 1, rub.name), "m/s"))
+        leg.glossary.introduce(Meaning(symbol, what, lambda world: world.snapshot.rate(rub.row.measure), "m/s"))
         script.add(Legend(((symbol, what, "m/s"),)))
         line = script.line(symbol, tidy(rate), why="slip.velocity")
     begin = way.home(leg, phase.start_instant.here(rate))
     if begin.is_zero():
         script.say("slip.from_rest", connection=label(rub.of or rub.name))
-        return line
+        return line, 0
     with on_the_way(script, leg.course):
         uses = tuple(n for n in (line, *before) if n)
-        script.line(
+        sign = script.line(
             symbol,
             readable(begin),
             ZERO,
@@ -78,7 +79,7 @@ def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tupl
             uses=uses,
             when="start",
         )
-    return line
+    return line, sign
 
 
 def slip_symbol(leg: Leg, rub: Rub) -> Expr:

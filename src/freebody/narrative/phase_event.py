@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, number
-from freebody.narrative.glossary import Meaning
+from freebody.language.expression import Call, Expr, Product, Sum, Symbol, add, negate
+from freebody.language.notation.parts import signed_terms
+from freebody.narrative.glossary import Glossary, Meaning
 from freebody.narrative.phase_contacts import ZERO, slip_symbol
 from freebody.narrative.phase_motion import Told, in_time, shown_in_home
 from freebody.narrative.phase_way import Leg, Way, on_the_way
@@ -27,7 +28,7 @@ def tell_event(script: Script, way: Way, leg: Leg, told: Told, lines: dict[str, 
         script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=f"@{watch.name}")
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
-        uses = tuple(n for n in dict.fromkeys((base, *told.lines)) if n)
+        uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
         with on_the_way(script, leg.course):
             if isinstance(course, Uniform):
                 found = _in_time(script, way, leg, course, symbol, element, uses)
@@ -36,6 +37,17 @@ def tell_event(script: Script, way: Way, leg: Leg, told: Told, lines: dict[str, 
             else:
                 raise CannotAnswer("the event has no closed form")
             return {**found, **_state(script, way, leg, told, found)}
+
+
+def _lines_of(leg: Leg, told: Told, element: Ratio) -> tuple[int, ...]:
+    """The lines of the motion on which an element depends."""
+    model = leg.phase.model
+    used = model.field.ingredients(model.in_independent_speeds(element))
+    found = [told.square]
+    for c in model.coordinates:
+        found.append(told.places.get(c.name, 0) if c.index in used else 0)
+        found.append(told.velocities.get(c.name, 0) if c.speed in used else 0)
+    return tuple(found)
 
 
 def _watched(script: Script, way: Way, leg: Leg, watch: Watch) -> tuple[Expr, Ratio]:
@@ -113,7 +125,9 @@ def _in_time(
     coefficients = [way.home(leg, c) for c in course.along(element)]
     line = 0
     if not _is_told(leg, symbol):
-        line = script.line(symbol, in_time(coefficients, leg.clock), why="event.in_time", args={"lines": uses}, uses=uses)
+        line = script.line(
+            symbol, in_time(coefficients, leg.clock), why="event.in_time", args={"lines": uses}, uses=uses
+        )
     meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
     script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
     used = (line,) if line else uses
@@ -158,13 +172,14 @@ def _on_the_way(
         value = course.as_function(element)
         if course.is_odd(element):
             raise CannotAnswer("the event is told by the direction of the motion alone")
-        line = script.line(symbol, shown_in_home(way, leg, value), why="event.at_place", args={"lines": uses}, uses=uses)
-        left = f.lowest_terms(value - _target(way, leg))
         line = script.line(
-            shown_in_home(way, leg, left.numerator()), ZERO, why="event.zero", args={"line": line}, uses=(line,), when="event"
+            symbol, shown_in_home(way, leg, value), why="event.at_place", args={"lines": uses}, uses=uses
         )
+        left = f.lowest_terms(value - _target(way, leg))
+        sides = balanced(vanishing(leg.course, shown_in_home(way, leg, left.numerator())))
+        line = script.line(*sides, why="event.zero", args={"line": line}, uses=(line,), when="event")
         used = (line,)
-    argument = _cosine(zero.at)
+    argument = solved_argument(zero.at)
     if argument is not None:
         function, inner = argument
         line = script.line(
@@ -177,10 +192,29 @@ def _on_the_way(
         )
         used = (line,)
     place = script.line(name, way.shown(leg, zero.at), why="event.place", args={"lines": used}, uses=used, when="event")
-    return {c.name: place}
+    return {"place": place}
 
 
-def _cosine(at: Ratio) -> tuple[str, Ratio] | None:
+def vanishing(glossary: Glossary, e: Expr) -> Expr:
+    """Of a product the factor that vanishes at the event."""
+    if not isinstance(e, Product):
+        return e
+    sums = [factor for factor in e.factors if isinstance(factor, Sum)]
+    world = next(iter(glossary.worlds("event")))
+    return min(sums, key=lambda s: abs(world.of(s)[0]) / (world.scale([s]) or 1.0)) if sums else e
+
+
+def balanced(e: Expr) -> tuple[Expr, Expr]:
+    """a - b = 0 as a = b."""
+    if not isinstance(e, Sum):
+        return e, ZERO
+    signs = signed_terms(e.terms)
+    left = [t for t, (minus, _x) in zip(e.terms, signs, strict=True) if not minus]
+    right = [negate(t) for t, (minus, _x) in zip(e.terms, signs, strict=True) if minus]
+    return (add(*left) if left else ZERO), (add(*right) if right else ZERO)
+
+
+def solved_argument(at: Ratio) -> tuple[str, Ratio] | None:
     """acos(u) as cos of the coordinate being u."""
     f = at.field
     if len(at.generators()) != 1 or at.den is not None:
@@ -197,10 +231,11 @@ def _state(script: Script, way: Way, leg: Leg, told: Told, found: dict[str, int]
     """Coordinates and speeds at the event, as far as their motion was told."""
     assert leg.first is not None
     values, lines = leg.first.zero.values, dict[str, int]()
+    nothing = leg.phase.model.field.zero
     for c in leg.phase.model.coordinates:
         symbol = Symbol(c.name)
         speed = told.velocities.get(c.name) or (told.square if told.square else 0)
-        if speed and c.speed in values:
+        if speed and not values.get(c.speed, nothing).is_zero():
             uses = (speed, *found.values())
             lines[f"{c.name}'"] = script.line(
                 Call("rate", symbol),
@@ -210,12 +245,14 @@ def _state(script: Script, way: Way, leg: Leg, told: Told, found: dict[str, int]
                 uses=uses,
                 when="event",
             )
-        if c.name in told.places and c.index in values and c.name not in found:
+        if c.name in told.places and not values.get(c.index, nothing).is_zero():
             uses = (told.places[c.name], *found.values())
             lines[c.name] = script.line(
-                symbol, way.shown(leg, values[c.index]), why="event.there", args={"lines": uses}, uses=uses, when="event"
+                symbol,
+                way.shown(leg, values[c.index]),
+                why="event.there",
+                args={"lines": uses},
+                uses=uses,
+                when="event",
             )
     return lines
-
-
-__all__ = ["number", "tell_event"]

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
 from freebody.model.elements import Push
 from freebody.model.question import Energy as EnergyOf
+from freebody.narrative.context import Context
 from freebody.narrative.glossary import Meaning, World
 from freebody.narrative.phase_way import Leg, Way, on_the_way
 from freebody.narrative.script import Legend, Script, Sentence
+from freebody.narrative.state import kinetic_of
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
@@ -19,7 +23,8 @@ from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
 
 KINETIC, POTENTIAL = Symbol("T_kin"), Symbol("V")
-HALF = number(1) / 2
+Part = Literal["kinetic", "potential"]
+PARTS: tuple[Part, Part] = ("kinetic", "potential")
 
 
 @dataclass
@@ -77,7 +82,9 @@ def _integrate(
     script: Script, way: Way, leg: Leg, c: Coordinate, course: Uniform, told: Told, uses: tuple[int, ...], place: bool
 ) -> None:
     """u = u0 + a t, q = q0 + u0 t + a t^2/2."""
-    q, u, a = (way.home(leg, x) for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed]))
+    q, u, a = (
+        way.home(leg, x) for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed])
+    )
     t, symbol = leg.clock, Symbol(c.name)
     with on_the_way(script, leg.course):
         key = "motion.constant_velocity" if a.is_zero() else "motion.velocity"
@@ -105,30 +112,42 @@ def in_time(coefficients: list[Ratio], t: Expr) -> Expr:
 def energy_parts(leg: Leg) -> tuple[Ratio, Ratio]:
     """Kinetic and potential energy in the coordinates; of loads of the model only."""
     phase, f = leg.phase, leg.phase.model.field
-    parts = [value_in_mode(EnergyOf(what), phase.base, phase.system, phase.state) for what in ("kinetic", "potential")]
+    parts = [value_in_mode(EnergyOf(what), phase.base, phase.system, phase.state) for what in PARTS]
     kinetic, potential = (f.lowest_terms(f.element(p)) for p in parts)
     return kinetic, potential
 
 
 def tell_energies(script: Script, leg: Leg) -> tuple[int, int]:
-    """T and V as lines."""
-    phase = leg.phase
+    """T and V as lines: T body by body, then in the coordinates."""
+    context = _as_context(leg)
+    parts: list[int] = []
+    for body in leg.phase.system.moving:
+        parts += kinetic_of(context, script, body.name)
     shown = energy_parts(leg)
     found: list[int] = []
-    for symbol, value, what in zip((KINETIC, POTENTIAL), shown, ("kinetic", "potential"), strict=True):
+    for symbol, value, what in zip((KINETIC, POTENTIAL), shown, PARTS, strict=True):
         words = Sentence(f"symbol.phase_{what}")
         leg.glossary.introduce(Meaning(symbol, words, _reads_energy(leg, what), "J"))
         script.add(Legend(((symbol, words, "J"),)))
-        found.append(script.line(symbol, tidy(phase.course.plain(value)), why=f"motion.{what}"))
+        uses = tuple(parts) if what == "kinetic" else ()
+        in_coordinates = tidy(leg.phase.course.plain(value))
+        found.append(script.line(symbol, in_coordinates, why=f"motion.{what}", args={"lines": uses}, uses=uses))
     return found[0], found[1]
 
 
-def _reads_energy(leg: Leg, what: str):  # noqa: ANN202
+def _as_context(leg: Leg) -> Context:
+    """The mode of a phase as a system of its own."""
+    context = Context(leg.phase.base)
+    context.setup, context.glossary, context.newton = leg.phase.setup, leg.glossary, leg.newton
+    return context
+
+
+def _reads_energy(leg: Leg, what: Part) -> Callable[[World], float]:
     base = leg.phase.base
 
     def read(world: World) -> float:
         system = plain(world.snapshot.reference.system)
-        return float(value_in_mode(EnergyOf(what), base, system, world.snapshot))  # type: ignore[arg-type]
+        return float(value_in_mode(EnergyOf(what), base, system, world.snapshot))
 
     return read
 

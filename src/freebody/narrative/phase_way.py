@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -145,7 +145,7 @@ def _duration(phase: int) -> Callable[[World], float]:
 
 
 @contextmanager
-def on_the_way(script: Script, glossary: Glossary) -> Iterator[None]:
+def on_the_way(script: Script, glossary: Glossary) -> Generator[None]:
     """Lines are looked at where a glossary says."""
     before, script.glossary = script.glossary, glossary
     try:

@@ -1,7 +1,8 @@
 """Instants of a motion in phases, by the numeric route: where the lines of its derivation are looked at.
 
-The modes are integrated one after the other (`study/phases/witness.py`) at some of the parameter sets that take the same
-way. Lines about the motion of a phase have to hold at instants within it, at its start and at the event that ends it.
+The modes are integrated one after the other (`study/phases/witness.py`) at some of the parameter sets that take the
+same way. Lines about the motion of a phase have to hold at instants within it, at its start and at the event that ends
+it.
 """
 
 from __future__ import annotations
@@ -15,12 +16,13 @@ from freebody.errors import CannotAnswer
 from freebody.model.question import Event
 from freebody.narrative.glossary import Glossary, World
 from freebody.narrative.script import When
+from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.draws import Draw
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import Piece
 from freebody.study.phases.tree import Tree
-from freebody.study.phases.witness import MAX_TIME, Seen, follow
+from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, follow
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -80,7 +82,7 @@ class Runs:
     def _seen(self, k: int) -> Sequence[Seen] | None:
         tree, piece = self.tree, self.piece
         end = MAX_TIME
-        if piece.time is not None:
+        if piece.first is not None and piece.time is not None:
             time = float(tree.numbers(piece.time)[k])
             if not 0.0 < time < _LONGEST:
                 return None
@@ -96,21 +98,23 @@ class Runs:
 
 class CourseGlossary(Glossary):
     """The symbols of one phase on its way. Lines are looked at within the phase ("always"), where it begins ("start")
-    and where it ends ("event")."""
+    and where it ends ("event"). A phase that begins with the event that is asked for is looked at there only."""
 
     def __init__(self, phase: Phase, runs: Runs, place: int) -> None:
         super().__init__(phase.setup)
+        self.phase = phase
         self.runs = runs
         self.place = place
 
     def worlds(self, when: When) -> Iterator[World]:
-        match when:
-            case "start":
-                yield from self._begins
-            case "event":
-                yield from self._ends
-            case _:
-                yield from self._within
+        follows = self.place == len(self.runs.piece.nodes)
+        at_once = when == "event" and self.runs.piece.first is None  # what is asked for comes at the start
+        if when == "start" or follows or at_once:
+            yield from self._begins
+        elif when == "event":
+            yield from self._ends
+        else:
+            yield from self._within
 
     @cached_property
     def _begins(self) -> list[World]:
@@ -125,24 +129,29 @@ class CourseGlossary(Glossary):
         found: list[World] = []
         for run in self.runs.found:
             seen = run.seen[self.place]
-            begin, q, v = run.begin(self.place), *self._state(run)
+            begin, (q, v) = run.begin(self.place), self._state(run)
             for share in TIMES:
                 time = begin + share * (seen.time - begin)
                 found.append(self._world(run, seen.mode.run(q, v, begin, time).snapshot()))
         return found
 
-    def _state(self, run: Run) -> tuple[object, object]:
+    def _state(self, run: Run) -> tuple[Array, Array]:
         """Where a phase begins."""
         if self.place:
             before = run.seen[self.place - 1]
             return before.q, before.v
         return run.seen[0].mode.start()
 
+    def _mode(self, run: Run) -> NumericMode:
+        if self.place < len(run.seen):
+            return run.seen[self.place].mode
+        return NumericMode(self.runs.tree.system, self.phase, run.seen[0].mode.values)
+
     def _begin(self, run: Run) -> Snapshot:
         q, v = self._state(run)
-        return run.seen[self.place].mode.snapshot(q, v, run.begin(self.place))  # type: ignore[arg-type]
+        return self._mode(run).snapshot(q, v, run.begin(self.place))
 
     def _world(self, run: Run, snapshot: Snapshot) -> World:
-        mode = run.seen[self.place].mode
-        draw = Draw(mode.values, snapshot.reference, mode.start()[0])
+        mode = self._mode(run)
+        draw = Draw(mode.values, snapshot.reference, mode.references[0].assemble())
         return CourseWorld(self, draw, snapshot, run, self.place)

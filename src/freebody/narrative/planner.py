@@ -21,6 +21,8 @@ from freebody.narrative.table import Principle, Slot, Table
 from freebody.symbolic.field import Ratio
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Places = NDArray[np.intp]
 # What a principle costs; so chosen that bodies on strings are cut free one by one (two momenta and one moment for an
 # Atwood machine) while a momentum of the whole system is preferred to a force between its bodies (cart and pendulum).
 EQUATION = 1.0
@@ -46,7 +48,7 @@ class Plan:
 
 
 @dataclass(frozen=True)
-class _Entry:
+class Entry:
     principle: Principle
     row: Array
     cost: float
@@ -63,7 +65,7 @@ class Planner:
         n = len(self.model.accelerations)
         self.columns = {row: n + k for k, row in enumerate(table.rows)}
         self.n = n + len(self.columns)
-        self._known: dict[frozenset[str] | None, list[_Entry]] = {}
+        self._known: dict[frozenset[str] | None, list[Entry]] = {}
         self._slopes = {
             row: {slot: self._number(x) for slot, x in slopes.items()} for row, slopes in table.directions.items()
         }
@@ -116,21 +118,21 @@ class Planner:
         contained = tuple(tuple(r for r, k in self.columns.items() if e.row[k]) for e in ordered)
         return Plan(tuple(e.principle for e in ordered), avoided, contained)
 
-    def _entries(self, among: frozenset[str] | None) -> list[_Entry]:
+    def _entries(self, among: frozenset[str] | None) -> list[Entry]:
         """The principles that may be written, each kind of equation in its cheapest form."""
         if among not in self._known:
-            found: list[_Entry] = []
+            found: list[Entry] = []
             for group in self.table.groups():
                 if among is not None and not set(group) <= among:
                     continue
                 for place, principle in enumerate(self.table.of(group)):
                     row = self.row_of(principle.weights)
                     if row.any():
-                        found.append(_Entry(principle, row, self._cost(principle, row, place)))
+                        found.append(Entry(principle, row, self._cost(principle, row, place)))
             self._known[among] = _thinned(found)
         return self._known[among]
 
-    def _search(self, entries: Sequence[_Entry], target: Array) -> tuple[int, ...] | None:
+    def _search(self, entries: Sequence[Entry], target: Array) -> tuple[int, ...] | None:
         """Best first over sets of entries. A set in which an unknown that is not asked for stands in one row only cannot
         be closed: that row would have to be left out."""
         wanted = np.abs(target).max(axis=0) > 0
@@ -166,7 +168,7 @@ class Planner:
             return best[1]
         return self._everything(entries, target)
 
-    def _useful(self, support: Array, chosen: tuple[int, ...], wanted: Array) -> Array:
+    def _useful(self, support: Mask, chosen: tuple[int, ...], wanted: Mask) -> Places:
         """Entries that contain the unknown in the way which the fewest entries contain."""
         if not chosen:
             in_the_way = wanted
@@ -182,7 +184,7 @@ class Planner:
         column = int(np.argmin(np.where(how_many > 0, how_many, np.iinfo(np.int64).max)))
         return np.flatnonzero(free[:, column])
 
-    def _everything(self, entries: Sequence[_Entry], target: Array) -> tuple[int, ...] | None:
+    def _everything(self, entries: Sequence[Entry], target: Array) -> tuple[int, ...] | None:
         """All single-body equations, thinned out one by one."""
         chosen: list[int] = []
         rank = 0
@@ -201,10 +203,10 @@ class Planner:
         return tuple(chosen)
 
     # -- the outcome --------------------------------------------------------------------------
-    def _in_order(self, entries: list[_Entry], target: Array) -> list[_Entry]:
+    def _in_order(self, entries: list[Entry], target: Array) -> list[Entry]:
         """First what contains the unknowns that are asked for, then what goes on from there."""
         wanted = {int(k) for k in np.flatnonzero(np.abs(target).max(axis=0))}
-        ordered: list[_Entry] = []
+        ordered: list[Entry] = []
         left = list(entries)
         while left:
             near = [e for e in left if wanted & {int(k) for k in np.flatnonzero(e.row)}] or left
@@ -214,7 +216,7 @@ class Planner:
             wanted |= {int(k) for k in np.flatnonzero(e.row)}
         return ordered
 
-    def _avoided(self, e: _Entry) -> tuple[str, ...]:
+    def _avoided(self, e: Entry) -> tuple[str, ...]:
         """Reactions that act on the bodies from outside and do not stand in the equation."""
         found: list[str] = []
         for row, slopes in self._slopes.items():
@@ -229,16 +231,16 @@ class Planner:
         return self.table.system.bodies[body].fixed
 
 
-def _is_multiple(a: Array, b: Array) -> bool:
+def is_multiple(a: Array, b: Array) -> bool:
     return bool(np.linalg.matrix_rank(np.array([a, b]), tol=_SPAN) < 2)
 
 
-def _thinned(entries: list[_Entry]) -> list[_Entry]:
+def _thinned(entries: list[Entry]) -> list[Entry]:
     """Without multiples of cheaper ones, and with at most two equations of the same unknowns."""
-    kept: dict[tuple[int, ...], list[_Entry]] = {}
+    kept: dict[tuple[int, ...], list[Entry]] = {}
     for e in sorted(entries, key=lambda e: e.cost):
         same = kept.setdefault(tuple(map(int, np.flatnonzero(e.row))), [])
-        if len(same) < 2 and not any(_is_multiple(e.row, other.row) for other in same):
+        if len(same) < 2 and not any(is_multiple(e.row, other.row) for other in same):
             same.append(e)
     found = [e for same in kept.values() for e in same]
     return sorted(found, key=lambda e: e.cost)

@@ -122,6 +122,11 @@ class Script:
         finally:
             self._items = before
 
+    def take(self, other: Script) -> None:
+        """The stages of another one that began where this one stands."""
+        self.stages += other.stages
+        self._number = other._number
+
     def say(self, key: str, **args: Argument) -> None:
         self._items.append(Sentence(key, args))
 
@@ -179,7 +184,7 @@ class Script:
 def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:
     if not (math.isfinite(a) and math.isfinite(b)):
         return False
-    room = share * max(abs(a), abs(b), scale, 1e-9)
+    room = share * max(abs(a), abs(b), scale, 1e-8)
     match relation:
         case "=" | "≈":
             return abs(a - b) <= (room if relation == "=" else 1e-2 * max(abs(a), abs(b), scale))

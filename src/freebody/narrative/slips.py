@@ -32,6 +32,11 @@ class Mistake:
     is_common: bool = True  # common enough to be looked for together with another one
     breaks_units: bool = False
 
+    @property
+    def is_of_sign(self) -> bool:
+        """Whether a sign is wrong."""
+        return self.turns_root or any(x == -1 for x in self.values.values())
+
     def of(self, x: Ratio) -> Ratio:
         """The answer with this mistake. Raises CannotAnswer or ZeroDivisionError where it has none."""
         f = x.field
@@ -47,10 +52,13 @@ class Mistake:
             return None
         if self.power != 1 or other.power != 1 or (self.turns_root and other.turns_root):
             return None
+        if self.is_of_sign and other.is_of_sign:  # nobody learns from two wrong signs
+            return None
         said = Sentence("mistake.leads_two", {"first": self.said, "second": other.said})
         factor = other.factor if self.factor is None else self.factor
         turns = self.turns_root or other.turns_root
-        return Mistake(said, {**self.values, **other.values}, factor, turns_root=turns)
+        breaks = self.breaks_units or other.breaks_units
+        return Mistake(said, {**self.values, **other.values}, factor, turns_root=turns, breaks_units=breaks)
 
 
 class Numbers:
@@ -196,4 +204,3 @@ def _with_other_units(model: SymbolicModel, setting: Setting, used: Sequence[int
             for key, value in (("mistake.for_quotient", x * y), ("mistake.for_product", x / y)):
                 said = Sentence(key, {"p": Symbol(name), "q": Symbol(other)})
                 yield Mistake(said, {f.index(x): value}, is_common=False, breaks_units=True)
-

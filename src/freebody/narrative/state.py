@@ -34,7 +34,7 @@ class Parts:
     """Lines that an answer follows from, and the symbols whose sum it is."""
 
     lines: tuple[int, ...]
-    total: Expr | None = None
+    total: Expr | tuple[Expr, ...] | None = None
 
 
 def parts_of_state(context: Context, script: Script, question: Question) -> Parts:
@@ -111,7 +111,7 @@ def _energy(context: Context, script: Script, q: Energy) -> tuple[list[int], lis
         if q.what in ("kinetic", "total"):
             for body in system.moving:
                 if q.body is None or q.body == body.name:
-                    more = _kinetic_of(context, script, body.name)
+                    more = kinetic_of(context, script, body.name)
                     lines += more
                     symbols += [_name(context, "T", body.name)] if more else []
         if q.what in ("potential", "total"):
@@ -123,7 +123,7 @@ def _energy(context: Context, script: Script, q: Energy) -> tuple[list[int], lis
     return lines, symbols
 
 
-def _kinetic_of(context: Context, script: Script, body: str) -> list[int]:
+def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     """T = m v^2/2 + I w^2/2 of one body, and the constraints that its velocity obeys."""
     square, terms = _square(context, body)
     turning = context.newton.kinematics.turning(body, 1) if context.system.bodies[body].turns else None

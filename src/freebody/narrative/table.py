@@ -20,9 +20,10 @@ from functools import cached_property
 from itertools import combinations
 from typing import Literal
 
+from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held, Push
+from freebody.model.elements import Held, Push, RateMeasure
 from freebody.narrative.script import Sentence
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -85,7 +86,7 @@ class Table:
         """By row: force and moment per unit of its reaction on every body."""
         found: dict[str, dict[Slot, Ratio]] = {}
         for name, row in self.rows.items():
-            slopes = self.model.gradient(row.measure)
+            slopes = self.gradient(row.measure)
             found[name] = {slot: row.sign * slope for slot, slope in slopes.items() if not self.model.vanishes(slope)}
         return found
 
@@ -96,9 +97,13 @@ class Table:
     @cached_property
     def loads(self) -> list[tuple[Push, Ratio, dict[Slot, Ratio]]]:
         """Every load with its law and its direction."""
-        return [(p, self.model.law(p), self.model.gradient(p.measure)) for p in self.system.pushes]
+        return [(p, self.model.law(p), self.gradient(p.measure)) for p in self.system.pushes]
 
     # -- geometry -----------------------------------------------------------------------------
+    def gradient(self, measure: Measure | RateMeasure) -> dict[Slot, Ratio]:
+        """Force and moment per unit of what pushes a measure, by body and slot."""
+        return self.model.gradient(measure)
+
     def position(self, body: str) -> Pair:
         pose = self.model.geometry.pose(body)
         return pose.x, pose.y  # type: ignore[union-attr]
@@ -115,7 +120,7 @@ class Table:
         for body in self.system.moving:
             mine: list[Aim] = []
             for name, measure in self.system.measures.items():
-                slopes = self.model.gradient(measure)
+                slopes = self.gradient(measure)
                 vector = slopes.get((body.name, "x"), f.zero), slopes.get((body.name, "y"), f.zero)
                 others = [b for b, _slot in slopes if b not in (body.name, GROUND)]
                 if not others and (body.name, "angle") not in slopes and _is_unit(vector):
@@ -202,7 +207,7 @@ class Table:
         yield from ((name,) for name in names)
         if not 1 < len(names) <= MOST_BODIES:
             return
-        joined = [{b for b, _slot in self.model.gradient(row.measure) if b in names} for row in self.rows.values()]
+        joined = [{b for b, _slot in self.gradient(row.measure) if b in names} for row in self.rows.values()]
         for size in range(2, len(names) + 1):
             for group in combinations(names, size):
                 if _is_connected(set(group), joined):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,12 +14,14 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Point
 from freebody.model.elements import Bound
-from freebody.numeric.engine.course import ContactRecord
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.places import Places
 from freebody.present.strokes import Path, Stretch
 from freebody.present.symbols import circle
 from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.course import ContactRecord
 
 OPEN, PRESSES, STICKS, SLIPS = range(4)
 STYLES = "", "presses", "sticks", "slips"  # of the states
@@ -51,7 +54,10 @@ class Meeting:
 
 @dataclass(frozen=True)
 class ContactTrack:
-    """Where bodies touch along a motion. states: (n_times, n_meetings) OPEN, PRESSES (without friction), STICKS or
+    """Where bodies touch along a motion. states: (n_times, n_meetings) if TYPE_CHECKING:
+    from freebody.numeric.engine.course import ContactRecord
+
+OPEN, PRESSES (without friction), STICKS or
     SLIPS."""
 
     meetings: tuple[Meeting, ...]

@@ -254,7 +254,7 @@ class Balance:
         for push in self.system.pushes:
             yield from self._acting(push.load, push.measure, self.state.law(push), group)
         for row in self.system.held:
-            if self._reaches_outside(row, group):
+            if self.reaches_outside(row, group):
                 yield from self._acting(row.connection, row.measure, self.state.multiplier(row), group)
 
     def _acting(
@@ -269,7 +269,7 @@ class Balance:
         moving = {b.name for b in self.system.moving}
         return dict.fromkeys(b for b, _slot in self.model.gradient(measure) if b in moving)  # type: ignore[arg-type]
 
-    def _reaches_outside(self, row: Held, group: Group) -> bool:
+    def reaches_outside(self, row: Held, group: Group) -> bool:
         """Whether a row exerts anything on a body that is not meant, the ground among these: the sum of its forces and
         moments on those that are meant does not vanish."""
         touched = list(self._touched(row.measure))

@@ -145,7 +145,7 @@ class Judge:
         if not all(v.is_conserved for v in verdicts):
             is_refuted = any(v.is_conserved is False for v in verdicts)
             coefficients = [c for claim in claims for c in claim.coefficients]
-            cases = () if is_refuted else cases_where_zero(coefficients, self._may_vanish)
+            cases = () if is_refuted else cases_where_zero(coefficients, self.may_vanish)
         open_ = next((k for k, v in enumerate(verdicts) if v.is_conserved is not True), 0)
         judgement: Judgement | None = None
         if question.options:
@@ -212,8 +212,8 @@ class Judge:
         principle, notes = self._principle(balance)
         if self.model.vanishes(rate):
             return Finding(balance, (Case((), {}),), True, principle, notes)
-        coefficients = motion_coefficients(rate, self._is_parameter)
-        cases = cases_where_zero(coefficients, self._may_vanish)
+        coefficients = motion_coefficients(rate, self.is_parameter)
+        cases = cases_where_zero(coefficients, self.may_vanish)
         cases = most_general([*cases, *self._special(rate)])
         cases = tuple(case for case in cases if not self._is_between_sizes(case) and self._has_value(balance, case))
         is_exact = len(coefficients) == 1 or (not self.model.loops and all(case.is_solved for case in cases))
@@ -228,9 +228,9 @@ class Judge:
         inside: set[int] = set()
         for g in rate.generators():
             if not f.is_constant_generator(g):
-                inside |= {k for k in f.generators[g].made_of if self._is_parameter(k)}
+                inside |= {k for k in f.generators[g].made_of if self.is_parameter(k)}
         inside.discard(f.index(f.pi))
-        first = [Case((f.variable(k),), {k: f.zero}) for k in sorted(inside) if self._may_vanish(k)]
+        first = [Case((f.variable(k),), {k: f.zero}) for k in sorted(inside) if self.may_vanish(k)]
         for a, b in combinations(sorted(inside)[:_MOST_INSIDE], 2):
             if self._dimension(a) == self._dimension(b):
                 x, y = f.variable(a), f.variable(b)
@@ -240,7 +240,7 @@ class Judge:
         for case in first:
             with suppress(CannotAnswer):
                 left = f.lowest_terms(case.put_in(rate))
-                for more in cases_where_zero(motion_coefficients(left, self._is_parameter), self._may_vanish):
+                for more in cases_where_zero(motion_coefficients(left, self.is_parameter), self.may_vanish):
                     yield case.with_more(more)
 
     def _dimension(self, index: int) -> object:
@@ -275,7 +275,7 @@ class Judge:
         """Conditions found by trying: strengths of loads that vanish, one of them or all."""
         f = self.model.field
         names = {n for push in self.system.pushes for n in free_symbols(push.in_symbols) if n in self.system.parameters}
-        indices = [k for n in sorted(names) if self._may_vanish(k := f.index(self.model.parameters[n]))]
+        indices = [k for n in sorted(names) if self.may_vanish(k := f.index(self.model.parameters[n]))]
         tried = [Case((f.variable(k),), {k: f.zero}) for k in indices]
         if len(tried) > 1:
             tried.append(Case(tuple(f.variable(k) for k in indices), dict.fromkeys(indices, f.zero)))
@@ -328,7 +328,7 @@ class Judge:
                 names |= free_symbols(row.target)
         return names
 
-    def _is_parameter(self, index: int) -> bool:
+    def is_parameter(self, index: int) -> bool:
         """Whether a generator is a parameter of the file, not one of a start; pi counts as one."""
         g = self.model.field.generators[index]
         shown = g.display
@@ -338,7 +338,8 @@ class Judge:
             and (shown.name in self.system.parameters or shown.name == "pi")
         )
 
-    def _may_vanish(self, index: int) -> bool:
+    def may_vanish(self, index: int) -> bool:
+        """Whether a parameter may be zero: what has substance is not."""
         shown = self.model.field.generators[index].display
         if not isinstance(shown, Symbol) or shown.name not in self.system.parameters:
             return False
@@ -349,10 +350,10 @@ class Judge:
 
         rate = None if self.model.loops and found.principle is None else found.balance.rate
         return Claim(
-            [] if rate is None or found.is_conserved is True else motion_coefficients(rate, self._is_parameter),
+            [] if rate is None or found.is_conserved is True else motion_coefficients(rate, self.is_parameter),
             found.cases,
             () if rate is None else (rate,),
-            self._is_parameter,
+            self.is_parameter,
             found.is_exact,
         )
 
@@ -389,17 +390,17 @@ class Judge:
             options={} if judgement is None else judgement.options,
             author_notes=() if judgement is None else judgement.notes,
             is_exact=found.is_exact,
-            provided=self._provided(found) if is_conserved is None else (),
+            provided=self.provided(found) if is_conserved is None else (),
         )
 
-    def _provided(self, found: Finding) -> tuple[str, ...]:
+    def provided(self, found: Finding) -> tuple[str, ...]:
         """Parameters that are taken to be there, without which terms of the rate would vanish as well."""
         try:
             rate = found.balance.rate
         except CannotAnswer:
             return ()
         names: dict[str, None] = {}
-        for coefficient in motion_coefficients(rate, self._is_parameter):
+        for coefficient in motion_coefficients(rate, self.is_parameter):
             _unit, factors = rate.field.factor(coefficient.num)
             for base, _exponent in factors:
                 e = base.field.generators[min(base.generators())].display

@@ -89,6 +89,11 @@ def _angle_of(x: Ratio) -> str | None:
 def motion_coefficients(x: Ratio, is_parameter: Callable[[int], bool]) -> list[Ratio]:
     """Coefficients of the numerator with respect to everything that a motion may have otherwise: coordinates, speeds,
     start values, their sines, cosines and roots, and the time. Parameters and given functions of time stay."""
+    return [coefficient for _moving, coefficient in motion_terms(x, is_parameter)]
+
+
+def motion_terms(x: Ratio, is_parameter: Callable[[int], bool]) -> list[tuple[Ratio, Ratio]]:
+    """The same with what each coefficient stands before: products of what moves."""
     field = x.field
 
     def stays(index: int) -> bool:
@@ -103,7 +108,8 @@ def motion_coefficients(x: Ratio, is_parameter: Callable[[int], bool]) -> list[R
         moving = tuple(item for item in monomial if not stays(item[0]))
         rest = tuple(item for item in monomial if stays(item[0]))
         groups.setdefault(moving, {})[rest] = coefficient
-    return [c for c in (field.polynomial(terms) for terms in groups.values()) if not c.is_zero()]
+    found = [(field.polynomial({moving: 1}), field.polynomial(terms)) for moving, terms in groups.items()]
+    return [(moving, c) for moving, c in found if not c.is_zero()]
 
 
 def is_given_function(field: Field, index: int) -> bool:

@@ -3,9 +3,15 @@
 label      words and mathematical symbols with indices
 shapes     lines, areas and words on paper, in points
 picture    a finished picture: what is on it, in words too
-svg, tikz, pixels   the writers
+sketch     one in the making
 placer     where words find room
-signs      arrows, arcs, dimension lines, axes
-plane      a planar drawing as shapes
-bodies_free   loads and reactions on bodies cut free
+signs      arrows, arcs, dimension lines
+svg, tikz, pixels   the writers
+
+plane, space   drawings as shapes
+whole      a system with its coordinates, dimensions, axes
+coordinates, dimensions   the signs of these
+forces, arrows   loads and reactions
+bodies_free   bodies cut free
+motion     velocities, accelerations, instant centres
 """

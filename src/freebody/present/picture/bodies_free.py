@@ -104,8 +104,8 @@ def add_axes(sketch: Sketch) -> None:
 def description(bodies: Sequence[str], forces: Sequence[Force]) -> str:
     """What acts on the bodies, in words."""
     acting = [_in_words(force, len(bodies) > 1) for force in forces]
-    head = f"Free-body diagram of {' and '.join(bodies)}."
-    return f"{head} {'; '.join(acting)}." if acting else f"{head} Nothing acts on it."
+    head = f"Free-body diagram of {', '.join(bodies)}."
+    return f"{head} {'; '.join(acting)}." if acting else f"{head} Nothing acts from outside."
 
 
 def _in_words(force: Force, many: bool) -> str:

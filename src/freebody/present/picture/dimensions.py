@@ -12,6 +12,7 @@ from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, Symbol, divide, evaluate, free_symbols, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components, Direction
 from freebody.model.elements import RigidBody
@@ -49,6 +50,7 @@ class Dimensions:
                 self._radius(figure, body.radius)
         for figure in self.drawing.scene.figures:
             self._lengths(figure, self.system.bodies[figure.name])
+        self._links()
 
     def _at(self, place: Place) -> Array:
         return self.sketch.at(positions(self.drawing.poses, place)[0])
@@ -82,27 +84,44 @@ class Dimensions:
             self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
 
     # -- lengths ------------------------------------------------------------------------------
+    def _links(self) -> None:
+        """Lengths of links without mass."""
+        for row in self.system.held:
+            target, measure = row.target, row.measure
+            if isinstance(measure, Distance) and target is not None and self._is_link(measure):
+                label = self._plain(target)
+                if label is not None and self._is_new(label):
+                    start, end = (self._at(self.places.place(point)) for point in (measure.start, measure.end))
+                    self._dimension(label, start, end, 1.0)
+
+    def _is_link(self, measure: Distance) -> bool:
+        ends = self.places.place(measure.start), self.places.place(measure.end)
+        return ends in self.drawing.scene.joints.links
+
     def _lengths(self, figure: Figure, body: RigidBody) -> None:
         """Between neighbours along a rod, along two edges of a polygon."""
         for first, second in self._stretches(figure, body):
-            a, b = (self._at(figure.points[name]) for name in (first, second))
-            apart = float(np.hypot(*(b - a)))
             label = self._apart(body.points[first], body.points[second])
-            if label is None or apart < _LEAST or not self._is_new(label):
-                continue
-            sense = 1.0 if len(figure.outline) < 3 else -1.0
-            lines = [list(dimension(a, b, sense * aside, INK)) for aside in _ASIDE]
-            k = self.sketch.least_crowded([line[2:] for line in lines], 5)
-            if k is None:
-                continue
-            self._show(label)
-            self.sketch.add(lines[k])
-            side = sense * across((b - a) / apart)
-            shift = _ASIDE[k] * side
-            outwards = side * math.copysign(1.0, _ASIDE[k])
-            spots = [a + share * (b - a) + shift for share in (0.5, 0.35, 0.65)]
-            places = tuple((s, sign * outwards) for s in spots for sign in (1.0, -1.0))
-            self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
+            if label is not None and self._is_new(label):
+                a, b = (self._at(figure.points[name]) for name in (first, second))
+                self._dimension(label, a, b, 1.0 if len(figure.outline) < 3 else -1.0)
+
+    def _dimension(self, label: Label, a: Array, b: Array, sense: float) -> None:
+        """A dimension line beside two points, on the left first (sense +1) or on the right, where there is room."""
+        apart = float(np.hypot(*(b - a)))
+        if apart < _LEAST:
+            return
+        lines = [list(dimension(a, b, sense * aside, INK)) for aside in _ASIDE]
+        k = self.sketch.least_crowded([line[2:] for line in lines], 5)
+        if k is None:
+            return
+        self._show(label)
+        self.sketch.add(lines[k])
+        side = sense * across((b - a) / apart)
+        outwards = side * math.copysign(1.0, _ASIDE[k])
+        spots = [a + share * (b - a) + _ASIDE[k] * side for share in (0.5, 0.35, 0.65)]
+        places = tuple((s, sign * outwards) for s in spots for sign in (1.0, -1.0))
+        self.sketch.wish(Wish(label, places, _SIZE, INK, weight=3.0))
 
     def _stretches(self, figure: Figure, body: RigidBody) -> Iterator[tuple[str, str]]:
         if len(figure.corners) > 2:

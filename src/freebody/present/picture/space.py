@@ -40,7 +40,7 @@ class SpaceSketch(Sketch):
         self,
         drawing: Drawing,
         angles: tuple[float, float],
-        room: tuple[float, float],
+        room: tuple[float, float] = _ROOM,
         *,
         perspective: bool,
         with_names: bool = True,
@@ -102,7 +102,7 @@ class SpaceSketch(Sketch):
     def add_corner(self) -> None:
         """The axes of the ground and gravity, at the lower left."""
         low, _high = self.corners()
-        corner = low - np.array((4.0, 76.0))
+        corner = low - np.array((4.0, 90.0))
         letter = _SIZE / self.scale
         marks, texts = corner_marks(self.drawing, self.view, corner / self.scale + self.origin, letter)
         self.shapes.extend(self._shape(mark) for mark in marks)
@@ -137,7 +137,7 @@ def whole_in_space(
     drawing: Drawing, loads: Sequence[Force], angles: tuple[float, float], *, perspective: bool
 ) -> SpaceSketch:
     """A system in space."""
-    sketch = SpaceSketch(drawing, angles, _ROOM, perspective=perspective)
+    sketch = SpaceSketch(drawing, angles, perspective=perspective)
     sketch.name_loads(loads)
     sketch.add_corner()
     return sketch
@@ -168,7 +168,7 @@ def free_body_in_space(
 
     def where(force: Force) -> tuple[Array, Array]:
         center = drawing.poses.centers[0, index[force.body]]
-        apart = _apart(scene, drawing.poses, shells, partners.get(force.name, frozenset()))
+        apart = _apart(scene, drawing.poses, shells, partners.get(force.name, frozenset()), index[force.body])
         return sketch.seen(center + np.array(force.at) + apart), sketch.seen(center)
 
     Arrows(sketch, where, seen=sketch.vector).draw(forces)
@@ -180,9 +180,13 @@ def free_body_in_space(
     return sketch.finished(title, described_forces(bodies, forces))
 
 
-def _apart(scene: Scene, poses: Poses, shells: Shells, bodies: frozenset[int]) -> Array:
-    """(3,) [m] how far from its place a joint of bodies without extent is drawn."""
+def _apart(scene: Scene, poses: Poses, shells: Shells, bodies: frozenset[int], own: int) -> Array:
+    """(3,) [m] how far from its place a joint of bodies without extent is drawn on one of them."""
     for joint in scene.ties.joints:
-        if frozenset((joint.first.body, joint.second.body)) == bodies and joint.axis is not None:
+        if frozenset((joint.first.body, joint.second.body)) != bodies or own not in shells.forms:
+            continue
+        if joint.axis is not None:
             return poses.heading(joint.axis, 0) * shells.tip(joint)
+        if joint.arms is not None:
+            return poses.heading(joint.arms[int(joint.second.body == own)], 0) * shells.radius
     return np.zeros(3)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SANS = "'Source Sans 3','Segoe UI','Helvetica Neue',Arial,sans-serif"
 SERIF = "'STIX Two Text','Latin Modern Roman','Times New Roman',Times,serif"
-_HALO = 3.0
+_HALO = 2.6
 _LIGHT, _DARK = THEMES["light"], THEMES["dark"]
 
 
@@ -119,7 +119,8 @@ class _Writer:
         if not word.has_halo:
             return text
         halo = self._painted(Ink("paper"), None, "")
-        behind = f'<text {place} font-family="{font}"{halo} stroke-width="{_HALO:g}" aria-hidden="true">{inside}</text>'
+        look = f'stroke-width="{_HALO:g}" stroke-opacity="0.8" aria-hidden="true"'
+        behind = f'<text {place} font-family="{font}"{halo} {look}>{inside}</text>'
         return behind + "\n" + text
 
 

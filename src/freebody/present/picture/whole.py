@@ -178,13 +178,22 @@ def constants_of(push: Push) -> Label | None:
     return Label((*found[0].runs, Run(", "), *found[1].runs), f"{found[0].latex},\\, {found[1].latex}")
 
 
+def _joined(measure: Measure | RateMeasure) -> Iterator[str]:
+    """The bodies that a measure joins, without one that only says in which direction."""
+    if isinstance(measure, Displacement):
+        yield from (measure.origin.body, measure.of.body)
+    else:
+        yield from measure.bodies()
+
+
 def described(system: System, moved: Sequence[str]) -> str:
     """What a picture shows, in words. moved: bodies that are drawn aside of their places."""
     parts = [f"{system.title}."]
     bodies = [body.name for body in system.bodies.values() if body.name != "ground"]
     parts.append(f"Bodies: {', '.join(bodies)}.")
     for called, connection in system.connections.items():
-        between = dict.fromkeys(b for row in system.rows if row.connection == called for b in row.measure.bodies())
+        own = [row.measure for row in system.rows if row.connection == called]
+        between = dict.fromkeys(body for measure in own for body in _joined(measure))
         joined = f" between {' and '.join(between)}" if between else ""
         parts.append(f"{called}: {connection.kind.replace('_', ' ')}{joined}.")
     loads = [f"{called} ({load.kind.replace('_', ' ')})" for called, load in system.loads.items()]

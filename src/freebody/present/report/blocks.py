@@ -108,8 +108,11 @@ class Table:
 class Picture(Protocol):
     """A drawing that can be written in every format. title, description: in words, for those who cannot see it."""
 
-    title: str
-    description: str
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def description(self) -> str: ...
 
     def svg(self) -> str:
         """An SVG element of its own, whose colours follow a dark page."""

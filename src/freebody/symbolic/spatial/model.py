@@ -24,7 +24,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
-from freebody.model.elements import Held, Rotation
+from freebody.model.elements import Held, RateMeasure, Rotation
 from freebody.model.rotations import UNIT, singular_pose
 from freebody.symbolic.elimination import Equation, Unknown
 from freebody.symbolic.field import Ratio
@@ -302,6 +302,32 @@ class SpatialModel(SymbolicModel):
             else:
                 omega = _back(R, omega)
         return omega
+
+    def turning_axes(self, body: str) -> list[tuple[str, Triple]]:
+        """Every named angle by which a body is turned, and the axis about which it turns, by components on the ground,
+        before closed loops are put in: omega = sum of rate * axis."""
+        links = {link.body: link for link in self.tree.links}
+        if body not in links:
+            return []
+        link = links[body]
+        found = self.turning_axes(link.parent)
+        R = self._rotations.get(link.parent, self._identity())
+        for step in link.steps:
+            if step.name:
+                axis = self._direction(step.axis)
+                x, y, z = (step.sign * sum(R[j][i] * axis[j] for j in range(3)) for i in range(3))
+                found.append((step.name, (x, y, z)))
+            R = _product(R, self._rotation(step))
+        return found
+
+    def angle(self, name: str) -> Ratio:
+        """A named angle of the tree as an unknown of its own, whether or not a closed loop binds it."""
+        return self._angle_of[name]
+
+    def raw_equation(self, row: Held) -> Ratio:
+        """What a row holds at zero, in the named angles and positions before any of them is eliminated."""
+        assert not isinstance(row.measure, RateMeasure)
+        return row.measure.value(self._raw) - self._target(row)
 
     @cached_property
     def velocities(self) -> dict[str, Parts]:

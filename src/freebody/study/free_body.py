@@ -1,0 +1,236 @@
+"""What acts on bodies that are cut free: every load, and every reaction of a connection to what is not cut free with
+them, at its point and in the direction in which it is counted positive.
+
+The force of a row on a body is multiplier times gradient; so a reaction R = sign * multiplier acts with sign *
+gradient: a force f and a moment m about the mass centre. Strings act where they leave their pulleys; for all others
+see `Action`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import groupby
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.language.expression import (
+    free_symbols,
+)
+from freebody.loads.gravity import Gravity
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.names import did_you_mean
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.present.picture.forces import Force, Kind
+from freebody.present.picture.label import Label, Run, beside, formula, name
+from freebody.present.ropes import is_rope
+from freebody.study.action import Action, cross
+from freebody.study.load_symbols import LoadSymbols, without_sign
+from freebody.study.points import own_measures
+from freebody.study.strings import Pull, pulls
+from freebody.system.symbols import ReactionSymbol, reaction_symbols
+from freebody.system.system import System
+
+_NOTHING = 1e-9  # beside one
+_NEAR = 1e-6  # of the size of a system: on the line of action
+
+
+def checked_bodies(system: System, bodies: Sequence[str]) -> tuple[str, ...]:
+    """Names of bodies to cut free. Raises InputError for others."""
+    known = [name for name in system.bodies if name != GROUND]
+    for body in bodies:
+        if body == GROUND:
+            raise InputError(f"the ground cannot be cut free; take one of {', '.join(known)}")
+        if body not in known:
+            raise InputError(f"there is no body {body}.{did_you_mean(body, known)}")
+    if not bodies:
+        raise InputError(f"name the bodies to cut free: {', '.join(known)}")
+    return tuple(dict.fromkeys(bodies))
+
+
+class FreeBody:
+    """Bodies cut free at one instant. closed: the bounds that are closed then, by name; slips: the sense in which
+    dry friction slides, by the name of its row; values: of multipliers, by the name of the row."""
+
+    def __init__(
+        self,
+        snapshot: Snapshot,
+        bodies: Sequence[str],
+        *,
+        closed: frozenset[str] = frozenset(),
+        labels: Mapping[str, str] | None = None,
+    ) -> None:
+        self.snapshot = snapshot
+        self.system = snapshot.reference.system
+        self.bodies = checked_bodies(self.system, bodies)
+        self.closed = closed
+        self.labels = dict(labels or {})
+        self.size = snapshot.reference.sizes.length
+        self.reference = snapshot.reference
+
+    @cached_property
+    def symbols(self) -> Mapping[str, ReactionSymbol]:
+        return reaction_symbols(self.system)
+
+    @cached_property
+    def action(self) -> Action:
+        return Action(self.snapshot)
+
+    @cached_property
+    def load_symbols(self) -> LoadSymbols:
+        return LoadSymbols(self.system, self.symbols, self.labels)
+
+    def forces(self) -> tuple[Force, ...]:
+        """What acts from outside, in the order of the model: loads, then reactions."""
+        return tuple(self._all(only_outside=True))
+
+    def all_forces(self) -> tuple[Force, ...]:
+        """Those between the bodies too, on each of both."""
+        return tuple(self._all(only_outside=False))
+
+    def loads(self) -> tuple[Force, ...]:
+        """The loads, those between the bodies too."""
+        return tuple(force for push in self.system.pushes for force in self._load(push))
+
+    def load_value(self, called: str) -> float | None:
+        """[N] or [N m] of the symbol of a load, by its name."""
+        for push in self.system.pushes:
+            if push.name == called:
+                return self.load_symbols.of(push)[1] * self.snapshot.law(push)
+        return None
+
+    def _all(self, *, only_outside: bool) -> Iterator[Force]:
+        for push in self.system.pushes:
+            if not (only_outside and self._is_internal(push.measure)):
+                yield from self._load(push)
+        for _connection, group in groupby(self.rows, key=lambda row: row.connection):
+            yield from self._connection(list(group), only_outside=only_outside)
+
+    @property
+    def rows(self) -> tuple[Held, ...]:
+        """What is held, and of what may touch or rub what is closed."""
+        bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
+        rubs = [rub.row for rub in self.system.rubs if not rub.of or rub.of in self.closed]
+        return (*self.system.held, *bounds, *rubs)
+
+    def _is_internal(self, measure: Measure | RateMeasure) -> bool:
+        others = set(measure.bodies()) - set(self.bodies)
+        small = _NEAR * self.size
+        return all(max(map(abs, self.snapshot.gradient(measure, body))) < small for body in others)
+
+    # -- reactions ----------------------------------------------------------------------------
+    def _connection(self, rows: Sequence[Held], *, only_outside: bool) -> Iterator[Force]:
+        ropes = [] if self.system.space else [row for row in rows if is_rope(row)]
+        for row, found in pulls(ropes, self.reference, self.snapshot):
+            yield from self._string(row, found, only_outside=only_outside)
+        rest = [row for row in rows if row not in ropes]
+        for row in rest:
+            if not (only_outside and self._is_internal(row.measure)):
+                yield from self._reaction(row, rest)
+
+    def _string(self, row: Held, found: Sequence[Pull], *, only_outside: bool) -> Iterator[Force]:
+        """Its pulls at the bodies that are cut free, without those from each other."""
+        label = self._label_of(row)
+        own = [
+            (body, at, pull)
+            for body, other, at, pull in found
+            if body in self.bodies and not (only_outside and other in self.bodies)
+        ]
+        whole = [(body, at, pull) for body, _other, at, pull in found]
+        if not self._adds_up(row, whole):
+            yield from self._reaction(row, [row])
+            return
+        for body, at, pull in own:
+            away = tuple(map(float, at - self.action.center(body)))
+            size = float(np.hypot(*pull))
+            yield Force(row.name, scaled(label, size), body, away, _components(pull), (0.0,), about=row.reaction)
+
+    def _adds_up(self, row: Held, found: Sequence[tuple[str, Array, Array]]) -> bool:
+        """Whether pulls at points are all that a row does to its bodies."""
+        for body in dict.fromkeys(body for body, _at, _pull in found):
+            f, m = self.action.wrench(row.measure, body)
+            own = [(at - self.action.center(body), pull) for name, at, pull in found if name == body]
+            total = sum((pull for _away, pull in own), np.zeros(2))
+            turn = sum(away[0] * pull[1] - away[1] * pull[0] for away, pull in own)
+            turns = body == GROUND or not self.system.bodies[body].turns
+            if np.abs(total - row.sign * f).max() > 1e-6:
+                return False
+            if not turns and abs(turn - row.sign * float(m[0])) > 1e-6 * self.size:
+                return False
+        return True
+
+    def _reaction(self, row: Held, siblings: Sequence[Held]) -> Iterator[Force]:
+        for body in self.bodies:
+            if body in set(row.measure.bodies()):
+                f, m = self.action.wrench(row.measure, body)
+                label = self._label_of(row)
+                yield from self._placed(row, siblings, body, row.sign * f, row.sign * m, label, "reaction")
+
+    def _label_of(self, row: Held) -> Label:
+        symbol = self.symbols[row.name]
+        given = self.labels.get(row.name, self.labels.get(symbol.name))
+        return name(symbol.name if given is None else given)
+
+    # -- loads --------------------------------------------------------------------------------
+    def _load(self, push: Push) -> Iterator[Force]:
+        is_weight = isinstance(self.system.loads.get(push.load), Gravity)
+        label, sign = self.load_symbols.of(push)
+        about = "weight" if is_weight else f"load {push.load}"
+        for body in self.bodies:
+            if body in set(push.measure.bodies()):
+                f, m = self.action.wrench(push.measure, body)
+                kind: Kind = "weight" if is_weight else "load"
+                found = self._placed(push, (), body, sign * f, sign * m, label, kind)
+                yield from (replace(force, about=about) for force in found)
+
+    # -- where --------------------------------------------------------------------------------
+    def _placed(
+        self, of: Held | Push, siblings: Sequence[Held], body: str, f: Array, m: Array, label: Label, kind: Kind
+    ) -> Iterator[Force]:
+        """A force at its point of action, a couple, or both."""
+        size, center = float(np.linalg.norm(f)), self.action.center(body)
+        about = of.reaction if isinstance(of, Held) else ""
+        turns = self.system.bodies[body].turns
+        nothing = (0.0,) * len(m)
+        rest = m if turns else np.zeros(len(m))
+        if size > _NOTHING:
+            at = self.action.point(of, siblings, body, f, rest) if turns else center
+            away = at - center
+            rest = rest - cross(away, f)
+            away_components, label_f = tuple(map(float, away)), scaled(label, size)
+            yield Force(of.name, label_f, body, away_components, _components(f), nothing, kind, about=about)
+        if turns and float(np.abs(rest).max()) > _NEAR * (self.size if size > _NOTHING else 1.0):
+            amount = float(np.linalg.norm(rest))
+            own = self.action.couple_point(of, siblings, body)
+            away_components = tuple(map(float, own - center))
+            unit = self._lever(of, body, amount)
+            label_m = scaled(label, amount) if unit is None else beside(unit, label, "\u2009")
+            still = (0.0,) * len(f)
+            yield Force(of.name, label_m, body, away_components, still, _components(rest), kind, about=about)
+
+    def _lever(self, of: Held | Push, body: str, amount: float) -> Label | None:
+        """The arm of a couple as the model writes it: R of R F."""
+        if abs(amount - 1.0) < _NOTHING:
+            return None
+        for coefficient, part in own_measures(of.measure):
+            if body in set(part.bodies()) and not free_symbols(coefficient) <= set():
+                value = abs(self.reference.number(coefficient))
+                if abs(value - amount) < 1e-9 * max(1.0, amount):
+                    return formula(without_sign(coefficient)[0])
+        return None
+
+
+def scaled(label: Label, size: float) -> Label:
+    """What a force is that is `size` times a symbol."""
+    if abs(size - 1.0) < 1e-6:
+        return label
+    return beside(Label((Run(f"{size:.3g}"),), f"{size:.3g}"), label, "\u2009")
+
+
+def _components(v: Array) -> tuple[float, ...]:
+    return tuple(float(x) + 0.0 for x in v)

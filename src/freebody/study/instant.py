@@ -1,0 +1,80 @@
+"""A system at one instant of its motion, with what is known of it there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, InputError, ModelError, Problem
+from freebody.numeric.contact.start import assembled_touching, start_velocities
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference, Snapshot
+from freebody.system.system import System
+
+_AT_ONCE = 1e-6  # [s] a motion of which only the start is wanted
+
+
+@dataclass(frozen=True)
+class Instant:
+    """accelerations: [m/s^2] of mass centres by body; reactions: [N] or [N m] by the name of the row, without those
+    that are not unique. Both are empty at a start that was not set in motion."""
+
+    snapshot: Snapshot
+    accelerations: Mapping[str, Array] = field(default_factory=dict[str, "Array"])
+    reactions: Mapping[str, float] = field(default_factory=dict[str, float])
+
+
+def start_of(system: System, *, at_rest: bool = False) -> Instant:
+    """The start, with some values for parameters without one; at rest where only the pose is wanted. Raises ModelError
+    where it cannot be assembled."""
+    try:
+        reference = _reference(system)
+        q = assembled_touching(reference)
+        v = np.zeros_like(q) if at_rest else start_velocities(reference, q)
+    except CannotAnswer as error:
+        raise ModelError([Problem((), str(error))], system.file) from error
+    return Instant(reference.snapshot(q, v))
+
+
+def _reference(system: System) -> Reference:
+    """With some values for parameters without one, as a sketch of what a model in symbols looks like."""
+    missing = [name for name, p in system.parameters.items() if p.value is None and p.form is None]
+    # what sliding friction is pressed with is a symbol of its own
+    unknown = {name: 0.0 for name in missing if name.startswith("@")}
+    if len(unknown) == len(missing):
+        return Reference(system, unknown)
+    from freebody.study.draws import draws
+
+    values = draws(system, 1)[0].values
+    return Reference(system, {name: values[name] for name in missing} | unknown)
+
+
+def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_rest: bool = False) -> Instant:
+    """The system at a time [s], by simulation, or at its start; in motion with accelerations and reactions. Raises
+    CannotAnswer if the motion does not last so long."""
+    if at is not None and not 0.0 <= at < float("inf"):
+        raise InputError(f"the motion begins at 0 s; there is no instant at {at:g} s")
+    if not at and not in_motion:
+        return start_of(system, at_rest=at_rest)
+    from freebody.study.simulate import simulate
+
+    result = simulate(system, at or _AT_ONCE, max_seconds=600.0)
+    if at and result.t_end < at * (1 - 1e-9) and len(result.course.times) > 1:
+        raise CannotAnswer(f"the motion ends at t = {result.t_end:.6g} s: {result.message or result.status}")
+    k = -1 if at else 0
+    course, reference, engine = result.course, result.simulator.reference, result.simulator.engine
+    q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
+    snapshot = reference.snapshot(q, v, float(course.times[k]))
+    accelerations = {body.name: course.accelerations[k, j] for j, body in enumerate(system.moving)}
+    n = 3 if system.space else 2
+    return Instant(
+        snapshot,
+        {name: vector[:n] for name, vector in accelerations.items()},
+        {
+            row.name: row.sign * float(course.multipliers[k, j])
+            for j, row in enumerate(result.rows)
+            if course.unique[k, j]
+        },
+    )

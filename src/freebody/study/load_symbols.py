@@ -1,0 +1,78 @@
+"""What stands beside a load in a diagram: its law, in symbols of the model and without its sign."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from freebody.language.expression import Call, Expr, Number, Product, Symbol, free_symbols, negate, substitute
+from freebody.measures.combination import Composed
+from freebody.model.elements import RATE, VALUE, Held, Push
+from freebody.present.picture.label import Label, formula, name
+from freebody.system.symbols import ReactionSymbol
+from freebody.system.system import System
+
+_LOAD = "@load of "  # the symbol of what sliding friction is pressed with, before the name of its row
+
+
+@dataclass(frozen=True)
+class LoadSymbols:
+    """symbols: of reactions, by row; given: other names, by the name of a load."""
+
+    system: System
+    symbols: Mapping[str, ReactionSymbol]
+    given: Mapping[str, str]
+
+    def of(self, push: Push) -> tuple[Label, int]:
+        """The label, and whether its force acts with the gradient of the measure (+1) or against it."""
+        given = self.given.get(push.name, self.given.get(push.load))
+        law, sign = self._law(push)
+        if law is None:
+            sign = getattr(self.system.loads.get(push.load), "pulling_sign", 1)
+        if given is not None:
+            return name(given), sign
+        return (self._named_after(push.load) if law is None else formula(law)), sign
+
+    def _named_after(self, load: str) -> Label:
+        """F with the load as index, or with the connection that rubs."""
+        called = load if load in self.system.loads else load.partition(".")[0]
+        return name(f"F_{re.sub(r'[^0-9A-Za-z]', '_', called)}")
+
+    def _law(self, push: Push) -> tuple[Expr | None, int]:
+        """None where the model has no name for what a law depends on."""
+        law = push.in_symbols
+        for symbol in [s for s in free_symbols(law) if s.startswith(_LOAD)]:
+            row = self._pressed(symbol.removeprefix(_LOAD))
+            if row is None:
+                return None, 1
+            law = substitute(law, {symbol: Symbol(self.symbols[row.name].name)})
+        measure = push.measure
+        if free_symbols(law) & {VALUE.name, RATE.name}:
+            called = next((n for n, m in self.system.measures.items() if m == measure), None)
+            if called is not None:
+                law = substitute(law, {VALUE.name: Symbol(called), RATE.name: Call("rate", Symbol(called))})
+            elif isinstance(measure, Composed) and RATE.name not in free_symbols(law):
+                if not {n for n, _m in measure.measures} <= set(self.system.measures):
+                    return None, 1
+                law = substitute(law, {VALUE.name: measure.expression})
+            else:
+                return None, 1
+        return without_sign(law)
+
+    def _pressed(self, rub: str) -> Held | None:
+        """The row whose reaction presses where something rubs."""
+        connection, _, component = rub.partition(".")
+        own = [row for row in self.system.rows if row.connection == connection and row.reaction == "normal force"]
+        if len(own) > 1:
+            own = [row for row in own if row.component == component.removeprefix("slip of ")]
+        return own[0] if len(own) == 1 else None
+
+
+def without_sign(law: Expr) -> tuple[Expr, int]:
+    """A law, or its opposite where that has no minus sign."""
+    match law:
+        case Number(value) | Product((Number(value), *_)) if value < 0:
+            return negate(law), -1
+        case _:
+            return law, 1

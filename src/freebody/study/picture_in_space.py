@@ -1,0 +1,98 @@
+"""Pictures of systems in space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from freebody.language.expression import free_symbols
+from freebody.measures.displacement import Displacement
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.numeric.jets import Array
+from freebody.present.picture.arrows import Arrows
+from freebody.present.picture.forces import Force
+from freebody.present.picture.motion import add_vectors
+from freebody.present.picture.picture import Picture
+from freebody.present.picture.shapes import Ink
+from freebody.present.picture.space import SpaceSketch, free_body_in_space, whole_in_space
+from freebody.present.picture.whole import described
+from freebody.present.space.drawing import Drawing
+from freebody.present.space.scene import Places, Scene
+from freebody.study.instant import Instant
+from freebody.study.points import points_of
+from freebody.study.shown import forces_in_numbers, vector_of
+
+View = tuple[float, float]
+
+
+def drawn_in_space(
+    found: Instant, acting: Sequence[Force], show: Sequence[str], title: str, *, view: View, perspective: bool
+) -> Picture:
+    """A system in space at an instant."""
+    system, number = found.snapshot.reference.system, found.snapshot.reference.number
+    scene = Scene.of(system, number)
+    drawing = Drawing.of(scene, *poses_of(found))
+    arrows = [p.name for p in system.pushes if _has_arrow(p)]
+    loads = {force.name: force for force in reversed(acting) if force.kind == "load" and force.name in arrows}
+    sketch = whole_in_space(drawing, [loads[name] for name in arrows if name in loads], view, perspective=perspective)
+    if show:
+        _add_shown(sketch, found, show)
+    return sketch.finished(title, described(system, ()))
+
+
+def free_body(
+    found: Instant,
+    bodies: Sequence[str],
+    forces: Sequence[Force],
+    title: str,
+    *,
+    view: View,
+    perspective: bool,
+) -> Picture:
+    """Bodies of a system in space cut free."""
+    scene = Scene.of(found.snapshot.reference.system, found.snapshot.reference.number)
+    system = found.snapshot.reference.system
+    index = Places(system, found.snapshot.reference.number).index
+    ends: dict[str, set[str]] = {}
+    for row in system.rows:
+        ends.setdefault(row.connection, {point.body for point in points_of(row.measure)})
+    partners = {row.name: frozenset(index[body] for body in ends[row.connection]) for row in system.rows}
+    return free_body_in_space(
+        scene, poses_of(found), bodies, forces, title, view, perspective=perspective, partners=partners
+    )
+
+
+def _has_arrow(push: Push) -> bool:
+    """Whether the drawing itself has an arrow for a load."""
+    if isinstance(push.measure, RateMeasure):
+        return True
+    return isinstance(push.measure, Displacement) and not free_symbols(push.law) & {VALUE.name, RATE.name}
+
+
+def _add_shown(sketch: SpaceSketch, found: Instant, show: Sequence[str]) -> None:
+    """Velocities, accelerations and forces over a drawing."""
+    system, drawing = found.snapshot.reference.system, sketch.drawing
+    index = {form.name: form.index for form in drawing.scene.forms}
+    feet = {body: sketch.seen(drawing.poses.centers[0, k]) for body, k in index.items()}
+    for word, letter, unit in (("velocity", "v", "m/s"), ("acceleration", "a", "m/s²")):
+        if word in show:
+            vectors = {body.name: vector_of(found, body, word) for body in system.moving}
+            add_vectors(sketch, feet, vectors, Ink(word), letter, unit, sketch.vector)
+    if "force" in show:
+        forces = forces_in_numbers(found)
+        largest = max((f.size for f in forces if not f.is_couple), default=0.0) or 1.0
+
+        def where(force: Force) -> tuple[Array, Array]:
+            center = drawing.poses.centers[0, index[force.body]]
+            return sketch.seen(center + np.array(force.at)), sketch.seen(center)
+
+        lengths = {f.name: 16.0 + 40.0 * f.size / largest if not f.is_couple else 30.0 for f in forces}
+        Arrows(sketch, where, lambda force: lengths[force.name], sketch.vector).draw(forces)
+
+
+def poses_of(found: Instant) -> tuple[Array, Array]:
+    """(1, n_moving, 3) centres and (1, n_moving, 3, 3) axes of the bodies that move."""
+    reference = found.snapshot.reference
+    frames = [reference.frame_of(found.snapshot.q, body.name) for body in reference.system.moving]
+    return np.array([r for r, _R in frames])[None], np.array([R for _r, R in frames])[None]

@@ -1,0 +1,111 @@
+"""What of a motion is drawn over a planar system: velocities, accelerations, forces in numbers, instant centres."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import RigidBody
+from freebody.numeric.jets import Array
+from freebody.present.figures import positions
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import name
+from freebody.present.picture.motion import add_centres, add_vectors
+from freebody.present.picture.shapes import Ink
+from freebody.present.picture.whole import Whole
+from freebody.study.centres import instant_centres
+from freebody.study.free_body import FreeBody
+from freebody.study.instant import Instant
+from freebody.study.quantities import place
+from freebody.study.touching import closed_bounds
+from freebody.system.system import System
+
+_NOTHING = 1e-6  # of the largest force
+
+
+def add_shown(whole: Whole, found: Instant, show: Sequence[str]) -> None:
+    """Adds what is wanted to a picture. Raises CannotAnswer for instant centres that there are not."""
+    system = found.snapshot.reference.system
+    feet = {f.name: whole.sketch.at(positions(whole.drawing.poses, f.mass_center)[0]) for f in whole.scene.figures}
+    for word, ink, letter, unit in (
+        ("velocity", Ink("velocity"), "v", "m/s"),
+        ("acceleration", Ink("acceleration"), "a", "m/s²"),
+    ):
+        if word in show:
+            vectors = {body.name: vector_of(found, body, word) for body in system.moving}
+            add_vectors(whole.sketch, feet, vectors, ink, letter, unit)
+    if "force" in show:
+        whole.loads = forces_in_numbers(found)
+        largest = max((f.size for f in whole.loads if not f.is_couple), default=0.0)
+        whole.lengths = lambda force: 16.0 + 40.0 * force.size / (largest or 1.0)
+    if "instant-centres" in show:
+        add_centres(whole.sketch, [(pair, whole.sketch.at(at)) for pair, at in _centres(system, found)])
+
+
+def vector_of(found: Instant, body: RigidBody, word: str) -> Array:
+    """(2 or 3,) [m/s] or [m/s^2] of the mass centre."""
+    system = found.snapshot.reference.system
+    if word == "velocity":
+        return np.array(place(system, found.snapshot, body.mass_center, 1), dtype=np.float64)
+    return found.accelerations[body.name]
+
+
+def _centres(system: System, found: Instant) -> list[tuple[str, Array]]:
+    centres = instant_centres(system, found.snapshot).values()
+    known = [(c.pair, c.at) for c in centres if c.at is not None]
+    if not known:
+        raise CannotAnswer("all bodies move along without turning; their instant centres are at infinity")
+    return [(b if a == GROUND else f"{a}\u2013{b}", np.array(at)) for (a, b), at in known]
+
+
+def forces_in_numbers(found: Instant) -> list[Force]:
+    """Loads, and reactions at the first of their bodies that moves: components at one point as their resultant."""
+    system = found.snapshot.reference.system
+    moving = [body.name for body in system.moving]
+    free = FreeBody(found.snapshot, moving, closed=closed_bounds(found.snapshot))
+    valued: list[Force] = []
+    seen: set[str] = set()
+    for force in free.all_forces():
+        value = found.reactions.get(force.name) if force.kind == "reaction" else free.load_value(force.name)
+        first = force.name not in seen or any(f.name == force.name and f.body == force.body for f in valued)
+        if value is not None and (force.kind != "reaction" or first):
+            valued.append(replace(force, value=value))
+        seen.add(force.name)
+    found_forces = list(_resultants(valued, system))
+    largest = max((force.size for force in found_forces), default=0.0)
+    return [_positive(force) for force in found_forces if force.size > _NOTHING * largest]
+
+
+def _resultants(forces: Sequence[Force], system: System) -> list[Force]:
+    """Components of one connection at one point of a body in one arrow."""
+    connections = {row.name: row.connection for row in system.rows}
+    merged: list[Force] = []
+    groups: dict[tuple[str, str, tuple[float, ...]], list[Force]] = {}
+    for force in forces:
+        if force.kind == "reaction" and not force.is_couple and len(axis := force.name.split(".")[-1]) == 1 and axis:
+            at = tuple(round(x, 9) for x in force.at)
+            groups.setdefault((connections[force.name], force.body, at), []).append(force)
+        else:
+            merged.append(force)
+    for (connection, _body, _at), parts in groups.items():
+        if len(parts) == 1:
+            merged.append(parts[0])
+            continue
+        total = sum((np.array(part.force) * (part.value or 0.0) for part in parts), np.zeros(len(parts[0].force)))
+        size = float(np.linalg.norm(total))
+        if size > 0.0:
+            label = name(connection if len(connection) == 1 else f"F_{connection}")
+            merged.append(replace(parts[0], label=label, force=tuple((total / size).tolist()), value=size))
+    return merged
+
+
+def _positive(force: Force) -> Force:
+    """An arrow in the direction in which a force really acts."""
+    if force.value is None or force.value >= 0.0:
+        return force
+    back = tuple(-x for x in force.force), tuple(-x for x in force.moment)
+    return replace(force, force=back[0], moment=back[1], value=-force.value)
