@@ -98,6 +98,26 @@ def explain(
 
 
 @app.command()
+def sheet(
+    files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="Model files with questions.")],
+    out: Annotated[Path, typer.Option("-o", "--out", help="Write it: .html, .md, .tex, .pdf, .ipynb or .txt.")],
+    solutions: Annotated[str, typer.Option("--solutions", help="none, end or inline.")] = "none",
+    variants: Annotated[int, typer.Option("--variants", help="How many sheets, each with numbers of its own.")] = 1,
+    seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same sheets.")] = 0,
+    language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+) -> None:
+    """Write an exercise sheet of several models, with an answer key."""
+    from freebody.narrative.sheet import load_systems
+    from freebody.narrative.sheet import sheet as make
+    from freebody.present.report.write import check_report_path
+
+    check_report_path(out)
+    made = make(load_systems(files), solutions=solutions, variants=variants, seed=seed, language=language)
+    for path in made.write(out):
+        print(f"wrote {path}")
+
+
+@app.command()
 def eom(
     file: ModelFile,
     as_json: Json = False,

@@ -22,6 +22,7 @@ from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
 
 ROUND_OFF_OF_FORCES = 1e-12
 N_WORLDS = 4  # random motions at which a line is looked at
@@ -112,6 +113,11 @@ class World(Mapping[str, Any]):
         return found
 
 
+def shown_name(generator: Ratio) -> str:
+    """The name by which a generator is written."""
+    return rate_key(generator.field.generators[generator.field.index(generator)].display)
+
+
 def formulas_in(side: Side) -> set[str]:
     """The symbols that are differentiated in a side of a formula."""
     match side:
@@ -164,6 +170,20 @@ class Glossary:
             measure = model.measure_of(c)
             if measure is not None:
                 found.setdefault(c.name, measure)
+        return found
+
+    @property
+    def start_values(self) -> dict[str, Sentence]:
+        """Symbols of start values that follow from the assembly only."""
+        if "model" not in self.setup.__dict__:  # no formulas, no such symbols
+            return {}
+        model = self.setup.model
+        found: dict[str, Sentence] = {}
+        for row, value in model.constants.items():
+            found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})
+        for c in (*model.coordinates, *model.dependent):
+            if c.index in model.start_symbols:
+                found[shown_name(model.start_symbols[c.index])] = Sentence("symbol.start_of", {"name": c.name})
         return found
 
     # -- numbers ------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import Expr, free_symbols
+from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_text
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
 
@@ -105,6 +105,7 @@ class Script:
         self.stages: list[Stage] = []
         self._items: list[Item] = []
         self._number = first
+        self._constants: set[str] = set()
 
     @property
     def next_number(self) -> int:
@@ -150,10 +151,20 @@ class Script:
         """Checks a formula and adds it; returns its number. Raises RoutesDisagree where it does not hold."""
         relations = tuple(relations) or ("=",) * (len(sides) - 1)
         self._check(sides, relations, when)
+        self._introduce_constants(sides)
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
         self._items.append(Line(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
         return number
+
+    def _introduce_constants(self, sides: Sequence[Side]) -> None:
+        """Start values that have no formula are explained where they first stand."""
+        used = set[str]().union(*(names_in(side) for side in sides))
+        known = self.glossary.start_values
+        entries = [(Symbol(name), known[name], "") for name in sorted(used & known.keys() - self._constants)]
+        self._constants |= used
+        if entries:
+            self._items.append(Legend(tuple(entries)))
 
     def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: When) -> None:
         expressions = list(sides)
@@ -162,7 +173,7 @@ class Script:
         for world in self.glossary.worlds(when):
             try:
                 known = [world.of(side) for side in expressions]
-                scale = world.scale(expressions)
+                scale = max(world.scale(expressions), world.noise / ROUND_OFF)
             except (CannotAnswer, ArithmeticError, ValueError) as error:
                 trouble = str(error)
                 continue
@@ -184,7 +195,7 @@ class Script:
 def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:
     if not (math.isfinite(a) and math.isfinite(b)):
         return False
-    room = share * max(abs(a), abs(b), scale, 1e-8)
+    room = share * max(abs(a), abs(b), scale, 1e-9)
     match relation:
         case "=" | "≈":
             return abs(a - b) <= (room if relation == "=" else 1e-2 * max(abs(a), abs(b), scale))

@@ -11,8 +11,10 @@ from freebody.measures.geometry import GROUND
 from freebody.model.question import Energy, Momentum, OfMeasure, OfPoint, Quantity, Question, RatioOf, Spin, Turning
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.formal import FormalState
-from freebody.narrative.instant import finish
-from freebody.narrative.script import Script, Stage
+from freebody.narrative.instant import asked_symbol, finish, side_of
+from freebody.narrative.naming import asked_entry
+from freebody.narrative.script import Argument, Script, Stage
+from freebody.narrative.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
 from freebody.narrative.spatial_frames import axes_of
 from freebody.narrative.spatial_kinematics import SpatialKinematics
 from freebody.narrative.state import Parts
@@ -20,6 +22,7 @@ from freebody.narrative.table import Table
 from freebody.study.answer import Answer
 from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
@@ -29,9 +32,13 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     script = context.script()
     table = Table(context.setup.model)
     parts, unknowns = asked(context, question.quantity, table)
-    telling = SpatialTelling(context, script)
+    telling = SpatialTelling(context, script, at_start=question.at_start)
     found: dict[int, tuple[Ratio, int]] = {}
     before = Parts(())
+    if unknowns and isinstance(question.quantity, Turning) and turns_freely(context, question.quantity):
+        refuse(method, ("newton",), "the turning of a free body")
+        by_euler(context, script, telling.kinematics, question, question.quantity)
+        return script.stages
     if unknowns:
         if isinstance(question.quantity, (Turning, OfPoint)):
             before = telling.parts(question.quantity)
@@ -39,8 +46,27 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     else:
         refuse(method, (), "what follows from the state alone")
         before = telling.parts(question.quantity)
-    finish(context, script, question, parts, found, before)
+    if question.at_start and not found and before.total is not None and telling.is_formal:
+        finish_at_start(context, script, question, parts, before)
+    else:
+        finish(context, script, question, parts, found, before)
     return script.stages
+
+
+def finish_at_start(
+    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: Parts
+) -> None:
+    """What is asked at the start, from symbols whose values there are told."""
+    here, f = context.setup.start_instant, context.setup.model.field
+    name = asked_symbol(context, question, len(parts))
+    values = tuple(tidy(f.lowest_terms(here.here(part))) for part in parts)
+    total = before.total
+    assert total is not None
+    with script.stage("stage.value", "hint.value"):
+        script.add(asked_entry(name, question))
+        left, shown = side_of(name, len(parts)), values if len(values) > 1 else values[0]
+        args: dict[str, Argument] = {"lines": before.lines}
+        script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
 
 
 def asked(context: Context, quantity: Quantity, table: Table) -> tuple[tuple[Ratio, ...], list[int]]:
@@ -74,9 +100,10 @@ def _unknowns(
 class SpatialTelling:
     """What a quantity is made of that follows from pose and velocities."""
 
-    def __init__(self, context: Context, script: Script) -> None:
-        self.context, self.script = context, script
+    def __init__(self, context: Context, script: Script, *, at_start: bool = False) -> None:
+        self.context, self.script, self.at_start = context, script, at_start
         self.kinematics = SpatialKinematics(context, script)
+        self.is_formal = False  # whether a sum is told by symbols that have values at the start
 
     def parts(self, q: Quantity) -> Parts:
         """Lines, and the sum that the quantity is. Written inside stages of their own."""
@@ -93,6 +120,9 @@ class SpatialTelling:
                 over, under = self.parts(top), self.parts(bottom)
                 lines = tuple(dict.fromkeys((*over.lines, *under.lines)))
                 return Parts(lines, None)
+            case Energy("kinetic", _) if self.at_start and free_bodies(self.context, q.body):
+                self.is_formal = True
+                return kinetic_energy_of_free(self.context, self.script, self.kinematics, q)
             case Energy() | Momentum() | Spin():
                 from freebody.narrative.spatial_momentum import parts_of_momentum
 

@@ -57,6 +57,7 @@ class SpatialNewton:
         with script.stage("space.motion", "space.motion_hint"):
             for body in bodies:
                 self.lines[body] = self._motion(self.context.system.bodies[body], plan)
+            self._loops(bodies)
         with script.stage("stage.principles", "hint.principles", n=len(plan.principles)):
             written = [self._principle(plan, k) for k in range(len(plan.principles))]
         with script.stage("stage.solution", "hint.solution", n=len(written)):
@@ -85,6 +86,14 @@ class SpatialNewton:
         names: dict[int, Expr] = {a: self.field.generators[a].display for a in self.model.accelerations}
         reactions = {self.field.index(r): Symbol(self.table.symbols[row].name) for row, r in self.table.reactions.items()}
         return Unknowns({**names, **reactions}, set(reactions))
+
+    def _loops(self, bodies: Sequence[str]) -> None:
+        """What closed loops and rolling say of the velocities, where the motion of the bodies contains it."""
+        bound = {c.speed for c in self.model.dependent}
+        for body in bodies:
+            if any(self.field.ingredients(v) & bound for v in self.model.velocities[body]):
+                more = self.kinematics.velocities_bound()
+                self.lines[body] = tuple(dict.fromkeys((*self.lines[body], *more)))
 
     # -- the motion of a body -----------------------------------------------------------------
     def _motion(self, b: RigidBody, plan: Plan) -> tuple[int, ...]:

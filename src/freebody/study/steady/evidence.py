@@ -28,7 +28,7 @@ _TOLERANCE = 1e-7
 def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:
     """With the claimed rates, at a general pose, no coordinate may accelerate."""
     witness = Witness(question, "accelerations of the full system at random poses with these rates", _TOLERANCE)
-    for draw, found in _motions(setup, steady, solutions):
+    for draw, found in motions(setup, steady, solutions):
         gaps = [_unevenness(setup, steady, draw, snapshot) for snapshot in found]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
     return witness.evidence()
@@ -44,7 +44,7 @@ def during_steady_motion(
 ) -> Evidence:
     """The quantity in steady motions of the full system."""
     witness = Witness(question, "floating-point solve of all bodies and constraints in steady motion", _TOLERANCE)
-    for draw, found in _motions(setup, steady, solutions):
+    for draw, found in motions(setup, steady, solutions):
         for snapshot in found:
             if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer("the steady motion by which the answer would be checked is none in numbers")
@@ -53,7 +53,7 @@ def during_steady_motion(
     return witness.evidence()
 
 
-def _motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
+def motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
     """Steady motions, one for each root, at as many draws as are needed."""
     n = 0
     for k, draw in enumerate(setup.draw_stream()):

@@ -45,11 +45,11 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     if isinstance(value, tuple):
         raise CannotAnswer("a vector has no extremes; ask for its size or for a component along a direction")
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
-    c = _angle(model, q, x)
-    x = _at_start(setup, question, x, c)
+    c = angle_of(model, q, x)
+    x = at_start_but_for(setup, question, x, c)
     turning = Turning(model, c)
     turning.check(x)
-    search = _Search(turning)
+    search = Search(turning)
     search.must_exist(x)
     search.must_go_round(setup)
     least, largest = search.ordered(search.stationary(x))
@@ -64,7 +64,7 @@ def _kept(setup: Setup, turning: Turning) -> list[Condition]:
     return [k for k in holding if k.purpose != "as at the start" or not turning.occurs_in(k.element)]
 
 
-def _angle(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
+def angle_of(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
     """The coordinate that makes the turn."""
     inside = model.field.ingredients(x)
     moving = [c for c in model.coordinates if c.index in inside]
@@ -84,7 +84,7 @@ def _angle(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
     raise CannotAnswer(f"it does not depend on {q.over}, but on {', '.join(c.name for c in moving)}")
 
 
-def _at_start(setup: Setup, question: Question, x: Ratio, c: Coordinate) -> Ratio:
+def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) -> Ratio:
     """With everything but the angle as it is at the start, if so asked."""
     if not question.at_start:
         return x
@@ -95,7 +95,7 @@ def _where(which: str, e: Extremum, c: Coordinate) -> str:
     return f"{which} at " + " and ".join(dict.fromkeys(p.text(c.name) for p in e.places))
 
 
-class _Search:
+class Search:
     """Stationary values over the turn, and what must be positive for them."""
 
     def __init__(self, turning: Turning) -> None:
@@ -162,7 +162,7 @@ class _Search:
 
     def _keep_sign(self, base: Ratio, otherwise: str, purpose: str, *, may_touch: bool) -> None:
         """One sign all round: that of all stationary values."""
-        inner = _Search(self.turning)
+        inner = Search(self.turning)
         values = [e.value for e in inner.stationary(base)]
         self.conditions += inner.conditions
         if may_touch:

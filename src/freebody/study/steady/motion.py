@@ -256,7 +256,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     from freebody.study.steady.evidence import in_steady_motion
 
     steady = Steady(setup.model)
-    unknown = _unknown(steady, q)
+    unknown = unknown_of(steady, q)
     if unknown is None:
         return _during(setup, question, q, steady)
     solutions = steady.at_position(unknown) if _is_place(q) else steady.solved_for(unknown.speed)
@@ -269,7 +269,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
 
 
-def _unknown(steady: Steady, q: SteadyValue) -> Coordinate | None:
+def unknown_of(steady: Steady, q: SteadyValue) -> Coordinate | None:
     """The coordinate whose rate or, if it stays constant, whose value is asked for."""
     if not isinstance(q.of, OfMeasure) or q.of.order > 1:
         return None

@@ -41,7 +41,7 @@ def over_a_turn(
     for draw in setup.draw_stream():
         if len(reached.pairs) >= MIN_DRAWS:
             break
-        turn = _Round(setup, draw, c, quantity)
+        turn = Round(setup, draw, c, quantity)
         try:
             if not all(holds(setup, k, draw, turn.start) for k in conditions):
                 continue
@@ -56,7 +56,7 @@ def over_a_turn(
     return reached.evidence()
 
 
-class _Round:
+class Round:
     """A full turn of one draw, the other coordinates as at its start."""
 
     def __init__(self, setup: Setup, draw: Draw, c: Coordinate, quantity: Quantity) -> None:

@@ -88,7 +88,7 @@ def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, sq
     witness = Witness(question.text, "finite differences of the angular accelerations of the full system", _TOLERANCE)
     for draw in setup.draws:
         for value in _SPINS:
-            slopes = _slopes(draw, body, k, value)
+            slopes = slopes_beside(draw, body, k, value)
             numbers = setup.model.numbers(draw.sample()) | {rate: value}
             scale = value * value
             exact = setup.model.field.evaluate(square, numbers) / scale
@@ -96,7 +96,7 @@ def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, sq
     return witness.evidence()
 
 
-def _slopes(draw: Draw, body: str, k: int, value: float) -> Array:
+def slopes_beside(draw: Draw, body: str, k: int, value: float) -> Array:
     """d(w_i', w_j')/d(w_i, w_j) about the spin; the equations are quadratic, so that central differences are exact."""
     axes: tuple[Direction, ...] = body_axes(body)
     spins: list[RateMeasure] = [spin(body, axis) for axis in axes]

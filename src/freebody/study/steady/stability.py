@@ -92,7 +92,7 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
     from freebody.study.steady.linearised import agrees
 
-    linear = _at_start(setup, Steady(setup.model))
+    linear = linear_at_start(setup, Steady(setup.model))
     signs: list[Ratio] = []
     roots: list[Ratio] | None = []
     for c in linear.factors:
@@ -153,7 +153,7 @@ def _given(setup: Setup, linear: Linear) -> dict[int, Ratio]:
     return {index: x for index in open_ if set((x := start.of(index)).generators()) - pi}
 
 
-def _at_start(setup: Setup, steady: Steady) -> Linear:
+def linear_at_start(setup: Setup, steady: Steady) -> Linear:
     """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
     with one rate such that it is steady; as it is. What is zero, or a quarter of a turn, stays so."""
     model, start = setup.model, setup.start
