@@ -4,6 +4,7 @@ file's numbers, and a verdict on each option."""
 from __future__ import annotations
 
 from contextlib import suppress
+from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Expr
@@ -67,7 +68,7 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
         return Sentence("options.reason_and_mistake", {"reason": f"@{told}", "mistake": mistakes[letter]})
 
     rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), reason(k, v.reason)) for k, v in answer.options.items())
-    marks = tuple("right" if v.verdict == "right" else "wrong" for v in answer.options.values())
+    marks: tuple[Literal["", "right", "wrong"], ...] = tuple("right" if v.verdict == "right" else "wrong" for v in answer.options.values())
     script.add(Sheet(header, rows, marks))
     for note in answer.author_notes:
         script.say("result.note", text=f"@{note}")

@@ -88,7 +88,7 @@ def _motion(way: _Way) -> list[int]:
 
 
 def _uniform(way: _Way) -> list[int]:
-    script, c, reached, a = way.script, way.reached.coordinate, way.reached, way.acceleration
+    script, c, a = way.script, way.reached.coordinate, way.acceleration
     q0, u0 = _start(way)
     f = a.field
     x, u = Symbol(c.name), rates_of(c.name, 1)

@@ -15,6 +15,7 @@ from freebody.narrative.naming import fresh, named
 from freebody.narrative.script import Argument, Script, Sentence, Sheet, Stage
 from freebody.narrative.spatial import SpatialTelling, asked
 from freebody.narrative.table import Table
+from freebody.numeric.jets import Array
 from freebody.study.answer import Answer
 from freebody.study.evidence import holds
 from freebody.study.quantities import quantity_value
@@ -27,7 +28,7 @@ from freebody.symbolic.model import Coordinate
 from freebody.symbolic.tidy import tidy
 
 N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
-N_HALVINGS = 16
+N_SECTIONS = 14
 _GOLDEN = (math.sqrt(5) - 1) / 2
 
 
@@ -94,26 +95,32 @@ def _table(script: Script, found: list[Extremum], name: str) -> None:
     script.add(Sheet(header, tuple(rows)))
 
 
-def _extreme(context: Context, q: Extremes, c: Coordinate, search: Search, way: int) -> Callable[[World], float]:
+def _extreme(
+    context: Context, q: Extremes, c: Coordinate, search: Search, way: int
+) -> Callable[[World], float]:
     """The least (way 1) or the largest value of the full system round the turn, by golden sections."""
-    setup = context.setup
 
     def read(world: World) -> float:
-        turn = Round(setup, world.draw, c, q.of)
-        if not all(holds(setup, k, world.draw, turn.start) for k in search.conditions):
+        turn = Round(context.setup, world.draw, c, q.of)
+        if not all(holds(context.setup, k, world.draw, turn.start) for k in search.conditions):
             raise CannotAnswer("these numbers do not meet the conditions of the answer")
         step = math.tau / N_POSES
-        places = [(k + 0.5) * step - math.pi for k in range(N_POSES)]
-        middle = min(places, key=lambda away: way * turn.at(away))
+        poses: list[tuple[float, float, Array]] = []  # value, angle from the start, pose
+        for sense in (1.0, -1.0):
+            pose = world.draw.q
+            for k in range(N_POSES // 2):
+                away = sense * (k + 0.5) * step
+                pose = turn.pose(pose, away)
+                poses.append((way * turn.value(pose), away, pose))
+        _best, middle, near = min(poses, key=lambda p: p[0])
         low, high = middle - step, middle + step
-        for _ in range(N_HALVINGS):
+
+        def at(away: float) -> float:
+            return way * turn.value(turn.pose(near, away))
+
+        for _ in range(N_SECTIONS):
             a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-            if way * turn.at(a) < way * turn.at(b):
-                high = b
-            else:
-                low = a
-        return turn.at((low + high) / 2)
+            low, high = (low, b) if at(a) < at(b) else (a, high)
+        return way * at((low + high) / 2)
 
     return read
-
-

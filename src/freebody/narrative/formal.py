@@ -3,11 +3,19 @@ the unknowns of the table of principles."""
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 from freebody.measures.base import Measure
 from freebody.model.elements import Held, RateMeasure
 from freebody.narrative.table import Table
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.state import SymbolicState
+
+
+def elements(field: Field, value: Any) -> tuple[Ratio, ...]:
+    """A quantity as elements: one for a scalar, its components for a vector."""
+    parts: tuple[Any, ...] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
+    return tuple(field.lowest_terms(field.element(part)) for part in parts)
 
 
 class FormalState(SymbolicState):

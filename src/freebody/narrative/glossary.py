@@ -69,14 +69,15 @@ class World(Mapping[str, Any]):
         """A symbol gets another meaning."""
         self._known.pop(name, None)
 
-    def scale(self, sides: Sequence[Any]) -> float:
+    def scale(self, sides: Sequence[Side]) -> float:
         """The largest term in some formulas, by which round-off is judged."""
         largest = 0.0
         for side in sides:
             if isinstance(side, (Derivative, Difference)):
                 largest = max(largest, *(abs(float(self[name])) for name in formulas_in(side) if name in self), 0.0)
                 continue
-            for part in side if isinstance(side, tuple) else (side,):
+            parts: tuple[Expr, ...] = side if isinstance(side, tuple) else (side,)
+            for part in parts:
                 for term in part.terms if isinstance(part, Sum) else (part,):
                     largest = max(largest, abs(float(evaluate(term, self, FLOAT_FUNCTIONS))))
         return largest
@@ -89,10 +90,13 @@ class World(Mapping[str, Any]):
     def __contains__(self, name: object) -> bool:
         if name in self._known:
             return True
+        if not isinstance(name, str):
+            return False
         try:
-            return isinstance(name, str) and self[name] is not None
+            _ = self[name]
         except (KeyError, CannotAnswer):
             return False
+        return True
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._known)

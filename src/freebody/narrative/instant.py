@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from freebody.language.expression import Expr, Symbol
 from freebody.model.question import Question, When
 from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.formal import elements
 from freebody.narrative.glossary import Meaning, World
 from freebody.narrative.loops import loop_lines
 from freebody.narrative.newton import same_answer
@@ -63,9 +64,9 @@ def finish(
         with script.stage("stage.value", "hint.value"):
             names = (name,) if len(parts) == 1 else names_of(name, len(parts))
             script.add(Legend(tuple((n, Sentence("symbol.asked", {"question": question.text}), "") for n in names)))
-            shown = tuple(map(tidy, general)) if len(general) > 1 else tidy(general[0])
+            shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
-            unsolved = tuple(map(tidy, parts)) if len(parts) > 1 else tidy(parts[0])
+            unsolved = written(parts)
             if before is not None and before.total is not None:
                 sides.append(before.total)
             elif found and unsolved != shown:
@@ -78,7 +79,7 @@ def finish(
         with script.stage("stage.start", "hint.start"):
             here = setup.start_instant
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
-            shown = tuple(map(tidy, wanted)) if len(wanted) > 1 else tidy(wanted[0])
+            shown = written(wanted)
             left = side_of(name, len(wanted)) if not is_there else tidy(parts[0])
             script.line(left, shown, why="value.start", args={"lines": (last,)}, uses=(last,), when="start")
     _ends_in_answer(context, question, wanted)
@@ -87,10 +88,7 @@ def finish(
 def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]) -> None:
     setup = context.setup
     state = setup.start_instant if question.at_start else setup.state
-    value = quantity_value(question.quantity, setup.system, state)
-    parts = value if isinstance(value, tuple) else (value,)
-    f = setup.model.field
-    wanted = [f.lowest_terms(f.element(part)) for part in parts]
+    wanted = elements(setup.model.field, quantity_value(question.quantity, setup.system, state))
     if any(not setup.model.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
         same_answer(found, wanted)
 
@@ -116,6 +114,12 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))
     return symbol
+
+
+def written(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
+    """A scalar as it is written, or the components of a vector."""
+    shown = tuple(map(tidy, parts))
+    return shown[0] if len(shown) == 1 else shown
 
 
 def names_of(name: Symbol, n: int) -> tuple[Symbol, ...]:

@@ -27,7 +27,7 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
         element = context.setup.model.geometry.apply(answer.expression, _coordinates(context))
     except (CannotAnswer, ExpressionError, ZeroDivisionError, KeyError):
         return []
-    if not isinstance(element, Ratio) or element.is_zero():
+    if element.is_zero():
         return []
     element = element.field.lowest_terms(element)
     told: list[tuple[int, Sentence]] = []

@@ -14,7 +14,7 @@ from freebody.language.notation.parts import signed_terms
 from freebody.model.elements import Held
 from freebody.model.question import Quantity
 from freebody.narrative.elimination import Row, Solver, Unknowns, positive_first
-from freebody.narrative.formal import FormalState
+from freebody.narrative.formal import FormalState, elements
 from freebody.narrative.glossary import Glossary, Meaning, World
 from freebody.narrative.kinematics import Kinematics, Term, scaled, total
 from freebody.narrative.places import words_of
@@ -83,12 +83,9 @@ class Newton:
     def asked(self, quantity: Quantity) -> tuple[Ratio, ...]:
         """The quantity in coordinates, speeds, accelerations and reactions."""
         value = quantity_value(quantity, self.setup.system, FormalState(self.table))
-        parts = value if isinstance(value, tuple) else (value,)
-        same = {
-            self.field.index(self.table.reactions[row]): self.table.reactions[other]
-            for row, other in self.merged.items()
-        }
-        return tuple(self.field.lowest_terms(self.field.substitute(self.field.element(p), same)) for p in parts)
+        f, reactions = self.field, self.table.reactions
+        same = {f.index(reactions[row]): reactions[other] for row, other in self.merged.items()}
+        return tuple(f.lowest_terms(f.substitute(part, same)) for part in elements(f, value))
 
     def unknowns_in(self, parts: Iterable[Ratio]) -> list[int]:
         """Generators of accelerations and reactions in some elements."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, number
 from freebody.language.units import Dimension
@@ -53,7 +55,7 @@ def _symbols(context: Context, script: Script) -> None:
     for p in system.parameters.values():
         key = "symbol.function" if p.form is not None else "symbol.parameter"
         entries.append((Symbol(p.name), Sentence(key), _unit(p.dimension)))
-    given = system.document.data.get("measures") or {}
+    given = cast("dict[str, Any]", system.document.data.get("measures") or {})
     for name, measure in system.measures.items():
         phrase = phrase_text(given.get(name)) or name
         entries.append((Symbol(name), Sentence("symbol.measure", {"phrase": phrase}), _unit(measure.dimension)))

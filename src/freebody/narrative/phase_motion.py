@@ -158,11 +158,15 @@ def _energy_integral(script: Script, way: Way, leg: Leg, course: Energy, told: T
     kinetic, potential = energy_parts(leg)
     begin = course.start.values
     at_first = f.lowest_terms(f.follow(kinetic + potential, begin))
-    frictions = [p for p in phase.system.pushes if p.load not in phase.system.loads]
+    loads = phase.system.loads
+    frictions = [p for p in phase.system.pushes if p.load not in loads]
+    others = [p for p in phase.system.pushes if p.load in loads and not loads[p.load].stores_energy]
     with script.stage("stage.phase_energy", "hint.phase_energy", phase=f"@{leg.number}"):
         lines = tell_energies(script, leg)
-        work = _friction_work(leg, frictions)
+        work = _work(leg, [*frictions, *others])
         script.say("motion.no_work" if not frictions else "motion.friction_work")
+        if others:
+            script.say("motion.other_work", loads=tuple(dict.fromkeys(p.load for p in others)))
         with on_the_way(script, leg.course):
             right = at_first if work is None else at_first + work
             both = script.line(
@@ -185,12 +189,13 @@ def _energy_integral(script: Script, way: Way, leg: Leg, course: Energy, told: T
             )
 
 
-def _friction_work(leg: Leg, frictions: list[Push]) -> Ratio | None:
-    if not frictions:
+def _work(leg: Leg, pushes: list[Push]) -> Ratio | None:
+    """Of loads that are no part of V, since the phase began."""
+    if not pushes:
         return None
     f, phase = leg.phase.model.field, leg.phase
     total = f.zero
-    for push in frictions:
+    for push in pushes:
         total = total + phase.start_instant.potential(push) - phase.state.potential(push)
     return f.lowest_terms(total)
 

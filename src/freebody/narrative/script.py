@@ -8,7 +8,7 @@ event that is asked for.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -112,7 +112,7 @@ class Script:
         return self._number
 
     @contextmanager
-    def stage(self, title: str, hint: str = "", **args: Argument) -> Iterator[None]:
+    def stage(self, title: str, hint: str = "", **args: Argument) -> Generator[None]:
         """What is added inside belongs to one stage; an empty one is left out."""
         before, self._items = self._items, []
         try:
@@ -223,7 +223,7 @@ def names_in(side: Side) -> set[str]:
     """All symbols of a side of a formula."""
     match side:
         case tuple():
-            return set().union(*(free_symbols(part) for part in side)) if side else set()
+            return {name for part in side for name in free_symbols(part)}
         case Derivative(of, by, _):
             return names_in(of) | free_symbols(by)
         case Difference(first, second):

@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
 from freebody.model.question import Question
-from freebody.model.spins import body_axes
 from freebody.model.steady_questions import SpinStability
 from freebody.narrative.context import Context
-from freebody.narrative.glossary import Meaning, World
-from freebody.narrative.motion_equations import balanced, motion_equations, readable
+from freebody.narrative.glossary import Glossary, Meaning, World
+from freebody.narrative.motion_equations import motion_equations, readable
 from freebody.narrative.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.script import Argument, Script, Sentence, Stage
+from freebody.narrative.script import Argument, Legend, Script, Sentence, Sheet, Stage, When
+from freebody.numeric.jets import Array
 from freebody.study.answer import Answer
 from freebody.study.draws import Draw
+from freebody.study.steady.linearised import About
+from freebody.study.steady.motion import Steady
 from freebody.study.steady.spin import slopes_beside
 from freebody.study.steady.stability import Linear, linear_at_start
-from freebody.study.steady.motion import Steady
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
+_ROUND_OFF = 1e-5  # of exponents by differences
 _SPIN = 3.7  # rad/s, at which lines are looked at
 _PRODUCTS = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
 
@@ -38,7 +43,7 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
     if not tensor[_PRODUCTS[frozenset((i, j))]].is_zero():
         raise CannotAnswer("the axes across the spin are no principal axes; the answer is that of the general equations")
     script = context.script()
-    spin = next(s for s in _names_in(expression) if s not in context.system.parameters)
+    spin = next(s for s in sorted(free_symbols(expression)) if s not in context.system.parameters)
     with script.stage("steady.euler", "steady.euler_hint"):
         line, exponent = _euler(context, script, q, (i, j, k), tensor, Symbol(spin))
     with script.stage("stage.value"):
@@ -48,12 +53,6 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
         script.line(symbol, expression, why="steady.solved_for", args=args, uses=(line,), when="never")
         script.say("steady.stable")
     return script.stages
-
-
-def _names_in(e: Expr) -> list[str]:
-    from freebody.language.expression import free_symbols
-
-    return sorted(free_symbols(e))
 
 
 def _euler(
@@ -108,9 +107,9 @@ class _Slopes:
 
     def __init__(self, context: Context, body: str, k: int) -> None:
         self.body, self.k = body, k
-        self._known: dict[int, tuple[Draw, object]] = {}
+        self._known: dict[int, tuple[Draw, Array]] = {}
 
-    def of(self, draw: Draw):  # noqa: ANN201
+    def of(self, draw: Draw) -> Array:
         if id(draw) not in self._known:
             self._known[id(draw)] = draw, slopes_beside(draw, self.body, self.k, _SPIN)
         return self._known[id(draw)][1]
@@ -124,28 +123,87 @@ class _Slopes:
         return float(s[0][1] * s[1][0] - s[0][0] * s[1][1])
 
 
+# -- a steady motion --------------------------------------------------------------------------
+class _Beside(Glossary):
+    """At the "event" symbols have their values in the steady motion of the start."""
+
+    def __init__(self, context: Context, linear: Linear) -> None:
+        super().__init__(context.setup)
+        self.meanings.update(context.glossary.meanings)
+        self.linear = linear
+        self._found: list[tuple[World, Array]] = []
+
+    def worlds(self, when: When) -> Iterator[World]:
+        if when != "event":
+            yield from super().worlds(when)
+            return
+        for world, _squares in self.found():
+            yield world
+
+    def found(self) -> list[tuple[World, Array]]:
+        """Motions, and the squares of the exponents of the full system linearised there in numbers."""
+        for draw in () if self._found else self.setup.draws:
+            with suppress(CannotAnswer):
+                about = About(self.setup, self.linear, draw, 1.0)
+                squares = np.linalg.eigvals(about.matrix()) ** 2
+                self._found.append((World(self, draw, draw.seen(about.snapshot)), np.asarray(squares)))
+        return self._found
+
+
 def tell_stability(context: Context, question: Question, answer: Answer) -> list[Stage]:
-    """The linearised equations about the steady motion of the start, and their characteristic polynomial."""
+    """The equations of motion, the steady motion, and the squares of the exponents of small disturbances."""
     expression = answer.expression
     assert expression is not None
-    script = context.script()
+    if answer.unit == "":
+        raise CannotAnswer("stability is decided here by the signs in Routh's array, which are not told step by step")
     steady = Steady(context.setup.model)
     linear = linear_at_start(context.setup, steady)
-    lines: list[int] = []
+    script = context.script()
     with script.stage("unclosed.equations", "unclosed.equations_hint"):
-        lines += [row.number for row in motion_equations(context, script)]
-    with script.stage("steady.condition", "steady.condition_hint"):
-        cyclic, others = (tuple(Symbol(c.name) for c in group) for group in (steady.cyclic, steady.others))
-        if cyclic:
-            script.say("steady.cyclic", names=cyclic)
-        script.say("steady.others", names=others)
-    raise CannotAnswer(_not_told(linear))
+        lines = tuple(row.number for row in motion_equations(context, script))
+    glossary = _Beside(context, linear)
+    more = Script(glossary, script.next_number)
+    with more.stage("steady.linear", "steady.linear_hint"):
+        for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
+            if group:
+                more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
+        more.say("steady.linearised")
+        _polynomial(more, linear)
+    values = expression if isinstance(expression, tuple) else (expression,)
+    with more.stage("stage.value"):
+        names = [Symbol(fresh(context, f"lambda2_{k + 1}", f"square_{k + 1}")) for k in range(len(values))]
+        meanings = [
+            Meaning(name, Sentence("steady.exponent_symbol"), _nearest(glossary, value), "1/s^2")
+            for name, value in zip(names, values, strict=True)
+        ]
+        for meaning in meanings:
+            glossary.redefine(meaning)
+        more.add(Legend(tuple((m.symbol, m.what, m.unit) for m in meanings)))
+        left: Expr | tuple[Expr, ...] = tuple(names) if isinstance(expression, tuple) else names[0]
+        args: dict[str, Argument] = {"lines": lines}
+        more.line(left, expression, why="steady.roots_of", args=args, uses=lines, when="event")
+        more.say("steady.stable")
+    return [*script.stages, *more.stages]
 
 
-def _not_told(linear: Linear) -> str:
-    for c in linear.coefficients:
-        readable(c)
-    return "the stability of this steady motion is decided by Routh's criterion in numbers and formulas, but not told"
+def _polynomial(script: Script, linear: Linear) -> None:
+    """The coefficients of the characteristic polynomial, a row for each power."""
+    rows: list[tuple[Sentence | Expr | str, ...]] = []
+    for power_, c in enumerate(linear.coefficients):
+        if not c.is_zero():
+            rows.append((str(power_), tidy(readable(c))))
+    header = (Sentence("steady.table_power"), Sentence("conserved.table_coefficient"))
+    script.add(Sheet(header, tuple(reversed(rows))))
 
 
-__all__ = ["body_axes", "balanced", "tell_spin", "tell_stability"]
+def _nearest(glossary: _Beside, value: Expr) -> Callable[[World], float]:
+    """The square of an exponent of the full system that is nearest to a claimed one; it must be real."""
+
+    def read(world: World) -> float:
+        squares = next(found for own, found in glossary.found() if own is world)
+        (claimed,) = world.of(value)
+        best = complex(min(squares, key=lambda s: abs(s - claimed)))
+        # by differences, so to fewer digits than a line is held to
+        return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), float(abs(squares).max())) else best.real
+
+    return read

@@ -18,6 +18,7 @@ from freebody.narrative.asking import asking
 from freebody.narrative.catalogue import Catalogue
 from freebody.narrative.kinematics import rates_of
 from freebody.narrative.script import Sentence
+from freebody.narrative.telling import raised
 from freebody.present.report.blocks import Block, Bullets, Emphasis, Figure, Formula, Paragraph, Table, Text
 from freebody.study.gruebler import gruebler
 from freebody.system.system import System
@@ -157,6 +158,9 @@ def _value(name: str, text: str) -> Text:
         value = Number(Fraction(digits))
     except ValueError:
         return Formula((Symbol(name),)), f" = {text}"
+    if value.value.denominator > 1:  # as the file has it, not as a fraction
+        shown = "°" if unit == "deg" else f" {raised(unit)}" if unit else ""
+        return Formula((Symbol(name),)), f" = {digits}{shown}"
     return (Formula((Symbol(name), value), ("=",), "°" if unit == "deg" else unit),)
 
 

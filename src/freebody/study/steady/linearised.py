@@ -32,7 +32,7 @@ def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) 
     for draw in setup.draws:
         for factor in _FACTORS:
             try:
-                about = _About(setup, linear, draw, factor)
+                about = About(setup, linear, draw, factor)
                 coefficients = np.array(element_at(setup, tuple(linear.coefficients), draw, about.snapshot))
                 values = element_at(setup, tuple(signs), draw, about.snapshot)
             except NotReal:
@@ -57,7 +57,7 @@ def _is_clear(values: Sequence[float]) -> bool:
     return all(abs(v) > 1e-9 * largest for v in values)
 
 
-class _About:
+class About:
     """A steady motion of one draw in numbers."""
 
     def __init__(self, setup: Setup, linear: Linear, draw: Draw, factor: float) -> None:

@@ -73,7 +73,7 @@ class Round:
         self.start = self._snapshot(draw.q)
 
     def _snapshot(self, q: Array) -> Snapshot:
-        rates = [(self.measure, _RATE), *((m, 0.3) for m, _value in self.kept)]
+        rates = [(self.measure, _RATE), *((m, 0.3) for m, value in self.kept)]
         return self.draw.reference.snapshot(q, self.draw.reference.velocities(q, rates, with_start=False))
 
     def angle_of(self, e: Extremum) -> float:
@@ -87,8 +87,8 @@ class Round:
         n = max(1, math.ceil(abs(away) / 0.2))
         q = self.draw.q
         for k in range(1, n + 1):
-            q = self._pose(q, away * k / n)
-        return self._value(q)
+            q = self.pose(q, away * k / n)
+        return self.value(q)
 
     def values(self) -> list[float]:
         """At poses all round the turn."""
@@ -97,12 +97,12 @@ class Round:
         for way in (1.0, -1.0):
             q = self.draw.q
             for k in range(N_POSES // 2):
-                q = self._pose(q, way * step * (k + 0.5))
-                found.append(self._value(q))
+                q = self.pose(q, way * step * (k + 0.5))
+                found.append(self.value(q))
         return found
 
-    def _pose(self, q: Array, away: float) -> Array:
+    def pose(self, q: Array, away: float) -> Array:
         return self.draw.reference.pose_near(q, [*self.kept, (self.measure, self.here + away)])
 
-    def _value(self, q: Array) -> float:
+    def value(self, q: Array) -> float:
         return float(quantity_value(self.quantity, self.setup.system, self.draw.seen(self._snapshot(q))))

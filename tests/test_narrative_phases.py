@@ -1,0 +1,188 @@
+"""Derivations of motions in phases and of rest under dry friction: re-read, and with the steps a lecturer would expect."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from freebody import System
+from freebody.language.expression import Expr
+from freebody.language.notation import to_text
+from freebody.narrative.catalogue import Catalogue
+from freebody.narrative.explain import Derivation, Explanation, explain
+from freebody.narrative.script import Legend, Line, Sentence, Stage, names_in
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+PHASES = (
+    "sphere_launched_down_incline",
+    "ball_with_back_spin",
+    "billiard_ball",
+    "block_on_rough_incline",
+    "particle_leaving_dome",
+    "ball_leaving_cylinder",
+    "bouncing_ball",
+    "stick_slip_oscillator",
+    "sliding_ladder",
+)
+REST = (
+    "block_pushed_on_incline",
+    "block_tips_or_slides",
+    "ladder_against_wall",
+    "ladder_rough_wall",
+    "band_brake",
+    "capstan",
+    "wedge_under_load",
+)
+
+
+def load(name: str) -> System:
+    return System.load(EXAMPLES / f"{name}.yaml")
+
+
+def lines_of(stages: tuple[Stage, ...]) -> list[Line]:
+    return [item for stage in stages for item in stage.items if isinstance(item, Line)]
+
+
+def shown(line: Line) -> str:
+    parts = [to_text(side) for side in line.sides if not isinstance(side, tuple)]  # type: ignore[arg-type]
+    return " ".join(x for pair in zip(parts, (*line.relations, ""), strict=True) for x in pair).strip()
+
+
+def of(name: str, question: str) -> tuple[Explanation, Derivation]:
+    found = explain(load(name), question)
+    (derivation,) = found.derivations
+    assert not derivation.reason, derivation.reason
+    return found, derivation
+
+
+def own(derivation: Derivation) -> tuple[Stage, ...]:
+    """The stages before the result."""
+    keys = [stage.title.key for stage in derivation.stages]
+    return derivation.stages[: keys.index("stage.result")] if "stage.result" in keys else derivation.stages
+
+
+@pytest.mark.parametrize("name", [*PHASES, *REST])
+def test_every_line_follows_from_earlier_ones_and_names_what_was_introduced(name: str) -> None:
+    found = explain(load(name))
+    for derivation in found.derivations:
+        assert not derivation.reason, f"{derivation.question.id}: {derivation.reason}"
+        known = _legend(found.opening) | {"t"}
+        earlier = {line.number for line in lines_of(found.opening)}
+        for stage in own(derivation):
+            for item in stage.items:
+                if isinstance(item, Legend):
+                    known |= _legend((Stage(stage.title, None, (item,)),))
+                if isinstance(item, Line):
+                    used = set().union(*(names_in(side) for side in item.sides))
+                    assert used <= known, f"({item.number}) uses {used - known} before they are introduced"
+                    assert set(item.uses) <= earlier
+                    earlier.add(item.number)
+
+
+def _legend(stages: tuple[Stage, ...]) -> set[str]:
+    entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
+    return set().union(*(names_in(symbol) for symbol, _what, _unit in entries)) if entries else set()
+
+
+@pytest.mark.parametrize("name", [*PHASES, *REST])
+def test_the_last_line_contains_the_answer(name: str) -> None:
+    for derivation in explain(load(name)).derivations:
+        expected = derivation.answer.expression
+        assert expected is not None
+        last = lines_of(own(derivation))[-1]
+        parts: tuple[Expr, ...] = expected if isinstance(expected, tuple) else (expected,)
+        sides = [s for side in last.sides for s in (side if isinstance(side, tuple) else (side,))]
+        assert all(part in sides for part in parts), shown(last)
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_everything_that_is_said_is_in_the_catalogue(language: str) -> None:
+    catalogue = Catalogue(language)
+    for name in ("sphere_launched_down_incline", "ladder_rough_wall", "capstan"):
+        for derivation in explain(load(name), language=language).derivations:
+            for stage in derivation.stages:
+                for sentence in (stage.title, stage.hint, *stage.items):
+                    if isinstance(sentence, Sentence):
+                        assert catalogue.plain(sentence)
+                    if isinstance(sentence, Line) and sentence.why is not None:
+                        assert catalogue.plain(sentence.why)
+
+
+# -- phases -----------------------------------------------------------------------------------
+def test_sphere_slides_by_the_law_of_friction_until_its_slip_velocity_vanishes() -> None:
+    _found, derivation = of("sphere_launched_down_incline", "speed")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "v_s = v₀ > 0" in told
+    assert "F = -μ·N" in told
+    assert "x'' = g·(sin(θ) - μ·cos(θ))" in told
+    assert "t_1 = 2·v₀/(g·(7·μ·cos(θ) - 2·sin(θ)))" in told
+
+
+def test_that_it_goes_on_rolling_is_shown_by_the_friction_it_needs() -> None:
+    _found, derivation = of("sphere_launched_down_incline", "speed")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "abs(F) ≤ μ·N" in told
+    assert "abs(F) = 2·m·g·sin(θ)/7 ≤ m·μ·g·cos(θ)" in told
+    assert "μ > 2·tan(θ)/7" in told
+
+
+def test_a_block_that_turns_round_has_a_second_phase_with_friction_the_other_way() -> None:
+    _found, derivation = of("block_on_rough_incline", "back")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert told.index("F = -μ·N") < told.index("F = μ·N")
+    assert "μ < tan(θ)" in told
+
+
+def test_a_particle_leaves_the_dome_where_energy_makes_the_normal_force_vanish() -> None:
+    _found, derivation = of("particle_leaving_dome", "angle")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "N = m·(g·cos(φ) - R·φ'²)" in told
+    assert "3·R·g·cos(φ) = 2·R·g + v₀²" in told
+
+
+def test_energy_lost_is_the_difference_of_two_energies() -> None:
+    _found, derivation = of("billiard_ball", "lost")
+    keys = [line.why.key for line in lines_of(derivation.stages) if line.why is not None]
+    assert keys.index("answer.energy_start") < keys.index("answer.energy_event") < keys.index("answer.lost")
+
+
+def test_a_motion_in_phases_has_no_derivation_by_lagrange() -> None:
+    (derivation,) = explain(load("billiard_ball"), "speed", method="lagrange").derivations
+    assert "not derived by the method lagrange" in derivation.reason
+
+
+def test_without_a_closed_form_the_reason_is_that_of_the_solver() -> None:
+    (derivation,) = explain(load("stick_slip_oscillator"), "time when slipping ends").derivations
+    assert derivation.answer.expression is None
+    assert derivation.reason
+
+
+# -- rest -------------------------------------------------------------------------------------
+def test_a_ladder_needs_no_wall_force_to_find_its_friction() -> None:
+    _found, derivation = of("ladder_against_wall", "friction")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "F_floor_start = μ·N_floor_start" in told
+    assert told[-1].startswith("μ ≥ ")
+
+
+def test_a_block_tips_where_a_corner_has_no_force_and_slides_where_friction_is_used_up() -> None:
+    _found, derivation = of("block_tips_or_slides", "first")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "N_floor_bottom_left = 0" in told
+    assert "F = m·b·g/(2·d)" in told
+    assert "m·μ·g ≤ m·b·g/(2·d)" in told
+    assert told[-1] == "F = m·μ·g"
+
+
+def test_a_rope_round_a_drum_obeys_euler_and_eytelwein() -> None:
+    _found, derivation = of("capstan", "range")
+    told = [shown(line) for line in lines_of(derivation.stages)]
+    assert "T - F_rope = exp(μ·π)·T" in told
+    assert told[-1] == "M·g/exp(μ·π) ≤ F ≤ M·g·exp(μ·π)"
+
+
+def test_reactions_that_equilibrium_leaves_open_are_said_to_be_open() -> None:
+    _found, derivation = of("ladder_rough_wall", "friction")
+    said = [item.key for stage in derivation.stages for item in stage.items if isinstance(item, Sentence)]
+    assert "rest.not_unique" in said
