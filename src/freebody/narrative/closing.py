@@ -6,9 +6,10 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Literal
 
-from freebody.errors import CannotAnswer, ExpressionError
+from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr
 from freebody.model.friction_questions import RestQuantity
+from freebody.language.units import TIME, dimension_of
 from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.instant import asked_symbol, side_of
@@ -42,7 +43,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.holds", conditions=tuple(f"@{c}" for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):
-        script.say("result.unit", unit=f"@{raised(answer.unit)}")
+        key = "result.dimensions" if _dimensions_fit(context, question, answer) else "result.unit"
+        script.say(key, unit=f"@{raised(answer.unit)}")
     if answer.value is not None:
         values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
         shown = ", ".join(f"{v:.5g}" for v in values)
@@ -50,6 +52,18 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": f"@{note}"}) for note in answer.notes)))
+
+
+def _dimensions_fit(context: Context, question: Question, answer: Answer) -> bool:
+    """Whether the terms of a formula have like dimensions, and the formula that of the quantity."""
+    if answer.expression is None or isinstance(answer.expression, tuple):
+        return False
+    names = {p.name: p.dimension for p in context.system.parameters.values()}
+    names |= {name: measure.dimension for name, measure in context.glossary.measures.items()} | {"t": TIME}
+    try:
+        return dimension_of(answer.expression, names) == question.quantity.dimension
+    except UnitError:  # a symbol of a start value, of which no dimension is kept
+        return False
 
 
 def _when(question: Question) -> When:

@@ -370,5 +370,3 @@ def reader_of(context: Context, q: Quantity, balance: Balance) -> Callable[[Worl
     if isinstance(q, JacobiIntegral) or (isinstance(q, Energy) and q.what != "kinetic"):
         return formula
     return plain
-
-

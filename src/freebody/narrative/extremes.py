@@ -55,7 +55,9 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         script.say("steady.slope", name=Symbol(c.name), factor=tidy(_slope(turning, x, c)))
         _table(script, found, c.name)
     with script.stage("stage.value"):
-        names = tuple(Symbol(fresh(context, f"{symbol.name}_{end}", f"{symbol.name}_{end}_1")) for end in ("min", "max"))
+        names = tuple(
+            Symbol(fresh(context, f"{symbol.name}_{end}", f"{symbol.name}_{end}_1")) for end in ("min", "max")
+        )
         meanings = [
             Meaning(name, Sentence(f"steady.{which}"), _extreme(context, q, c, search, way))
             for name, which, way in zip(names, ("least", "largest"), (1, -1), strict=True)
@@ -95,9 +97,7 @@ def _table(script: Script, found: list[Extremum], name: str) -> None:
     script.add(Sheet(header, tuple(rows)))
 
 
-def _extreme(
-    context: Context, q: Extremes, c: Coordinate, search: Search, way: int
-) -> Callable[[World], float]:
+def _extreme(context: Context, q: Extremes, c: Coordinate, search: Search, way: int) -> Callable[[World], float]:
     """The least (way 1) or the largest value of the full system round the turn, by golden sections."""
 
     def read(world: World) -> float:

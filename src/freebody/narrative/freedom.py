@@ -53,9 +53,7 @@ def _count(script: Script, count: Gruebler) -> int:
     for c in count.connections:
         alike.setdefault((c.kind, c.n), []).append(c.connection)
     header = tuple(Sentence(f"mobility.table_{name}") for name in ("kind", "connections", "each", "together"))
-    rows = tuple(
-        (kind, ", ".join(names), number(n), number(n * len(names))) for (kind, n), names in alike.items()
-    )
+    rows = tuple((kind, ", ".join(names), number(n), number(n * len(names))) for (kind, n), names in alike.items())
     if rows:
         script.add(Sheet(header, rows))
     terms: list[Expr] = []

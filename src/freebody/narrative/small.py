@@ -181,7 +181,9 @@ class _Telling:
             named(self.context, script, self._frequency(0, symbol))
             square = power(symbol, number(2))
             return (
-                script.line(square, slope, value, why="small.harmonic", args={"line": line}, uses=(line,), when="never"),
+                script.line(
+                    square, slope, value, why="small.harmonic", args={"line": line}, uses=(line,), when="never"
+                ),
             )
 
     def _several(self, symbols: list[Symbol]) -> tuple[int, ...]:
@@ -208,7 +210,9 @@ class _Telling:
         with script.stage("small.linear", "small.linear_hint"):
             script.say("small.beside", names=tuple(Symbol(c.name) for c in self.model.coordinates))
             for letter, values, read in (("M", M, self.readers.mass), ("K", K, self.readers.stiffness)):
-                entries = [[Symbol(fresh(self.context, f"{letter}_{j + 1}{k + 1}")) for k in range(n)] for j in range(n)]
+                entries = [
+                    [Symbol(fresh(self.context, f"{letter}_{j + 1}{k + 1}")) for k in range(n)] for j in range(n)
+                ]
                 what = Sentence(f"small.entry_{letter}")
                 meanings = [Meaning(entries[j][k], what, read(j, k)) for j in range(n) for k in range(n)]
                 named(self.context, script, *meanings)

@@ -49,9 +49,7 @@ def _is_free(context: Context, body: str) -> bool:
     return all(x.is_zero() for x in model.inertias[body][6:])
 
 
-def by_euler(
-    context: Context, script: Script, kinematics: SpatialKinematics, question: Question, q: Turning
-) -> None:
+def by_euler(context: Context, script: Script, kinematics: SpatialKinematics, question: Question, q: Turning) -> None:
     """The angular acceleration along the body's own axes, from Euler's equations."""
     model, f = kinematics.model, kinematics.field
     axes = axes_of_body(context, q.body)
@@ -116,18 +114,14 @@ def _rates(context: Context, script: Script, w: Sequence[Symbol]) -> tuple[Expr,
     return tuple(m.symbol for m in meanings)
 
 
-def start_line(
-    context: Context, script: Script, kinematics: SpatialKinematics, body: str, w: Sequence[Symbol]
-) -> int:
+def start_line(context: Context, script: Script, kinematics: SpatialKinematics, body: str, w: Sequence[Symbol]) -> int:
     """The angular velocity at the start."""
     model, here = kinematics.model, context.setup.start_instant
     values = tuple(tidy(kinematics.field.lowest_terms(here.here(x))) for x in model.velocities[body][3:])
     return script.line(tuple(w), values, why="space.start_turning", args={"body": body}, when="start")
 
 
-def kinetic_energy_of_free(
-    context: Context, script: Script, kinematics: SpatialKinematics, q: Energy
-) -> Parts:
+def kinetic_energy_of_free(context: Context, script: Script, kinematics: SpatialKinematics, q: Energy) -> Parts:
     """m v^2/2 + sum of I w^2/2 in components, with their values at the start."""
     lines: list[int] = []
     terms: list[Expr] = []

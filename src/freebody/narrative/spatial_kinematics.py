@@ -67,7 +67,9 @@ class SpatialKinematics(Frames):
             else:
                 name = f"omega_{body}" if axes.body == GROUND else f"omega_{body}_{axes.body}"
             symbols = self.introduce(name, "omega", body, axes, _turning(self.context, body), "rad/s")
-            sides = tuple(_sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3))
+            sides = tuple(
+                _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
+            )
             args: dict[str, Argument] = {"body": body, "axes": axes.words}
             why = "space.added" if len(terms) > 1 else "space.one_axis"
             self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args)
@@ -100,7 +102,9 @@ class SpatialKinematics(Frames):
         e = components_of(along, self.state, 3)
         angles = self.turning(body)
         self._say_axes(angles, axes_of(None))
-        parts = [(rates_of(name, 1), self.field.lowest_terms(self.field.element(dot(axis, e)))) for name, axis in angles]
+        parts = [
+            (rates_of(name, 1), self.field.lowest_terms(self.field.element(dot(axis, e)))) for name, axis in angles
+        ]
         return _sum([scaled(c, rate) for rate, c in parts if not c.is_zero()])
 
     def bound(self, body: str) -> tuple[int, ...]:
@@ -164,9 +168,7 @@ class SpatialKinematics(Frames):
         zero = number(0)
         uses = (r_line, v_line, w_line)
         args: dict[str, Argument] = {"connection": connection, "lines": uses}
-        formal = tuple(
-            add(v, *_cross_terms(w_symbols, r_symbols, k)) for k, v in enumerate(v_symbols)
-        )
+        formal = tuple(add(v, *_cross_terms(w_symbols, r_symbols, k)) for k, v in enumerate(v_symbols))
         return [self.script.line((zero, zero, zero), formal, shown, why="space.no_slip", args=args, uses=uses)]
 
     def _handy_axes(self, body: RigidBody) -> Axes:
@@ -280,4 +282,3 @@ def _sum(terms: Sequence[Expr]) -> Expr:
 def _cross_terms(w: Sequence[Expr], r: Sequence[Expr], k: int) -> tuple[Expr, Expr]:
     i, j = (k + 1) % 3, (k + 2) % 3
     return w[i] * r[j], -(w[j] * r[i])
-

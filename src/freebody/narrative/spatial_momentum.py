@@ -1,6 +1,6 @@
 """Energies and momenta in space, body by body along the axes of each.
 
-    T = m v^2/2 + omega . I omega/2,        H_G = I omega,        H_O = H_G + r x m v
+T = m v^2/2 + omega . I omega/2,        H_G = I omega,        H_O = H_G + r x m v
 """
 
 from __future__ import annotations

@@ -84,7 +84,9 @@ class SpatialNewton:
 
     def _unknowns(self) -> Unknowns:
         names: dict[int, Expr] = {a: self.field.generators[a].display for a in self.model.accelerations}
-        reactions = {self.field.index(r): Symbol(self.table.symbols[row].name) for row, r in self.table.reactions.items()}
+        reactions = {
+            self.field.index(r): Symbol(self.table.symbols[row].name) for row, r in self.table.reactions.items()
+        }
         return Unknowns({**names, **reactions}, set(reactions))
 
     def _loops(self, bodies: Sequence[str]) -> None:
@@ -231,4 +233,3 @@ def _spin_rate(context: Context, b: RigidBody) -> Reads:
 
     rates = [component(k) for k in range(3)]
     return lambda world: tuple(rate(world) for rate in rates)
-

@@ -41,7 +41,9 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
     i, j = (k + 1) % 3, (k + 2) % 3
     tensor = model.inertias[q.body][3:]
     if not tensor[_PRODUCTS[frozenset((i, j))]].is_zero():
-        raise CannotAnswer("the axes across the spin are no principal axes; the answer is that of the general equations")
+        raise CannotAnswer(
+            "the axes across the spin are no principal axes; the answer is that of the general equations"
+        )
     script = context.script()
     spin = next(s for s in sorted(free_symbols(expression)) if s not in context.system.parameters)
     with script.stage("steady.euler", "steady.euler_hint"):
