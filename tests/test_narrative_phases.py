@@ -1,4 +1,4 @@
-"""Derivations of motions in phases and of rest under dry friction: re-read, and with the steps a lecturer would expect."""
+"""Derivations of motions in phases and of rest under dry friction: re-read, and with the steps that one expects."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_every_line_follows_from_earlier_ones_and_names_what_was_introduced(name
                 if isinstance(item, Legend):
                     known |= _legend((Stage(stage.title, None, (item,)),))
                 if isinstance(item, Line):
-                    used = set().union(*(names_in(side) for side in item.sides))
+                    used = {name for side in item.sides for name in names_in(side)}
                     assert used <= known, f"({item.number}) uses {used - known} before they are introduced"
                     assert set(item.uses) <= earlier
                     earlier.add(item.number)
@@ -82,7 +82,7 @@ def test_every_line_follows_from_earlier_ones_and_names_what_was_introduced(name
 
 def _legend(stages: tuple[Stage, ...]) -> set[str]:
     entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
-    return set().union(*(names_in(symbol) for symbol, _what, _unit in entries)) if entries else set()
+    return {name for symbol, _what, _unit in entries for name in names_in(symbol)}
 
 
 @pytest.mark.parametrize("name", [*PHASES, *REST])

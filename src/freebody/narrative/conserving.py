@@ -21,6 +21,7 @@ from freebody.model.question import (
     Question,
     Spin,
 )
+from freebody.narrative.asking import what
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.formal import FormalState
 from freebody.narrative.glossary import Meaning, World
@@ -38,6 +39,7 @@ from freebody.study.evidence import element_at
 from freebody.study.quantities import axes_of, is_among, quantity_value
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import cases_where_zero, motion_terms, texts_of
+from freebody.system.system import System
 
 MOST_OPERATIONS = 70  # of a formula that is shown on the way
 MOST_ROWS = 8  # of the table of coefficients
@@ -71,6 +73,10 @@ class _Part:
     def rate(self) -> Expr:
         return Call("rate", self.symbol)
 
+    def words(self, system: System) -> Argument:
+        """What it is called."""
+        return what(self.quantity, system) or f"@{self.name}"
+
 
 class _Telling:
     """Writes one derivation."""
@@ -81,7 +87,7 @@ class _Telling:
         self.script: Script = context.script()
         self.judge = Judge(context.setup)
         self.known: set[str] = set()
-        self.name = asked.name
+        self.words: Argument = what(asked.of, self.system) or f"@{asked.name}"
         self.parts = self._parts(asked)
 
     def _parts(self, asked: Conserved) -> list[_Part]:
@@ -122,7 +128,8 @@ class _Telling:
 
     # -- the quantity -------------------------------------------------------------------------
     def _meaning(self, part: _Part) -> Meaning:
-        return Meaning(part.symbol, Sentence("conserved.what", {"name": f"@{part.name}"}), self._read(part))
+        said = Sentence("conserved.what", {"name": part.words(self.system)})
+        return Meaning(part.symbol, said, self._read(part))
 
     def _read(self, part: _Part) -> Callable[[World], float]:
         return reader_of(self.context, part.quantity, part.finding.balance)
@@ -191,7 +198,7 @@ class _Telling:
         for name, x in principle.parts:
             x = f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
             if not x.is_zero() or "de/dt" in name:
-                self.script.say("conserved.part", part=f"@{name}", value=tidy(x))
+                self.script.say("conserved.part", part=_said(name), value=tidy(x))
             if not x.is_zero():
                 terms.append(tidy(x))
         sides = [part.rate, add(*terms) if terms else number(0)]
@@ -282,7 +289,7 @@ class _Telling:
         rows: list[tuple[Sentence | Expr | str, ...]] = []
         for m, c in terms[:MOST_ROWS]:
             cases = cases_where_zero([c], self.judge.may_vanish)
-            when: Sentence | str = " or ".join(texts_of(cases)) if cases else Sentence("conserved.never_zero")
+            when = _either(texts_of(cases)) if cases else Sentence("conserved.never_zero")
             rows.append((tidy(m), tidy(c), when))
         header = tuple(Sentence(f"conserved.table_{n}") for n in ("before", "coefficient", "zero"))
         if names or len(rows) > 1:
@@ -295,16 +302,37 @@ class _Telling:
 
     def _verdict(self, open_: Sequence[_Part]) -> None:
         if not open_:
-            self.script.say("conserved.always", name=f"@{self.name}")
+            self.script.say("conserved.always", name=self.words)
             return
         for part in open_:
             found = part.finding
             if found.is_conserved is False:
-                self.script.say("conserved.never", name=f"@{part.name}")
+                self.script.say("conserved.never", name=part.words(self.system))
             else:
-                texts = tuple(f"@{t}" for t in texts_of(found.cases))
                 exact = "conserved.exactly_if" if found.is_exact else "conserved.if"
-                self.script.say(exact, name=f"@{part.name}", conditions=Sentence("conserved.or", {"cases": texts}))
+                self.script.say(exact, name=part.words(self.system), conditions=_either(texts_of(found.cases)))
+
+
+def _said(name: str) -> Sentence:
+    """A part of a principle in words."""
+    for start, key in (("moment of ", "moment_of"), ("power of ", "power_of"), ("generalized force along ", "force_along")):
+        if name.startswith(start):
+            return Sentence(f"conserved.{key}", {"name": name.removeprefix(start)})
+    if "v × P" in name:
+        return Sentence("conserved.carried")
+    if "de/dt" in name:
+        return Sentence("conserved.by_turning")
+    if name.startswith("dT/d"):
+        return Sentence("conserved.slope_of_energy", {"name": Symbol(name.removeprefix("dT/d"))})
+    return Sentence("conserved.force_of", {"name": name})
+
+
+def _either(cases: Sequence[str]) -> Sentence:
+    """a or b or c"""
+    first, *rest = cases
+    if not rest:
+        return Sentence("conserved.case", {"case": f"@{first}"})
+    return Sentence("conserved.or", {"first": f"@{first}", "rest": _either(rest)})
 
 
 def _letter(q: Quantity) -> str:

@@ -16,6 +16,7 @@ from freebody.narrative.analytic import energy_terms
 from freebody.narrative.context import Context, Method
 from freebody.narrative.instant import asked_symbol
 from freebody.narrative.kinematics import rates_of
+from freebody.narrative.momentum import by_momentum, parts_of
 from freebody.narrative.newton import same_answer
 from freebody.narrative.script import Legend, Script, Sentence, Stage
 from freebody.study.answer import Answer
@@ -68,8 +69,7 @@ def _acceleration(context: Context, script: Script, unknown: int, method: Method
         from freebody.narrative.analytic import by_lagrange
 
         return by_lagrange(context, script, [unknown])[unknown][1]
-    newton = context.newton
-    return newton.write(script, newton.plan([unknown]), [unknown])[unknown][1]
+    return by_momentum(context, script, [unknown])[unknown][1]
 
 
 def _start(way: _Way) -> tuple[Ratio, Ratio]:
@@ -266,11 +266,8 @@ def _asked(way: _Way, lines: Sequence[int]) -> None:
     model, f = context.setup.model, context.setup.model.field
     if isinstance(question.quantity, Work):
         raise CannotAnswer("the work of a load until an event is told without a derivation")
-    parts = context.newton.asked(question.quantity)
-    unknowns = context.newton.unknowns_in(parts)
-    found: dict[int, tuple[Ratio, int]] = {}
-    if unknowns:
-        found = context.newton.write(script, context.newton.plan(unknowns), unknowns)
+    parts, unknowns = parts_of(context, question.quantity)
+    found = by_momentum(context, script, unknowns) if unknowns else {}
     general = [f.substitute(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
     values = {reached.coordinate.index: reached.at}
     if reached.speed is not None:

@@ -28,7 +28,7 @@ from freebody.symbolic.model import Coordinate
 from freebody.symbolic.tidy import tidy
 
 N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
-N_SECTIONS = 14
+N_SECTIONS = 12
 _GOLDEN = (math.sqrt(5) - 1) / 2
 
 
@@ -58,8 +58,9 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
         names = tuple(
             Symbol(fresh(context, f"{symbol.name}_{end}", f"{symbol.name}_{end}_1")) for end in ("min", "max")
         )
+        sweep = _Sweep(context, q, c, search)
         meanings = [
-            Meaning(name, Sentence(f"steady.{which}"), _extreme(context, q, c, search, way))
+            Meaning(name, Sentence(f"steady.{which}"), sweep.extreme(way))
             for name, which, way in zip(names, ("least", "largest"), (1, -1), strict=True)
         ]
         named(context, script, *meanings)
@@ -97,30 +98,44 @@ def _table(script: Script, found: list[Extremum], name: str) -> None:
     script.add(Sheet(header, tuple(rows)))
 
 
-def _extreme(context: Context, q: Extremes, c: Coordinate, search: Search, way: int) -> Callable[[World], float]:
-    """The least (way 1) or the largest value of the full system round the turn, by golden sections."""
+class _Sweep:
+    """The full system in poses round the turn, once for each draw."""
 
-    def read(world: World) -> float:
-        turn = Round(context.setup, world.draw, c, q.of)
-        if not all(holds(context.setup, k, world.draw, turn.start) for k in search.conditions):
-            raise CannotAnswer("these numbers do not meet the conditions of the answer")
-        step = math.tau / N_POSES
-        poses: list[tuple[float, float, Array]] = []  # value, angle from the start, pose
-        for sense in (1.0, -1.0):
-            pose = world.draw.q
-            for k in range(N_POSES // 2):
-                away = sense * (k + 0.5) * step
-                pose = turn.pose(pose, away)
-                poses.append((way * turn.value(pose), away, pose))
-        _best, middle, near = min(poses, key=lambda p: p[0])
-        low, high = middle - step, middle + step
+    def __init__(self, context: Context, q: Extremes, c: Coordinate, search: Search) -> None:
+        self.context, self.q, self.c, self.search = context, q, c, search
+        self._known: dict[int, tuple[World, Round, list[tuple[float, float, Array]]]] = {}
 
-        def at(away: float) -> float:
-            return way * turn.value(turn.pose(near, away))
+    def extreme(self, way: int) -> Callable[[World], float]:
+        """Reads the least (way 1) or the largest value, by golden sections from the best pose."""
 
-        for _ in range(N_SECTIONS):
-            a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-            low, high = (low, b) if at(a) < at(b) else (a, high)
-        return way * at((low + high) / 2)
+        def read(world: World) -> float:
+            turn, poses = self._round(world)
+            _best, middle, near = min(poses, key=lambda p: way * p[0])
+            low, high = middle - math.tau / N_POSES, middle + math.tau / N_POSES
 
-    return read
+            def at(away: float) -> float:
+                return way * turn.value(turn.pose(near, away))
+
+            for _ in range(N_SECTIONS):
+                a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+                low, high = (low, b) if at(a) < at(b) else (a, high)
+            return way * at((low + high) / 2)
+
+        return read
+
+    def _round(self, world: World) -> tuple[Round, list[tuple[float, float, Array]]]:
+        """(value, angle from the start, pose) all round the turn."""
+        if id(world) not in self._known:
+            turn = Round(self.context.setup, world.draw, self.c, self.q.of)
+            if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
+                raise CannotAnswer("these numbers do not meet the conditions of the answer")
+            step = math.tau / N_POSES
+            poses: list[tuple[float, float, Array]] = []
+            for sense in (1.0, -1.0):
+                pose = world.draw.q
+                for k in range(N_POSES // 2):
+                    away = sense * (k + 0.5) * step
+                    pose = turn.pose(pose, away)
+                    poses.append((turn.value(pose), away, pose))
+            self._known[id(world)] = world, turn, poses
+        return self._known[id(world)][1:]

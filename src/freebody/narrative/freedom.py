@@ -110,7 +110,8 @@ def _number(script: Script, symbol: Expr, found: Mobility, n: int, missing: int,
     count = found.gruebler.count
     if missing:
         added = Sum((number(count), number(missing)))
-        script.say("mobility.given_back" if missing > 0 else "mobility.taken_more", n=abs(missing))
+        many = "mobility.given_back" if missing > 0 else "mobility.taken_more"
+        script.say("mobility.given_back_one" if missing == 1 else many, n=abs(missing))
         script.line(symbol, added, number(n), why="mobility.put_together", args={"line": counted}, uses=(counted,))
         return
     script.line(symbol, number(n), why="mobility.same", args={"line": counted}, uses=(counted,))

@@ -13,7 +13,7 @@ from freebody.system.system import System
 
 
 def derivation_of(system: System, question: Question) -> Derive:
-    """The function that derives the answer to a question; where there is no formula, the equations that numbers solve."""
+    """The function that derives the answer to a question; without a formula, the equations that numbers solve."""
     return or_in_numbers(_by_kind(system, question))
 
 

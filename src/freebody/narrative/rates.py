@@ -6,7 +6,7 @@ Richardson's extrapolation of these, tend to the rate of any quantity of positio
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from freebody.narrative.glossary import World
 
@@ -14,25 +14,31 @@ STEP = 2e-3  # in the time that the fastest coordinate needs for a radian, or a 
 NOISE = 1e-8  # a rate below this, by the size of the quantity in that time, is none
 
 Read = Callable[[World], float]
+ReadVector = Callable[[World], Sequence[float]]
 
 
 def rate_of(read: Read) -> Read:
     """Reads the rate of what `read` reads."""
-
-    def rate(world: World) -> float:
-        v = world.snapshot.v
-        fastest = max(1.0, float(abs(v).max(initial=0.0)))
-        wide, narrow = (_pair(read, world, factor * STEP / fastest) for factor in (1.0, 0.5))
-        found = (4 * narrow[0] - wide[0]) / 3
-        return 0.0 if abs(found) < NOISE * wide[1] * fastest else found
-
-    return rate
+    rates = rates_of_vector(lambda world: (read(world),))
+    return lambda world: rates(world)[0]
 
 
-def _pair(read: Read, world: World, h: float) -> tuple[float, float]:
-    """The difference quotient, and the size of what is subtracted."""
-    later, before = read(moved(world, h)), read(moved(world, -h))
-    return (later - before) / (2 * h), max(abs(later), abs(before))
+def rates_of_vector(read: ReadVector) -> ReadVector:
+    """The same for several quantities that are read together."""
+
+    def rates(world: World) -> tuple[float, ...]:
+        fastest = max(1.0, float(abs(world.snapshot.v).max(initial=0.0)))
+        h = STEP / fastest
+        far = tuple(tuple(map(float, read(moved(world, e)))) for e in (-h, h))
+        near = tuple(tuple(map(float, read(moved(world, e)))) for e in (-h / 2, h / 2))
+        found: list[float] = []
+        for k in range(len(far[0])):
+            coarse, fine = (far[1][k] - far[0][k]) / (2 * h), (near[1][k] - near[0][k]) / h
+            rate, size = (4 * fine - coarse) / 3, max(abs(far[0][k]), abs(far[1][k]))
+            found.append(0.0 if abs(rate) < NOISE * size * fastest else rate)
+        return tuple(found)
+
+    return rates
 
 
 def moved(world: World, h: float) -> World:

@@ -22,9 +22,9 @@ from freebody.narrative.analytic import by_lagrange
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.elimination import Row
 from freebody.narrative.glossary import Meaning, World
+from freebody.narrative.kinematics import rates_of
 from freebody.narrative.motion_equations import balanced, motion_equations
 from freebody.narrative.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.kinematics import rates_of
 from freebody.narrative.script import Argument, Script, Sentence, Stage
 from freebody.narrative.small_readers import SmallMotions
 from freebody.study.answer import Answer

@@ -4,6 +4,7 @@ reactions by momentum and angular momentum."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
@@ -64,7 +65,8 @@ def finish_at_start(
     assert total is not None
     with script.stage("stage.value", "hint.value"):
         script.add(asked_entry(name, question))
-        left, shown = side_of(name, len(parts)), values if len(values) > 1 else values[0]
+        left = side_of(name, len(parts))
+        shown: Expr | tuple[Expr, ...] = values if len(values) > 1 else next(iter(values))
         args: dict[str, Argument] = {"lines": before.lines}
         script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
 
@@ -72,8 +74,8 @@ def finish_at_start(
 def asked(context: Context, quantity: Quantity, table: Table) -> tuple[tuple[Ratio, ...], list[int]]:
     """A quantity with accelerations and reactions as symbols, and which of these it contains."""
     model, f = context.setup.model, context.setup.model.field
-    value = quantity_value(quantity, context.system, FormalState(table))
-    parts = value if isinstance(value, tuple) else (value,)
+    value: Any = quantity_value(quantity, context.system, FormalState(table))
+    parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
     elements = tuple(f.lowest_terms(model.in_independent_speeds(f.element(p))) for p in parts)
     used = {g for p in elements for g in f.ingredients(p)}
     reactions = {f.index(r) for r in table.reactions.values()}

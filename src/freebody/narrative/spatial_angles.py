@@ -49,7 +49,7 @@ class Angles:
 
     # -- rates --------------------------------------------------------------------------------
     def explain(self, names: Iterable[str]) -> tuple[int, ...]:
-        """Lines in which the rates of angles are told that are not free; those that only velocities bind are left out."""
+        """Lines that tell the rates of angles that are not free; those that only velocities bind are left out."""
         found: list[int] = []
         for name in names:
             if name in self.independent or name in self.bound:

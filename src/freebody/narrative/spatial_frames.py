@@ -81,11 +81,17 @@ class Frames:
         if any(s.name in taken for s in symbols):
             symbols = component_names(f"{name}_c")
 
-        def read(k: int) -> Callable[[World], float]:
-            def component(world: World) -> float:
-                return float(dot(tuple(reads(world)), components_of(axes.basis[k], world.snapshot, 3)))
+        known: dict[int, tuple[World, tuple[float, ...]]] = {}
 
-            return component
+        def vector(world: World) -> tuple[float, ...]:
+            if id(world) not in known:
+                ground = tuple(reads(world))
+                parts = (float(dot(ground, components_of(a, world.snapshot, 3))) for a in axes.basis)
+                known[id(world)] = world, tuple(parts)
+            return known[id(world)][1]
+
+        def read(k: int) -> Callable[[World], float]:
+            return lambda world: vector(world)[k]
 
         entries: list[tuple[Expr, Sentence, str]] = []
         for k, symbol in enumerate(symbols):

@@ -127,8 +127,8 @@ class SpatialKinematics(Frames):
         lines: list[int] = []
         for loop in self.model.loops:
             value = readable(primitive_part(loop.value))
-            connection: dict[str, Argument] = {"connection": loop.name.split(".")[0]}
-            place = self.script.line(*balanced(tidy(value)), why="unclosed.loop", args=connection)
+            closed: dict[str, Argument] = {"connection": loop.name.split(".")[0]}
+            place = self.script.line(*balanced(tidy(value)), why="unclosed.loop", args=closed)
             rate = readable(primitive_part(self.field.rate(loop.value)))
             args: dict[str, Argument] = {"line": place}
             lines.append(self.script.line(*balanced(tidy(rate)), why="space.loop_rate", args=args, uses=(place,)))

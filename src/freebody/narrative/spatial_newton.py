@@ -7,7 +7,7 @@ bodies together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -16,10 +16,9 @@ from freebody.model.elements import RigidBody
 from freebody.model.question import Spin
 from freebody.narrative.context import Context
 from freebody.narrative.elimination import Row, Solver, Unknowns, positive_first
-from freebody.narrative.glossary import World
 from freebody.narrative.kinematics import scaled
 from freebody.narrative.planner import Plan
-from freebody.narrative.rates import rate_of
+from freebody.narrative.rates import rates_of_vector
 from freebody.narrative.reactions import introduce_reactions
 from freebody.narrative.script import Argument, Diagram, Script, Sentence
 from freebody.narrative.spatial_frames import Reads, axes_of_body
@@ -228,8 +227,4 @@ def _spin_rate(context: Context, b: RigidBody) -> Reads:
     """dH/dt by ground components: differences of the numeric route."""
     q = Spin(b.name, None)
 
-    def component(k: int) -> Callable[[World], float]:
-        return rate_of(lambda world: float(quantity_value(q, context.system, world.snapshot)[k]))
-
-    rates = [component(k) for k in range(3)]
-    return lambda world: tuple(rate(world) for rate in rates)
+    return rates_of_vector(lambda world: tuple(quantity_value(q, context.system, world.snapshot)))

@@ -28,7 +28,7 @@ from freebody.symbolic.tidy import tidy
 
 _ROUND_OFF = 1e-5  # of exponents by differences
 _SPIN = 3.7  # rad/s, at which lines are looked at
-_PRODUCTS = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
+_PRODUCTS: dict[frozenset[int], int] = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
 
 
 def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStability) -> list[Stage]:
@@ -133,7 +133,7 @@ class _Beside(Glossary):
         super().__init__(context.setup)
         self.meanings.update(context.glossary.meanings)
         self.linear = linear
-        self._found: list[tuple[World, Array]] = []
+        self._found: list[tuple[World, list[complex]]] = []
 
     def worlds(self, when: When) -> Iterator[World]:
         if when != "event":
@@ -142,13 +142,13 @@ class _Beside(Glossary):
         for world, _squares in self.found():
             yield world
 
-    def found(self) -> list[tuple[World, Array]]:
+    def found(self) -> list[tuple[World, list[complex]]]:
         """Motions, and the squares of the exponents of the full system linearised there in numbers."""
         for draw in () if self._found else self.setup.draws:
             with suppress(CannotAnswer):
                 about = About(self.setup, self.linear, draw, 1.0)
-                squares = np.linalg.eigvals(about.matrix()) ** 2
-                self._found.append((World(self, draw, draw.seen(about.snapshot)), np.asarray(squares)))
+                squares = [complex(x) ** 2 for x in np.linalg.eigvals(about.matrix())]
+                self._found.append((World(self, draw, draw.seen(about.snapshot)), squares))
         return self._found
 
 
@@ -204,8 +204,9 @@ def _nearest(glossary: _Beside, value: Expr) -> Callable[[World], float]:
     def read(world: World) -> float:
         squares = next(found for own, found in glossary.found() if own is world)
         (claimed,) = world.of(value)
-        best = complex(min(squares, key=lambda s: abs(s - claimed)))
+        best = min(squares, key=lambda s: abs(s - claimed))
+        largest = max(map(abs, squares))
         # by differences, so to fewer digits than a line is held to
-        return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), float(abs(squares).max())) else best.real
+        return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), largest) else best.real
 
     return read

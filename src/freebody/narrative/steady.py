@@ -1,4 +1,4 @@
-"""Questions about motion that goes on evenly: which rates are steady, what a turn brings, whether a disturbance grows."""
+"""Questions about motion that goes on evenly: steady rates, what a turn brings, whether a disturbance grows."""
 
 from __future__ import annotations
 

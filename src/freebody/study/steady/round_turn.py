@@ -73,7 +73,7 @@ class Round:
         self.start = self._snapshot(draw.q)
 
     def _snapshot(self, q: Array) -> Snapshot:
-        rates = [(self.measure, _RATE), *((m, 0.3) for m, value in self.kept)]
+        rates = [(self.measure, _RATE), *((m, 0.3) for m, _at in self.kept)]
         return self.draw.reference.snapshot(q, self.draw.reference.velocities(q, rates, with_start=False))
 
     def angle_of(self, e: Extremum) -> float:

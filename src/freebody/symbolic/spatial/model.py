@@ -311,13 +311,13 @@ class SpatialModel(SymbolicModel):
             return []
         link = links[body]
         found = self.turning_axes(link.parent)
-        R = self._rotations.get(link.parent, self._identity())
+        turned = self._rotations.get(link.parent, self._identity())
         for step in link.steps:
             if step.name:
-                axis = self._direction(step.axis)
-                x, y, z = (step.sign * sum(R[j][i] * axis[j] for j in range(3)) for i in range(3))
+                a, b, c = self._direction(step.axis)
+                x, y, z = (step.sign * (turned[0][i] * a + turned[1][i] * b + turned[2][i] * c) for i in range(3))
                 found.append((step.name, (x, y, z)))
-            R = _product(R, self._rotation(step))
+            turned = _product(turned, self._rotation(step))
         return found
 
     def angle(self, name: str) -> Ratio:

@@ -1,0 +1,131 @@
+"""Sentences that the layers below hand over ready-made, in another language.
+
+A language states them as a table of phrases in its files, a pattern of the original and what is said for it:
+
+    [phrase]
+    "equal for {where}: proved exactly" = "gleich für {where}: exakt bewiesen"
+
+    [phrase.case]
+    "as {p} grows" = "mit wachsendem {p}"
+
+A place {p} stands for a formula or a name, which nothing alters. {p:name} is one word, {p:words} a sentence that is
+looked up in turn, {p:list} several of them; any other word behind the colon is a table of its own, of which the place
+takes nothing else. The phrase with the most letters of its own is tried first. What no phrase fits stays as it is.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any, cast
+
+GENERAL = ""
+TABLE = "phrase"  # of a file of words
+PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
+_NAME = r"[^\s,;:()=]+"
+_ANYTHING = r".+?"
+_BETWEEN = re.compile(r"(; |, then |, | and | or )")
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """A pattern, and what is said for it."""
+
+    english: str
+    text: str
+    kind: str = GENERAL
+
+    @property
+    def n_own(self) -> int:
+        """Letters outside of places."""
+        return len(PLACE.sub("", self.english))
+
+
+class Phrases:
+    """The phrases of a language, in the order in which they are tried."""
+
+    def __init__(self, phrases: tuple[Phrase, ...]) -> None:
+        ordered = sorted(phrases, key=lambda p: -p.n_own)
+        self.kinds: dict[str, list[Phrase]] = {}
+        for p in ordered:
+            self.kinds.setdefault(p.kind, []).append(p)
+        self._compiled = {kind: [(self._pattern(p), p) for p in own] for kind, own in self.kinds.items()}
+        self._known: dict[tuple[str, str], str | None] = {}
+
+    def said(self, text: str, kind: str = GENERAL) -> str | None:
+        """A sentence in this language; None where no phrase fits."""
+        key = (text, kind)
+        if key not in self._known:
+            self._known[key] = self._find(text, kind)
+        return self._known[key]
+
+    def _find(self, text: str, kind: str) -> str | None:
+        for pattern, phrase in self._compiled.get(kind, ()):
+            found = pattern.fullmatch(text)
+            if found:
+                return PLACE.sub(lambda place: self._put(place[1], found[place[1]], phrase), phrase.text)
+        return None
+
+    def _put(self, name: str, inside: str, phrase: Phrase) -> str:
+        """What a phrase says in one of its places."""
+        kind = next((k for place, k in PLACE.findall(phrase.english) if place == name), "")
+        match kind:
+            case "" | "name":
+                return inside
+            case "words":
+                return self.said(inside) or inside
+            case "list":
+                return self.said(inside) or self._listed(inside)
+            case _:
+                return self.said(inside, kind) or inside
+
+    def _listed(self, text: str) -> str:
+        """a, b and c, each looked up."""
+        joined = {" and ": self.said(" and ", "joined"), " or ": self.said(" or ", "joined")}
+        joined[", then "] = self.said(", then ", "joined")
+        parts = _BETWEEN.split(text)
+        return "".join(joined.get(p) or p if k % 2 else self.said(p) or p for k, p in enumerate(parts))
+
+    # -- patterns -----------------------------------------------------------------------------
+    def _pattern(self, phrase: Phrase) -> re.Pattern[str]:
+        return re.compile(self._written(phrase.english, inside=False), re.DOTALL)
+
+    def _written(self, english: str, *, inside: bool) -> str:
+        """A pattern as a regular expression; inside of another one without names, and open where it has places."""
+        parts: list[str] = []
+        end = 0
+        for place in PLACE.finditer(english):
+            parts.append(re.escape(english[end : place.start()]))
+            parts.append(_ANYTHING if inside else f"(?P<{place[1]}>{self._fits(place[2] or '')})")
+            end = place.end()
+        return "".join(parts) + re.escape(english[end:])
+
+    def _fits(self, kind: str) -> str:
+        """What a place takes."""
+        if kind == "name":
+            return _NAME
+        own = self.kinds.get(kind, ()) if kind else ()
+        return "|".join(self._written(p.english, inside=True) for p in own) or _ANYTHING
+
+
+@cache
+def phrases_of(language: str) -> Phrases:
+    """The phrases of a language, from all of its files; none for the language in which they are handed over."""
+    folder = files("freebody.narrative.words")
+    found: list[Phrase] = []
+    for entry in sorted(folder.iterdir(), key=lambda e: e.name):
+        if entry.name.partition(".")[0] == language and entry.name.endswith(".toml"):
+            found += _flat(tomllib.loads(entry.read_text("utf-8")).get(TABLE, {}), GENERAL)
+    return Phrases(tuple(found))
+
+
+def _flat(table: Mapping[str, Any], kind: str) -> Iterator[Phrase]:
+    for english, text in table.items():
+        if isinstance(text, dict):
+            yield from _flat(cast("dict[str, Any]", text), english)
+        else:
+            yield Phrase(english, str(text), kind)
