@@ -10,7 +10,8 @@ from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr
 from freebody.model.friction_questions import RestQuantity
 from freebody.language.units import TIME, dimension_of
-from freebody.model.question import Question
+from freebody.model.question import Conserved, Question
+from freebody.model.steady_questions import SpinStability, SteadyStability
 from freebody.narrative.context import Context
 from freebody.narrative.instant import asked_symbol, side_of
 from freebody.narrative.limits import limiting_cases
@@ -39,8 +40,10 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
-    if answer.conditions:
-        script.say("result.holds", conditions=tuple(f"@{c}" for c in answer.conditions))
+    if answer.conditions and not isinstance(question.quantity, Conserved):  # that is what was derived
+        is_verdict = isinstance(question.quantity, (SpinStability, SteadyStability))
+        key = "steady.verdict" if is_verdict else "result.holds"
+        script.say(key, conditions=tuple(f"@{c}" for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):
         key = "result.dimensions" if _dimensions_fit(context, question, answer) else "result.unit"

@@ -111,9 +111,10 @@ def explain(
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
+    system = system if question is None else replace(system, questions=asked)
     context = Context(system)
     shared = None if system.bounds or system.rubs else context.setup
-    solution = solve(system if question is None else replace(system, questions=asked), setup=shared)
+    solution = solve(system, setup=shared)
     first = tuple(opening(context))
     answers = {a.question: a for a in solution.answers}
     found = tuple(_derived(context, q, answers.get(q.text), chosen, second) for q in asked)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
@@ -19,16 +19,10 @@ from freebody.narrative.script import Script, Sentence
 from freebody.study.phases.events import First
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import Piece, pieces
-from freebody.study.phases.tree import NO_FORM, Node, Tree, why
+from freebody.study.phases.tree import NO_FORM, Node, tree_of, why
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.system.system import System
-
-
-@lru_cache(maxsize=4)
-def tree_of(system: System) -> Tree:
-    """The phases of a system. Raises CannotAnswer where it has none in closed form."""
-    return Tree(system)
 
 
 @dataclass

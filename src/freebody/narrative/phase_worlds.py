@@ -19,10 +19,11 @@ from freebody.narrative.script import When
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.draws import Draw
+from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import Piece
 from freebody.study.phases.tree import Tree
-from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, follow
+from freebody.study.phases.witness import NumericMode, Seen, follow
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -81,19 +82,24 @@ class Runs:
 
     def _seen(self, k: int) -> Sequence[Seen] | None:
         tree, piece = self.tree, self.piece
-        end = MAX_TIME
-        if piece.first is not None and piece.time is not None:
-            time = float(tree.numbers(piece.time)[k])
-            if not 0.0 < time < _LONGEST:
+        if piece.first is None:
+            return self._open(k)
+        end: float | None = None
+        if piece.time is not None:
+            end = float(tree.numbers(piece.time)[k])
+            if not 0.0 < end < _LONGEST:
                 return None
-            end = 1.5 * time
-        until = [end] * len(piece.nodes) if piece.first is not None else [_OPEN_END]
-        found = follow(tree.system, [n.phase for n in piece.nodes], tree.sets.one(k), until, self.event)
-        expected = piece.first
-        if expected is None:
-            return found
+        found = followed(tree, self.event, piece, k, end)
         met = [other[:2] for other in found[-1].together]
-        return found if (expected.watch.kind, expected.watch.name) in met else None
+        return found if (piece.first.watch.kind, piece.first.watch.name) in met else None
+
+    def _open(self, k: int) -> Sequence[Seen]:
+        """A phase that nothing ends."""
+        tree, phases = self.tree, [n.phase for n in self.piece.nodes]
+        key = ("open", tuple(map(id, phases)), k, None if self.event is None else self.event.text)
+        if key not in tree.seen:
+            tree.seen[key] = follow(tree.system, phases, tree.sets.one(k), [_OPEN_END], self.event)
+        return tree.seen[key]
 
 
 class CourseGlossary(Glossary):
@@ -126,14 +132,23 @@ class CourseGlossary(Glossary):
 
     @cached_property
     def _within(self) -> list[World]:
-        found: list[World] = []
-        for run in self.runs.found:
-            seen = run.seen[self.place]
+        return [self._world(run, snapshot) for run in self.runs.found for snapshot in self._passed(run)]
+
+    def _passed(self, run: Run) -> list[Snapshot]:
+        """Instants of the phase between its beginning and its end, kept for other questions."""
+        seen, kept = run.seen[self.place], self.runs.tree.seen
+        key = ("within", tuple(map(id, run.seen)), self.place)
+        if key not in kept:
             begin, (q, v) = run.begin(self.place), self._state(run)
+            found: list[Snapshot] = []
+            time = begin
             for share in TIMES:
-                time = begin + share * (seen.time - begin)
-                found.append(self._world(run, seen.mode.run(q, v, begin, time).snapshot()))
-        return found
+                later = begin + share * (seen.time - begin)
+                there = seen.mode.run(q, v, time, later)
+                found.append(there.snapshot())
+                time, q, v = later, there.q, there.v
+            kept[key] = found
+        return kept[key]
 
     def _state(self, run: Run) -> tuple[Array, Array]:
         """Where a phase begins."""

@@ -157,7 +157,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     from freebody.study.friction.answers import answer as at_rest
     from freebody.study.phases.ask import answer
     from freebody.study.phases.result import phases_of
-    from freebody.study.phases.tree import Tree
+    from freebody.study.phases.tree import tree_of
     from freebody.study.settled import start_mode
 
     if len(system.bounds) > MOST_PLACES:
@@ -165,7 +165,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     try:
         if system.has_values:
             start_mode(system)  # refuses bodies that are inside others
-        tree = Tree(system)
+        tree = tree_of(system)
     except CannotAnswer as error:
         raise ModelError([Problem((), str(error))], system.file) from error
     phases = phases_of(tree)

@@ -12,7 +12,7 @@ from freebody.language.notation import to_python
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.regions import Regions, regions
-from freebody.study.phases.tree import Edge, Node, Tree
+from freebody.study.phases.tree import Edge, Node, Tree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
@@ -113,7 +113,7 @@ class Phases:
 
 def phases(system: System) -> Phases:
     """The phases of a system with contacts or dry friction, in closed form. Raises CannotAnswer where it has none."""
-    return phases_of(Tree(system))
+    return phases_of(tree_of(system))
 
 
 def phases_of(tree: Tree) -> Phases:

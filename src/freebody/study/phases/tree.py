@@ -16,6 +16,7 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -287,6 +288,12 @@ class Tree(Home):
         edge.nodes = self._follow(placed, closed, slips, before, edge.sets, node.depth + 1, excluded)
         if not edge.nodes:
             edge.stops = self.reasons[-1] if self.reasons else "no mode is consistent there"
+
+
+@lru_cache(maxsize=4)
+def tree_of(system: System) -> Tree:
+    """The tree of a system, made once for all that is asked of it. Raises CannotAnswer where there is none."""
+    return Tree(system)
 
 
 def _opposites(failed: Sequence[Sequence[tuple[Ratio, str, Mask]]], mine: Chosen) -> list[tuple[Ratio, str, str]]:
