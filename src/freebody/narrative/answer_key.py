@@ -58,7 +58,7 @@ def _key_row(catalogue: Catalogue, key: Key) -> tuple[Text, ...]:
     if key.reason and key.expression is None:
         formula = catalogue.tell(Sentence("sheet.unanswered", {"reason": f"@{key.reason}"}))
     elif key.expression is None and key.conditions:
-        formula = (", ".join(key.conditions),)
+        formula = (", ".join(map(catalogue.said, key.conditions)),)
     values = key.value if isinstance(key.value, tuple) else (() if key.value is None else (key.value,))
     value = ", ".join(f"{v:.4g}" for v in values)
     if len(values) > 1:

@@ -55,19 +55,30 @@ def asking(system: System, question: Question) -> Sentence:
     return Sentence("ask.find", {"what": of, "when": _when(question, until=until)})
 
 
+def headline(system: System, question: Question) -> Sentence:
+    """What is asked for, as a title has it."""
+    q = question.quantity
+    of = None if isinstance(q, Conserved) else what(q, system)
+    if of is None:
+        return Sentence("ask.quoted", {"text": question.text})
+    until = isinstance(q, (EnergyLost, Turns, Change))
+    return Sentence("ask.headline", {"what": of, "when": _when(question, until=until)})
+
+
 def _when(question: Question, *, until: bool) -> Argument:
     """At which instant it is meant."""
+    word = "until" if until else "time" if isinstance(question.quantity, When) else "when"
     if question.at_start:
         return Sentence("ask.at_start")
     if question.transition is not None:
-        return Sentence("ask.until_transition" if until else "ask.when_transition", {"text": question.transition.text})
+        return Sentence(f"ask.{word}_transition", {"text": question.transition.text})
     if question.event is None:
         return NOTHING
     left, equals, _right = question.event.text.partition("=")
     try:
         if equals:
             reached = {"left": parse(left.strip()), "right": question.event.value}
-            return Sentence("ask.until" if until else "ask.when", reached)
+            return Sentence(f"ask.{word}", reached)
     except ExpressionError:
         pass
     return Sentence("ask.when_transition", {"text": question.event.text})

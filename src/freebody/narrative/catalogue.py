@@ -3,6 +3,7 @@
 One file per language (`words/en.toml`); a key that a language lacks is said in English. A place {name} is filled with
 what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines}, {given}), a
 word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one member.
+Sentences that the layers below hand over ready-made are looked up among the phrases of the language (`phrases.py`).
 """
 
 from __future__ import annotations
@@ -16,12 +17,15 @@ from typing import Any
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, Power, Product, Sum, Symbol
 from freebody.model.names import did_you_mean
+from freebody.narrative.phrases import GENERAL, TABLE, phrases_of
 from freebody.narrative.script import Argument, Sentence
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
 
 _REFERENCES = ("line", "lines", "given")
-_KEY = re.compile(r"(reaction|axis|kind)\.[a-z ]+")
+_KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
+_OF_MODELS = "en"  # the language of model files and of the layers below
+_FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
 _EXPRESSIONS = (Number, Symbol, Sum, Product, Power, Call)
 
 
@@ -44,7 +48,13 @@ class Catalogue:
             )
         self.language = language
         self._words = _read(language)
-        self._english = _read("en")
+        self._english = _read(_OF_MODELS)
+        self._phrases = phrases_of(language)
+
+    @property
+    def quotes(self) -> bool:
+        """Whether models are written in this language, so that their words are shown as they stand."""
+        return self.language == _OF_MODELS
 
     def has(self, key: str) -> bool:
         return key in self._words or key in self._english
@@ -101,6 +111,20 @@ class Catalogue:
     def word(self, key: str) -> str:
         return self.template(key)
 
+    def said(self, text: str, place: str = "") -> str:
+        """A ready-made sentence in this language; itself where there is no phrase for it. A single word is a name,
+        unless its place is that of what a system does."""
+        if place == "title":
+            return text
+        if " " not in text:
+            return self._phrases.said(text, "does") or text if place == "what" else text
+        kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
+        return next((said for kind in kinds if (said := self._phrases.said(text, kind)) is not None), text)
+
+    def option(self, text: str) -> str:
+        """The words of an option, which may be a single one."""
+        return self._phrases.said(text, "answer") or self.said(text)
+
     def _filled(self, name: str, value: Argument) -> list[Piece]:
         if isinstance(value, tuple):
             return self._listed([self._filled(name, v) for v in value])
@@ -111,15 +135,19 @@ class Catalogue:
         if isinstance(value, int):
             return [Reference(value)] if name in _REFERENCES else [str(value)]
         if isinstance(value, str) and value.startswith("@"):
-            return [self._worded(value[1:])]
+            return [self._worded(value[1:], name)]
+        if isinstance(value, str) and (said := self.said(value, name)) != value:
+            return [said]
         return [Emphasis(str(value), "code")] if value else []
 
-    def _worded(self, text: str) -> str:
-        """A word of the catalogue; a key that it lacks says its last part; anything else says itself."""
-        found = self._words.get(text) or self._english.get(text)
-        if found is None and _KEY.fullmatch(text):
-            return text.partition(".")[2]
-        return text if found is None else found
+    def _worded(self, text: str, place: str) -> str:
+        """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
+        is_key = _KEY.fullmatch(text) is not None
+        key = text.replace("_", " ") if is_key else text
+        found = self._words.get(key) or self._english.get(key)
+        if found is not None:
+            return found
+        return text.partition(".")[2] if is_key else self.said(text, place)
 
     def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
         """a, b and c"""
@@ -152,6 +180,8 @@ def _read(language: str) -> dict[str, str]:
 
 def _flatten(table: dict[str, Any], prefix: str, found: dict[str, str]) -> None:
     for key, value in table.items():
+        if prefix + key == TABLE:
+            continue  # of phrases
         if isinstance(value, dict):
             _flatten(value, f"{prefix}{key}.", found)
         else:

@@ -6,6 +6,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.errors import FreebodyError
+from freebody.narrative.asking import headline
 from freebody.narrative.catalogue import Catalogue
 from freebody.narrative.script import Sentence
 from freebody.narrative.telling import Telling
@@ -13,6 +14,7 @@ from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, 
 
 if TYPE_CHECKING:
     from freebody.narrative.explain import Derivation, Explanation
+    from freebody.system.system import System
 
 _WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
 
@@ -37,14 +39,17 @@ def report_of(explanation: Explanation) -> Report:
         blocks.append(Paragraph((system.about,)))
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
-    blocks += [_section(catalogue, telling, d) for d in explanation.derivations]
+    blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
     words = {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _WORDS}
     title = system.title or "freebody"
     return Report(title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), words)
 
 
-def _section(catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
-    title: Text = (d.question.id, ": ", Emphasis(d.question.text, "code"))
+def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
+    asked: Text = (Emphasis(d.question.text, "code"),)
+    if not catalogue.quotes:
+        asked = catalogue.tell(headline(system, d.question))
+    title: Text = (d.question.id, ": ", *asked)
     blocks: list[Block] = []
     if d.compared:
         names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]

@@ -315,7 +315,11 @@ class _Telling:
 
 def _said(name: str) -> Sentence:
     """A part of a principle in words."""
-    for start, key in (("moment of ", "moment_of"), ("power of ", "power_of"), ("generalized force along ", "force_along")):
+    for start, key in (
+        ("moment of ", "moment_of"),
+        ("power of ", "power_of"),
+        ("generalized force along ", "force_along"),
+    ):
         if name.startswith(start):
             return Sentence(f"conserved.{key}", {"name": name.removeprefix(start)})
     if "v × P" in name:

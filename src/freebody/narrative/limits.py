@@ -1,12 +1,15 @@
-"""What an answer becomes in special cases: equal parameters, one of them zero or without bound, an angle of 90 degrees."""
+"""What an answer becomes in special cases: equal parameters, one zero or without bound, an angle of 90 degrees."""
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator
 
 from freebody.assess.cases import Case
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import Expr, Symbol, n_operations
+from freebody.language.expression import Call, Expr, Symbol, evaluate, n_operations, rate_key
+from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
 from freebody.model.question import Question
 from freebody.narrative.context import Context
@@ -16,6 +19,9 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 MOST = 4  # cases that are told
+SMALL = 1e-6
+_PURPOSE = re.compile(r" \([a-z][a-z ]*\)$")  # what an inequality is needed for
+_INEQUALITY = re.compile(r"(?P<left>[^<>≤≥≠]+) (?P<relation>[<>≤≥]) (?P<right>[^<>≤≥≠]+)")
 
 
 def limiting_cases(context: Context, question: Question, answer: Answer) -> list[Item]:
@@ -33,7 +39,7 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     told: list[tuple[int, Sentence]] = []
     plain = n_operations(answer.expression)
     for case, names in _cases(context, element):
-        limit = case.limit(element)
+        limit = case.limit(element) if _is_admissible(context, answer, names) else None
         if limit is None or (isinstance(limit, Ratio) and limit == element):
             continue
         if not isinstance(limit, Ratio):
@@ -50,13 +56,40 @@ def limiting_cases(context: Context, question: Question, answer: Answer) -> list
     return [Listing(tuple(ordered))] if ordered else []
 
 
+def _is_admissible(context: Context, answer: Answer, names: tuple[str, Expr, Expr]) -> bool:
+    """Whether the conditions of an answer hold near a special case, at all draws of the other parameters."""
+    kind, p, q = names
+    for draw in context.setup.draws:
+        values = dict(draw.values)
+        own = rate_key(q if kind == "equal" else p)
+        own_value = values.get(own, 1.0)
+        near = {"equal": values.get(rate_key(p), 1.0), "zero": SMALL * own_value, "grows": own_value / SMALL}
+        values[own] = near.get(kind, math.pi / 2 - SMALL)
+        if not all(_holds(condition, values) for condition in answer.conditions):
+            return False
+    return True
+
+
+def _holds(condition: str, values: dict[str, float]) -> bool:
+    """An inequality in numbers; what is none, or cannot be evaluated, is no obstacle."""
+    found = _INEQUALITY.fullmatch(_PURPOSE.sub("", condition))
+    if found is None:
+        return True
+    try:
+        left, right = (float(evaluate(parse(found[k]), values)) for k in ("left", "right"))
+    except (ExpressionError, ValueError, ArithmeticError):
+        return True
+    room = 1e-9 * max(abs(left), abs(right))
+    return {">": left > right, "≥": left >= right - room, "<": left < right, "≤": left <= right + room}[
+        found["relation"]
+    ]
+
+
 def _named(names: tuple[str, Expr, Expr]) -> dict[str, Expr]:
     return {"p": names[1], "q": names[2]}
 
 
 def _coordinates(context: Context) -> dict[str, Ratio]:
-    from freebody.language.expression import Call, rate_key
-
     f = context.setup.model.field
     found: dict[str, Ratio] = {}
     for index, generator in f.generators.items():

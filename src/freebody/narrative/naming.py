@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from freebody.language.expression import Expr, Symbol, rate_key
+from freebody.language.expression import Symbol, rate_key
 from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.glossary import Meaning, World
-from freebody.narrative.instant import asked_symbol
+from freebody.narrative.instant import asked_symbol, names_of
 from freebody.narrative.script import Legend, Script, Sentence
 
 
@@ -33,9 +33,11 @@ def asked_as(context: Context, question: Question, read: Callable[[World], float
     return symbol
 
 
-def asked_entry(symbol: Expr, question: Question, unit: str = "") -> Legend:
-    """The legend of what is asked."""
-    return Legend(((symbol, Sentence("symbol.asked", {"question": question.text}), unit),))
+def asked_entry(symbol: Symbol, question: Question, unit: str = "", n: int = 1) -> Legend:
+    """The legend of what is asked, or of its n components."""
+    names = (symbol,) if n == 1 else names_of(symbol, n)
+    what = Sentence("symbol.asked", {"question": question.text})
+    return Legend(tuple((name, what, unit) for name in names))
 
 
 def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:

@@ -88,7 +88,8 @@ def count_freedoms(context: Context, script: Script) -> int:
         script.say("freedom.first_phase")
     script.say("freedom.count_space" if found.space else "freedom.count")
     header = tuple(Sentence(f"system.table_{name}") for name in ("connection", "kind", "between", "constraints"))
-    rows = tuple((c.connection, c.kind, ", ".join(c.between), number(c.n)) for c in found.connections)
+    kinds = {c.kind: Sentence("sheet.kind_of", {"kind": f"@kind.{c.kind}"}) for c in found.connections}
+    rows = tuple((c.connection, kinds[c.kind], ", ".join(c.between), number(c.n)) for c in found.connections)
     if rows:
         script.add(Sheet(header, rows))
     count_line(script, found)

@@ -21,6 +21,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from itertools import zip_longest
 from typing import Any, cast
 
 GENERAL = ""
@@ -68,7 +69,7 @@ class Phrases:
             found = pattern.fullmatch(text)
             if found:
                 return PLACE.sub(lambda place: self._put(place[1], found[place[1]], phrase), phrase.text)
-        return None
+        return self._listed(text, strict=True) if kind == GENERAL else None
 
     def _put(self, name: str, inside: str, phrase: Phrase) -> str:
         """What a phrase says in one of its places."""
@@ -79,16 +80,20 @@ class Phrases:
             case "words":
                 return self.said(inside) or inside
             case "list":
-                return self.said(inside) or self._listed(inside)
+                return self.said(inside) or self._listed(inside) or inside
             case _:
                 return self.said(inside, kind) or inside
 
-    def _listed(self, text: str) -> str:
-        """a, b and c, each looked up."""
-        joined = {" and ": self.said(" and ", "joined"), " or ": self.said(" or ", "joined")}
-        joined[", then "] = self.said(", then ", "joined")
+    def _listed(self, text: str, *, strict: bool = False) -> str | None:
+        """a, b and c, each looked up; strict: None unless all of them are found."""
         parts = _BETWEEN.split(text)
-        return "".join(joined.get(p) or p if k % 2 else self.said(p) or p for k, p in enumerate(parts))
+        if strict and len(parts) == 1:
+            return None
+        members = [self.said(p) or (None if strict else self.said(p, "word") or p) for p in parts[::2]]
+        if None in members:
+            return None
+        between = [self.said(p, "joined") or p for p in parts[1::2]]
+        return "".join(str(x) for pair in zip_longest(members, between, fillvalue="") for x in pair)
 
     # -- patterns -----------------------------------------------------------------------------
     def _pattern(self, phrase: Phrase) -> re.Pattern[str]:

@@ -64,7 +64,7 @@ def finish_at_start(
     total = before.total
     assert total is not None
     with script.stage("stage.value", "hint.value"):
-        script.add(asked_entry(name, question))
+        script.add(asked_entry(name, question, n=len(parts)))
         left = side_of(name, len(parts))
         shown: Expr | tuple[Expr, ...] = values if len(values) > 1 else next(iter(values))
         args: dict[str, Argument] = {"lines": before.lines}

@@ -69,7 +69,7 @@ def by_euler(context: Context, script: Script, kinematics: SpatialKinematics, qu
         first = script.line(left, tuple(map(tidy, moments)), why=why, args=args)
     name = asked_symbol(context, question, 3)
     with script.stage("stage.value", "hint.value"):
-        script.add(asked_entry(name, question))
+        script.add(asked_entry(name, question, n=3))
         solved = tuple((tidy(m) - g) / i for m, g, i in zip(moments, gyroscopic, inertia, strict=True))
         divide: dict[str, Argument] = {"line": first}
         second = script.line(side_of(name, 3), solved, why="solve.divide", args=divide, uses=(first,))

@@ -169,6 +169,10 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
         for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
             if group:
                 more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
+        for index, x in linear.rates.items():
+            if not x.is_zero():
+                shown = linear.steady.model.field.generators[index].display
+                more.line(shown, tidy(x), why="steady.needs", args={"lines": lines}, uses=lines, when="event")
         more.say("steady.linearised")
         _polynomial(more, linear)
     values = expression if isinstance(expression, tuple) else (expression,)

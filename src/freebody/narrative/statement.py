@@ -148,7 +148,8 @@ class Statement:
         label = Emphasis(label_of(self.number, k, len(self.system.questions)))
         yield Paragraph((label, " ", *self.catalogue.tell(asking(self.system, question))))
         if question.options:
-            yield Bullets(tuple((f"({letter}) ", *shown(text)) for letter, text in question.options.items()))
+            said = ((letter, self.catalogue.option(text)) for letter, text in question.options.items())
+            yield Bullets(tuple((f"({letter}) ", *shown(text)) for letter, text in said))
 
 
 def _value(name: str, text: str) -> Text:

@@ -190,7 +190,7 @@ def _during(telling: _Telling, script: Script, q: SteadyValue, uses: list[int]) 
     for k, name in enumerate(names_of(symbol, n) if n > 1 else (symbol,)):
         what = context.glossary.meanings[name.name].what
         script.glossary.redefine(Meaning(name, what, _reader(context, q, k if n > 1 else None)))
-    script.add(asked_entry(symbol, question))
+    script.add(asked_entry(symbol, question, n=n))
     args: dict[str, Argument] = {"lines": tuple(uses)}
     script.line(side_of(symbol, n), expression, why="steady.during", args=args, uses=tuple(uses), when="event")
 

@@ -87,7 +87,7 @@ class Telling:
         if isinstance(cell, Sentence):
             return self.catalogue.tell(cell)
         if isinstance(cell, str):
-            return (cell,) if cell else ()
+            return (self.catalogue.said(cell),) if cell else ()
         return (Formula((cell,)),)  # type: ignore[arg-type]
 
     def _equation(self, line: Line) -> Equation:

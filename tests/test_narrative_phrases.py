@@ -1,0 +1,182 @@
+"""Sentences that the lower layers hand over ready-made, in the words of another language."""
+
+from __future__ import annotations
+
+import ast
+import re
+import time
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from test_examples import EXAMPLES, solved
+
+import freebody as fb
+from freebody.assess.comparing import PROVED
+from freebody.narrative.asking import headline
+from freebody.narrative.catalogue import Catalogue
+from freebody.narrative.phrases import PLACE, Phrase, phrases_of
+from freebody.narrative.statement import Statement
+from freebody.present.report.blocks import Block, Report
+from freebody.present.report.terminal import terminal_text
+
+SOURCES = Path(fb.__file__).parent
+ENGLISH = set(
+    "the is of with and for are has does by below along that it this these where which from how answer option keeps "
+    "not holds grows gives equal means touching taut".split()
+)
+PHRASES = [p for own in phrases_of("de").kinds.values() for p in own]
+german = Catalogue("de")
+
+
+# -- the table --------------------------------------------------------------------------------
+@cache
+def written() -> str:
+    """All that the sources say between places of their strings."""
+    found: list[str] = []
+    for path in SOURCES.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                found.append(" ".join(node.value.split(" ")))
+    return "\n".join(found)
+
+
+@pytest.mark.parametrize("phrase", PHRASES, ids=lambda p: f"{p.kind}: {p.english}")
+def test_a_phrase_has_the_same_places_on_both_sides(phrase: Phrase) -> None:
+    english = [name for name, _kind in PLACE.findall(phrase.english)]
+    assert len(set(english)) == len(english)
+    assert sorted(set(re.findall(r"\{(\w+)\}", phrase.text))) == sorted(english)
+    assert all(re.fullmatch(r"\{\w+\}", place) for place in re.findall(r"\{[^}]*\}", phrase.text))
+
+
+@pytest.mark.parametrize("phrase", PHRASES, ids=lambda p: f"{p.kind}: {p.english}")
+def test_what_a_phrase_is_for_is_said_somewhere_in_the_sources(phrase: Phrase) -> None:
+    """Word by word: sentences are put together from parts."""
+    words = re.findall(r"[A-Za-z]{3,}", PLACE.sub(" ", phrase.english))
+    assert [w for w in words if not re.search(rf"\b{w}", written())] == []
+
+
+@pytest.mark.parametrize("phrase", PHRASES, ids=lambda p: f"{p.kind}: {p.english}")
+def test_a_phrase_is_the_one_that_fits_its_own_pattern(phrase: Phrase) -> None:
+    kinds = {k: own[0].english for k, own in phrases_of("de").kinds.items()}
+    text = PLACE.sub(lambda p: PLACE.sub("q1", kinds.get(p[2] or "-", "q1")), phrase.english)
+    assert phrases_of("de").said(text, phrase.kind) is not None
+
+
+def test_kinds_of_places_have_phrases() -> None:
+    known = {*phrases_of("de").kinds, "", "name", "words", "list"}
+    assert {kind for p in PHRASES for _name, kind in PLACE.findall(p.english)} <= known
+
+
+# -- what is said -----------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("english", "text"),
+    [
+        (
+            "as m₁ grows the answer tends to g, this option grows without bound",
+            "mit wachsendem m₁ geht die Antwort gegen g, diese Wahl wächst über alle Grenzen",
+        ),
+        ("for M = 0 the answer is g, this option gives 0", "für M = 0 ist die Antwort g, diese Wahl ergibt 0"),
+        ("has the unit N, the answer has m/s^2", "hat die Einheit N, die Antwort hat m/s^2"),
+        (f"equal for a > 0 and b > 0: {PROVED}", "gleich für a > 0 und b > 0: exakt bewiesen"),
+        ("x component: is 2 times the answer", "x-Komponente: ist das 2-fache der Antwort"),
+        ("R ≠ r (divisor, under the root)", "R ≠ r (Nenner, unter der Wurzel)"),
+        ("b ≥ d (block.foot keeps touching)", "b ≥ d (block.foot bleibt in Kontakt)"),
+        (
+            "conserved if and only if x' = 0 (x is constant) or d = 0 (for m ≠ 0)",
+            "bleibt genau dann erhalten, wenn x' = 0 (x ist konstant) oder d = 0 (für m ≠ 0)",
+        ),
+        (
+            "upper limit: block tips about block.foot and load slips up to the left on wedge",
+            "obere Grenze: block kippt um block.foot und load gleitet auf wedge nach links oben",
+        ),
+        (
+            "angle of line from A to B from down clockwise",
+            "Winkel der Geraden von A nach B gegen die Richtung nach unten, im Uhrzeigersinn",
+        ),
+        ("velocity of s when s = h/sin(alpha)", "Geschwindigkeit von s bei s = h/sin(alpha)"),
+        ("turns of ball until rolling begins", "Zahl der Umdrehungen von ball bis zum Beginn des Rollens"),
+    ],
+)
+def test_sentences_are_put_together_from_phrases(english: str, text: str) -> None:
+    assert german.said(english) == text
+
+
+def test_what_no_phrase_fits_stays_as_it_is() -> None:
+    for text in ("a b c", "m·(g + a) ≥ 0", "3·2 - 5 = 1", "f(a, b)", "Zug nach rechts", "the moon is a ball of cheese"):
+        assert german.said(text) == text
+
+
+def test_a_single_word_is_a_name() -> None:
+    for name in ("string", "pin", "right", "rolls", "always", "contact", "divisor"):
+        assert german.said(name, "point") == name
+    assert german.said("rolls", "what") == "rollt"
+
+
+def test_events_stand_behind_a_preposition_where_one_asks_for_them() -> None:
+    assert german.said("block stops", "text") == "Stillstand von block"
+    assert german.said("drop of A", "phrase") == "Tiefe von A"
+
+
+def test_english_says_what_it_is_given() -> None:
+    english = Catalogue("en")
+    assert english.quotes
+    assert phrases_of("en").kinds == {}
+    assert all(english.said(p.english, place) == p.english for p in PHRASES for place in ("", "text", "what"))
+
+
+def test_a_thousand_sentences_take_less_than_half_a_second() -> None:
+    started = time.perf_counter()
+    for k in range(1000):
+        german.said(f"for m = {k} the answer is {k}·g, this option gives {k}·m·g/(m + {k}·M)")
+    assert time.perf_counter() - started < 0.5
+
+
+# -- examples ---------------------------------------------------------------------------------
+def said_of(name: str) -> Iterator[tuple[str, str]]:
+    """Every ready-made sentence of an example's answers, with its German."""
+    for answer in solved(name).answers:
+        texts = [*answer.conditions, *answer.notes, *answer.author_notes, answer.reason]
+        texts += [verdict.reason for verdict in answer.options.values()]
+        if answer.evidence is not None:
+            texts.append(answer.evidence.route)
+        for text in texts:
+            yield text, german.said(text)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_reasons_conditions_and_evidence_of_an_example_are_german(name: str) -> None:
+    system = solved(name).system
+    names = {*system.bodies, *system.connections, *system.loads, *system.measures}
+    for english, text in said_of(name):
+        left = {w for w in re.findall(r"[A-Za-z]+", text) if w in ENGLISH and w not in names}
+        assert left == set(), f"{english} -> {text}"
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_names_and_formulas_of_an_example_are_unaltered(name: str) -> None:
+    system = solved(name).system
+    names = {*system.bodies, *system.connections, *system.loads, *system.measures}
+    for given in (*names, *(f"{b.name}.{p}" for b in system.bodies.values() for p in b.points)):
+        assert german.said(given) == given
+    assert german.said(system.title, "title") == system.title
+    kept = re.compile(r"[A-Za-z]\w*\.\w+|\S*[=+*·/²≥≠]\S*")
+    for english, text in said_of(name):
+        assert set(kept.findall(english.rstrip("."))) <= set(kept.findall(text.rstrip(".:"))) | {"/"}, english
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_questions_and_measures_of_an_example_are_german(name: str) -> None:
+    system = fb.System.load(SOURCES.parents[1] / "examples" / f"{name}.yaml")
+    for question in system.questions:
+        title = german.plain(headline(system, question))
+        assert not {"of", "when", "at", "that", "conserved"} & set(title.split()), title
+
+
+def test_an_exercise_is_set_in_german() -> None:
+    system = fb.System.load(SOURCES.parents[1] / "examples" / "atwood_machine.yaml")
+    blocks: tuple[Block, ...] = Statement(system, german, 1, 1).blocks()
+    text = terminal_text(Report("Aufgabe", "de", "", blocks, {}))
+    assert "Tiefe von left unter ground.axle" in text
+    assert "drop of" not in text
