@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import ast
 import re
-import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import count, islice
 from pathlib import Path
 
 import pytest
-from test_examples import EXAMPLES, solved
 
 import freebody as fb
 from freebody.assess.comparing import PROVED
@@ -20,11 +19,15 @@ from freebody.narrative.phrases import PLACE, Phrase, phrases_of
 from freebody.narrative.statement import Statement
 from freebody.present.report.blocks import Block, Report
 from freebody.present.report.terminal import terminal_text
+from test_examples import EXAMPLES, solved
 
 SOURCES = Path(fb.__file__).parent
 ENGLISH = set(
-    "the is of with and for are has does by below along that it this these where which from how answer option keeps "
-    "not holds grows gives equal means touching taut".split()
+    re.findall(
+        r"\w+",
+        "the is of with and for are has does by below along that it this these where which from how answer option "
+        "keeps not holds grows gives equal means touching taut",
+    )
 )
 PHRASES = [p for own in phrases_of("de").kinds.values() for p in own]
 german = Catalogue("de")
@@ -65,7 +68,7 @@ def test_a_phrase_is_the_one_that_fits_its_own_pattern(phrase: Phrase) -> None:
 
 
 def test_kinds_of_places_have_phrases() -> None:
-    known = {*phrases_of("de").kinds, "", "name", "words", "list"}
+    known = {*phrases_of("de").kinds, "", "name", "words", "list", "most"}
     assert {kind for p in PHRASES for _name, kind in PLACE.findall(p.english)} <= known
 
 
@@ -80,7 +83,7 @@ def test_kinds_of_places_have_phrases() -> None:
         ("for M = 0 the answer is g, this option gives 0", "für M = 0 ist die Antwort g, diese Wahl ergibt 0"),
         ("has the unit N, the answer has m/s^2", "hat die Einheit N, die Antwort hat m/s^2"),
         (f"equal for a > 0 and b > 0: {PROVED}", "gleich für a > 0 und b > 0: exakt bewiesen"),
-        ("x component: is 2 times the answer", "x-Komponente: ist das 2-fache der Antwort"),
+        ("x component: is 2 times the answer", "x-Komponente: ist 2 mal die Antwort"),
         ("R ≠ r (divisor, under the root)", "R ≠ r (Nenner, unter der Wurzel)"),
         ("b ≥ d (block.foot keeps touching)", "b ≥ d (block.foot bleibt in Kontakt)"),
         (
@@ -126,11 +129,16 @@ def test_english_says_what_it_is_given() -> None:
     assert all(english.said(p.english, place) == p.english for p in PHRASES for place in ("", "text", "what"))
 
 
-def test_a_thousand_sentences_take_less_than_half_a_second() -> None:
-    started = time.perf_counter()
-    for k in range(1000):
-        german.said(f"for m = {k} the answer is {k}·g, this option gives {k}·m·g/(m + {k}·M)")
-    assert time.perf_counter() - started < 0.5
+def test_a_thousand_sentences_take_less_than_half_a_second(
+    within: Callable[[float, Callable[[], object]], None],
+) -> None:
+    numbers = count()
+
+    def say() -> None:
+        for k in islice(numbers, 1000):
+            german.said(f"for m = {k} the answer is {k}·g, this option gives {k}·m·g/(m + {k}·M)")
+
+    within(0.5, say)
 
 
 # -- examples ---------------------------------------------------------------------------------
@@ -161,9 +169,12 @@ def test_names_and_formulas_of_an_example_are_unaltered(name: str) -> None:
     for given in (*names, *(f"{b.name}.{p}" for b in system.bodies.values() for p in b.points)):
         assert german.said(given) == given
     assert german.said(system.title, "title") == system.title
-    kept = re.compile(r"[A-Za-z]\w*\.\w+|\S*[=+*·/²≥≠]\S*")
+
+    def kept(text: str) -> set[str]:
+        return {part.strip(",;:.()") for part in re.findall(r"[A-Za-z]\w*\.\w+|\S*[=+*·/²≥≠]\S*", text)}
+
     for english, text in said_of(name):
-        assert set(kept.findall(english.rstrip("."))) <= set(kept.findall(text.rstrip(".:"))) | {"/"}, english
+        assert kept(english) == kept(text), english
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -12,7 +12,7 @@ import re
 import tomllib
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, cast
 
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, Power, Product, Sum, Symbol
@@ -60,8 +60,8 @@ class Catalogue:
         return key in self._words or key in self._english
 
     def template(self, key: str) -> str:
-        """The sentence with its places; that of `group.any` where a group has none of its own for a key. Raises KeyError
-        for a key that no language has."""
+        """The sentence with its places; that of `group.any` where a group has none of its own for a key. Raises
+        KeyError for a key that no language has."""
         other = f"{key.rpartition('.')[0]}.any"
         for words in (self._words, self._english):
             if key in words or other in words:
@@ -134,11 +134,10 @@ class Catalogue:
             return [Formula((value,))]
         if isinstance(value, int):
             return [Reference(value)] if name in _REFERENCES else [str(value)]
-        if isinstance(value, str) and value.startswith("@"):
+        if value.startswith("@"):
             return [self._worded(value[1:], name)]
-        if isinstance(value, str) and (said := self.said(value, name)) != value:
-            return [said]
-        return [Emphasis(str(value), "code")] if value else []
+        said = self.said(value, name)
+        return [said if said != value else Emphasis(value, "code")] if value else []
 
     def _worded(self, text: str, place: str) -> str:
         """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
@@ -183,6 +182,6 @@ def _flatten(table: dict[str, Any], prefix: str, found: dict[str, str]) -> None:
         if prefix + key == TABLE:
             continue  # of phrases
         if isinstance(value, dict):
-            _flatten(value, f"{prefix}{key}.", found)
+            _flatten(cast("dict[str, Any]", value), f"{prefix}{key}.", found)
         else:
             found[prefix + key] = str(value)

@@ -8,9 +8,10 @@ A language states them as a table of phrases in its files, a pattern of the orig
     [phrase.case]
     "as {p} grows" = "mit wachsendem {p}"
 
-A place {p} stands for a formula or a name, which nothing alters. {p:name} is one word, {p:words} a sentence that is
-looked up in turn, {p:list} several of them; any other word behind the colon is a table of its own, of which the place
-takes nothing else. The phrase with the most letters of its own is tried first. What no phrase fits stays as it is.
+A place {p} stands for a formula or a name, which nothing alters; {p:most} for one that reaches as far as it can, and
+{p:name} for one word. {p:words} is a sentence that is looked up in turn, {p:list} several of them; any other word
+behind the colon is a table of its own, of which the place takes nothing else. The phrase with the most letters of its
+own is tried first. What no phrase fits stays as it is.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from itertools import zip_longest
 from typing import Any, cast
@@ -27,8 +28,8 @@ from typing import Any, cast
 GENERAL = ""
 TABLE = "phrase"  # of a file of words
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
-_NAME = r"[^\s,;:()=]+"
 _ANYTHING = r".+?"
+_OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
 _BETWEEN = re.compile(r"(; |, then |, | and | or )")
 
 
@@ -44,6 +45,11 @@ class Phrase:
     def n_own(self) -> int:
         """Letters outside of places."""
         return len(PLACE.sub("", self.english))
+
+    @cached_property
+    def longest(self) -> str:
+        """The longest part between places, which every text that fits contains."""
+        return max(PLACE.sub("\n", self.english).split("\n"), key=len)
 
 
 class Phrases:
@@ -65,17 +71,20 @@ class Phrases:
         return self._known[key]
 
     def _find(self, text: str, kind: str) -> str | None:
+        if kind == GENERAL and (several := self._listed(text, strict=True)) is not None:
+            return several
         for pattern, phrase in self._compiled.get(kind, ()):
-            found = pattern.fullmatch(text)
+            found = pattern.fullmatch(text) if phrase.longest in text else None
             if found:
-                return PLACE.sub(lambda place: self._put(place[1], found[place[1]], phrase), phrase.text)
-        return self._listed(text, strict=True) if kind == GENERAL else None
+                kinds = dict(PLACE.findall(phrase.english))
+                inside = {name: self._inside(part, kinds[name]) for name, part in found.groupdict().items()}
+                return phrase.text.format_map(inside)
+        return None
 
-    def _put(self, name: str, inside: str, phrase: Phrase) -> str:
-        """What a phrase says in one of its places."""
-        kind = next((k for place, k in PLACE.findall(phrase.english) if place == name), "")
+    def _inside(self, inside: str, kind: str) -> str:
+        """What is said in a place."""
         match kind:
-            case "" | "name":
+            case "" | "name" | "most":
                 return inside
             case "words":
                 return self.said(inside) or inside
@@ -100,19 +109,23 @@ class Phrases:
         return re.compile(self._written(phrase.english, inside=False), re.DOTALL)
 
     def _written(self, english: str, *, inside: bool) -> str:
-        """A pattern as a regular expression; inside of another one without names, and open where it has places."""
+        """A pattern as a regular expression; inside of another one without groups, and open where it has sentences."""
         parts: list[str] = []
         end = 0
         for place in PLACE.finditer(english):
             parts.append(re.escape(english[end : place.start()]))
-            parts.append(_ANYTHING if inside else f"(?P<{place[1]}>{self._fits(place[2] or '')})")
+            kind = place[2] or ""
+            if inside:
+                parts.append(self._fits(kind if kind in _OWN else ""))
+            else:
+                parts.append(f"(?P<{place[1]}>{self._fits(kind)})")
             end = place.end()
         return "".join(parts) + re.escape(english[end:])
 
     def _fits(self, kind: str) -> str:
         """What a place takes."""
-        if kind == "name":
-            return _NAME
+        if kind in _OWN:
+            return _OWN[kind]
         own = self.kinds.get(kind, ()) if kind else ()
         return "|".join(self._written(p.english, inside=True) for p in own) or _ANYTHING
 

@@ -27,7 +27,7 @@ class Angles:
         self.independent = {c.name for c in self.model.coordinates}
         self.bound = {c.name for c in self.model.dependent}
         self.lines: dict[str, tuple[int, ...]] = {}  # by angle: where its rate is told
-        self._places: dict[str, int] = {}
+        self._introduced: set[str] = set()
 
     # -- symbols ------------------------------------------------------------------------------
     def introduce(self, names: Iterable[str]) -> None:
@@ -41,9 +41,9 @@ class Angles:
                 symbol = rates_of(name, order)
                 what = Sentence("space.joint_angle", {"name": name})
                 self.context.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
-            if name not in self.context.introduced:
+            if name not in self.context.introduced and name not in self._introduced:
                 entries.append((Symbol(name), Sentence("space.joint_angle", {"name": name}), "rad"))
-                self.context.introduced.add(name)
+                self._introduced.add(name)
         if entries:
             self.script.add(Legend(tuple(entries)))
 
