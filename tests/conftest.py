@@ -51,15 +51,15 @@ def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -
 
 @pytest.fixture
 def within() -> Callable[[float, Callable[[], object]], None]:
-    """Asserts that an action takes less than a time [s] in the quickest of up to five runs: what else the machine does,
-    a collection of garbage or a first import make a run longer, never shorter."""
+    """Asserts that an action takes less than a time [s] of the processor in the quickest of up to five runs: a collection
+    of garbage or a first import make a run longer, never shorter."""
 
     def check(seconds: float, action: Callable[[], object]) -> None:
         times: list[float] = []
         while len(times) < 5 and min(times, default=seconds) >= seconds:
-            started = time.perf_counter()
+            started = time.process_time()
             action()
-            times.append(time.perf_counter() - started)
+            times.append(time.process_time() - started)
         assert min(times) < seconds
 
     return check

@@ -6,6 +6,7 @@ import functools
 import json
 import math
 import re
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -23,8 +24,15 @@ example = pytest.mark.parametrize("name", EXAMPLES)
 
 
 @functools.cache
+def timed(name: str) -> tuple[fb.Solution, float]:
+    """The solution of an example, and how long the processor took [s]."""
+    started = time.process_time()
+    solution = fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
+    return solution, time.process_time() - started
+
+
 def solved(name: str) -> fb.Solution:
-    return fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
+    return timed(name)[0]
 
 
 @example
@@ -33,6 +41,14 @@ def test_example_is_solved_completely(name: str) -> None:
     assert solution.answers
     assert {a.id: a.reason for a in solution.answers if a.expression is None} == {}
     assert solution.is_complete
+
+
+@example
+def test_example_takes_less_than_five_seconds(name: str, within: Within) -> None:
+    """Of the processor; the first run is the one that all tests of the example share."""
+    _solution, seconds = timed(name)
+    if seconds >= SECONDS:  # kernels may have been compiled
+        within(SECONDS, lambda: fb.solve(fb.System.load(FOLDER / f"{name}.yaml")))
 
 
 @example
@@ -86,11 +102,6 @@ def test_an_expression_of_parameters_has_the_shown_value_in_plain_python(name: s
                 continue  # it depends on the instant
             result = eval(text, {"__builtins__": {}}, functions | known)
             assert result == pytest.approx(value, rel=1e-12, abs=1e-14), answer["id"]
-
-
-@example
-def test_example_takes_less_than_five_seconds(name: str, within: Within) -> None:
-    within(SECONDS, lambda: fb.solve(fb.System.load(FOLDER / f"{name}.yaml")))
 
 
 # Formulas of the literature, or derived in the comment above them. BJ: Beer, Johnston & Cornwell, Vector Mechanics

@@ -30,7 +30,7 @@ TABLE = "phrase"  # of a file of words
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
-_BETWEEN = re.compile(r"(; |, then |, | and | or )")
+_BETWEEN = re.compile(r"(, then |, | and | or )")
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Phrases:
         self._known: dict[tuple[str, str], str | None] = {}
 
     def said(self, text: str, kind: str = GENERAL) -> str | None:
-        """A sentence in this language; None where no phrase fits."""
+        """A sentence in this language; None where no phrase fits, or none changes anything."""
         key = (text, kind)
         if key not in self._known:
             self._known[key] = self._find(text, kind)
@@ -78,7 +78,8 @@ class Phrases:
             if found:
                 kinds = dict(PLACE.findall(phrase.english))
                 inside = {name: self._inside(part, kinds[name]) for name, part in found.groupdict().items()}
-                return phrase.text.format_map(inside)
+                if (said := phrase.text.format_map(inside)) != text:
+                    return said
         return None
 
     def _inside(self, inside: str, kind: str) -> str:
