@@ -14,7 +14,7 @@ from freebody.language.parser import parse
 from freebody.model.friction_questions import RestQuantity
 from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.script import Legend, Line, Script, Sentence, Stage, names_in
+from freebody.narrative.lines.script import Legend, Line, Script, Sentence, Stage, names_in
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 

@@ -9,9 +9,9 @@ import pytest
 from freebody import System
 from freebody.language.expression import Expr
 from freebody.language.notation import to_text
-from freebody.narrative.catalogue import Catalogue
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.script import Legend, Line, Sentence, Stage, names_in
+from freebody.narrative.lines.script import Legend, Line, Sentence, Stage, names_in
+from freebody.narrative.telling.catalogue import Catalogue
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 PHASES = (

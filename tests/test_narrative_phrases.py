@@ -13,10 +13,10 @@ import pytest
 
 import freebody as fb
 from freebody.assess.comparing import PROVED
-from freebody.narrative.asking import headline
-from freebody.narrative.catalogue import Catalogue
-from freebody.narrative.phrases import PLACE, Phrase, phrases_of
-from freebody.narrative.statement import Statement
+from freebody.narrative.sheets.asking import headline
+from freebody.narrative.sheets.statement import Statement
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.phrases import PLACE, Phrase, phrases_of
 from freebody.present.report.blocks import Block, Report
 from freebody.present.report.terminal import terminal_text
 from test_examples import EXAMPLES, solved

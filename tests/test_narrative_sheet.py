@@ -12,12 +12,12 @@ import pytest
 
 from freebody import System
 from freebody.errors import InputError
-from freebody.narrative.catalogue import Catalogue
 from freebody.narrative.context import Context
-from freebody.narrative.mistakes import found_mistakes
-from freebody.narrative.script import Sentence
-from freebody.narrative.sheet import load_systems, sheet
-from freebody.narrative.variants import rounded
+from freebody.narrative.lines.script import Sentence
+from freebody.narrative.mistakes.mistakes import found_mistakes
+from freebody.narrative.sheets.sheet import load_systems, sheet
+from freebody.narrative.sheets.variants import rounded
+from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Figure, Figures, Section, Step, equation_numbers
 from freebody.present.report.terminal import terminal_text
 from freebody.study.solve import solve
@@ -329,7 +329,7 @@ def test_two_exercises_may_have_the_same_title() -> None:
 
 
 def test_every_example_with_questions_can_be_set_as_an_exercise() -> None:
-    from freebody.narrative.asking import asking
+    from freebody.narrative.sheets.asking import asking
 
     catalogue = Catalogue()
     for path in sorted(EXAMPLES.glob("*.yaml")):

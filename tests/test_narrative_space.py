@@ -11,7 +11,7 @@ from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.script import Legend, Line, Listing, Sentence, Sheet, names_in
+from freebody.narrative.lines.script import Legend, Line, Listing, Sentence, Sheet, names_in
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 UPRIGHT = """

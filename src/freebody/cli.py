@@ -107,8 +107,8 @@ def sheet(
     language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""
-    from freebody.narrative.sheet import load_systems
-    from freebody.narrative.sheet import sheet as make
+    from freebody.narrative.sheets.sheet import load_systems
+    from freebody.narrative.sheets.sheet import sheet as make
     from freebody.present.report.write import check_report_path
 
     check_report_path(out)

@@ -1,8 +1,14 @@
 """Derivations: how an answer is found, step by step, each step checked, and told in words.
 
-script       lines of a derivation; a line is checked against the numeric route before it is taken
-glossary     what symbols mean, and their values at random motions
-table        the table of principles: which equation contains which unknowns
-planner      the cheapest closed set of them that contains what is asked
-telling      a derivation as a report, in the words of a catalogue
+explain        the worked solution of every question: opening, derivation by kind of question, closing
+lines/         lines of a derivation, the symbols in them, and how they are checked
+principles/    the table of momenta and moments, the planner, the algebra of their solution; Lagrange, energy
+questions/     derivations by what is asked: instants, states, events, freedoms, conservation, small motions
+contact/       motions in phases, and rest under dry friction
+space/         derivations in space
+steady/        motion that goes on evenly
+mistakes/      which mistake leads to a wrong option
+telling/       the catalogue of a language, and derivations told as reports
+words/         what is said, one file per language
+sheets/        exercise sheets
 """

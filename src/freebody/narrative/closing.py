@@ -8,16 +8,16 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr
-from freebody.model.friction_questions import RestQuantity
 from freebody.language.units import TIME, dimension_of
+from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import Conserved, Question
 from freebody.model.steady_questions import SpinStability, SteadyStability
 from freebody.narrative.context import Context
-from freebody.narrative.instant import asked_symbol, side_of
 from freebody.narrative.limits import limiting_cases
-from freebody.narrative.mistakes import found_mistakes
-from freebody.narrative.script import Listing, Script, Sentence, Sheet, Stage, When
-from freebody.narrative.telling import raised
+from freebody.narrative.lines.script import Listing, Script, Sentence, Sheet, Stage, When
+from freebody.narrative.mistakes.mistakes import found_mistakes
+from freebody.narrative.questions.instant import asked_symbol, side_of
+from freebody.narrative.telling.telling import raised
 from freebody.study.answer import Answer
 
 

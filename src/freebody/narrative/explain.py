@@ -14,8 +14,8 @@ from freebody.model.question import Question
 from freebody.narrative.closing import closing
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
+from freebody.narrative.lines.script import Line, Stage
 from freebody.narrative.opening import opening
-from freebody.narrative.script import Line, Stage
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
 from freebody.system.system import System
@@ -55,7 +55,7 @@ class Explanation:
     @cached_property
     def report(self) -> Report:
         """The explanation as a report."""
-        from freebody.narrative.composing import report_of
+        from freebody.narrative.telling.composing import report_of
 
         return report_of(self)
 

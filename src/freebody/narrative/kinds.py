@@ -2,51 +2,39 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import cast
+
 from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import Conserved, Equilibrium, Freedom, InstantCentre, Question, Small
+from freebody.model.question import Conserved, Equilibrium, Freedom, Question, Small
 from freebody.model.steady_questions import SteadyQuantity
-from freebody.narrative import conserving, course, freedom, instant, phases, rest, small, spatial, steady
+from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Derive
-from freebody.narrative.numeric import or_in_numbers
-from freebody.narrative.settings import has_phases
+from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.system.system import System
 
 
 def derivation_of(system: System, question: Question) -> Derive:
     """The function that derives the answer to a question; without a formula, the equations that numbers solve."""
-    return or_in_numbers(_by_kind(system, question))
+    module = import_module(f"freebody.narrative.{_place(system, question)}")  # each kind needs libraries of its own
+    return or_in_numbers(cast("Derive", module.derive))
 
 
-def _by_kind(system: System, question: Question) -> Derive:
+def _place(system: System, question: Question) -> str:
+    """The module that derives a kind of question."""
     q = question.quantity
     if isinstance(q, RestQuantity):
-        return rest.derive
-    if has_phases(system) and not isinstance(q, (Freedom, Conserved)):
-        return phases.derive
-    if question.transition is not None:
-        return phases.derive
+        return "contact.rest"
+    if question.transition is not None or (has_phases(system) and not isinstance(q, (Freedom, Conserved))):
+        return "contact.phases"
     if isinstance(q, Freedom):
-        return freedom.derive
+        return "questions.freedom"
     if isinstance(q, Conserved):
-        return conserving.derive
+        return "questions.conserving"
     if isinstance(q, (Small, Equilibrium)):
-        return small.derive
+        return "questions.small"
     if isinstance(q, SteadyQuantity):
-        return steady.derive
-    if system.space and question.event is None:
-        return spatial.derive
+        return "steady.steady"
     if question.event is not None:
-        return course.derive
-    return instant.derive
-
-
-__all__ = [
-    "Conserved",
-    "Equilibrium",
-    "Freedom",
-    "InstantCentre",
-    "RestQuantity",
-    "Small",
-    "SteadyQuantity",
-    "derivation_of",
-]
+        return "questions.course"
+    return "space.spatial" if system.space else "questions.instant"

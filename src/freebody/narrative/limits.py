@@ -13,7 +13,7 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
 from freebody.model.question import Question
 from freebody.narrative.context import Context
-from freebody.narrative.script import Item, Listing, Sentence
+from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

@@ -9,9 +9,9 @@ from freebody.language.expression import Expr, Sum, Symbol, number
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
 from freebody.model.phrases import phrase_text
+from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
-from freebody.narrative.script import Diagram, Legend, Script, Sentence, Sheet, Stage
-from freebody.narrative.settings import has_phases
+from freebody.narrative.lines.script import Diagram, Legend, Script, Sentence, Sheet, Stage
 from freebody.study.gruebler import Gruebler, gruebler
 
 

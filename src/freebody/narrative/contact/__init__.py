@@ -1,0 +1,1 @@
+"""Derivations of motions in phases, and of rest under dry friction."""

@@ -1,0 +1,126 @@
+"""Where a way through the phases is the one that happens: every inequality with what it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from freebody.language.expression import Call, Expr, Symbol
+from freebody.model.elements import Rub
+from freebody.narrative.contact.phase_contacts import ZERO
+from freebody.narrative.contact.phase_event import balanced
+from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.lines.script import Argument, Script
+from freebody.present.report.blocks import Relation as Sign
+from freebody.study.phases.result import relations
+from freebody.study.phases.words import label
+from freebody.symbolic.phases.relations import Relation, readable
+from freebody.symbolic.tidy import tidy
+
+_SIGNS: dict[str, Sign] = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠"}
+_TURNED: dict[str, Sign] = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
+_KEYS = (
+    ("keeps touching", "touches"),
+    ("does not slip", "sticks"),
+    ("slips this way", "slips_so"),
+    ("slips", "slips"),
+    ("stays taut", "taut"),
+    ("one does not hold", "beyond"),
+    ("friction is needed", "needed"),
+    ("is open at the start", "open"),
+    ("opens", "opens"),
+    ("fits", "fits"),
+    ("it happens", "happens"),
+    ("as at the start", "branch"),
+    ("friction forces exist", "exists"),
+    ("no event ends it", "never"),
+)
+
+
+def tell_sticking(script: Script, way: Way, leg: Leg) -> list[int]:
+    """What friction that holds must transmit when a phase begins: no slip needs |F| <= mu N. Returns the lines."""
+    found: list[int] = []
+    sticking = [leg.phase.rubs[n] for n, s in leg.phase.mode.states.items() if s == 0 and n not in leg.phase.dropped]
+    for rub in sticking:
+        shared = leg.phase.shared.get(rub.name, [])
+        if shared or len(rub.load) > 1:
+            script.say("condition.shared", connection=label(rub.name))
+            continue
+        found.append(_tell_limit(script, way, leg, rub))
+    return found
+
+
+def _tell_limit(script: Script, way: Way, leg: Leg, rub: Rub) -> int:
+    f, newton = leg.phase.model.field, leg.newton
+    names = newton.table.symbols
+    with on_the_way(script, leg.glossary):
+        unknowns = [newton.reaction(rub.name), *(newton.reaction(n) for n in rub.load)]
+        values = newton.write(script, newton.plan(unknowns), unknowns)
+    friction = values[unknowns[0]][0]
+    c = f.lowest_terms(leg.phase.coefficient(rub, 1, at_rest=True))
+    limit = c * values[unknowns[1]][0] if rub.load else c
+    lines = tuple(line for _v, line in values.values())
+    with script.stage("stage.holds", "hint.holds", connection=label(rub.of or rub.name)):
+        written: Expr = tidy(c) * Symbol(names[rub.load[0]].name) if rub.load else tidy(c)
+        symbol = Call("abs", Symbol(names[rub.name].name))
+        here = leg.phase.start_instant.here
+        force, most = (way.home(leg, f.lowest_terms(here(x))) for x in (friction, limit))
+        size = -force if bool((way.tree.numbers(force)[way.piece.sets] < 0).all()) else force
+        with on_the_way(script, leg.course):
+            args: dict[str, Argument] = {"connection": label(rub.of or rub.name)}
+            number = script.line(
+                symbol, written, relations=("≤",), why="condition.coulomb", args=args, uses=lines, when="start"
+            )
+            same = (symbol, readable(size), readable(most))
+            uses = (number, *lines)
+            return script.line(
+                *same,
+                relations=("=", "≤"),
+                why="condition.put_in",
+                args={"lines": lines, "line": number},
+                uses=uses,
+                when="start",
+            )
+
+
+def tell_conditions(script: Script, way: Way, lines: Mapping[str, tuple[int, ...]]) -> None:
+    """The inequalities of the answer, solved. lines: from which they follow, by the key of what they are for."""
+    found = relations(way.tree, way.piece.conditions)
+    if not found:
+        return
+    with script.stage("stage.conditions", "hint.conditions"):
+        script.say("condition.intro")
+        for r in found:
+            left, sign, right = _sides(r)
+            key, args = _purpose(r)
+            uses = tuple(n for n in lines.get(key.rpartition(".")[2], ()) if n)
+            if uses:
+                key += "_from"
+            with on_the_way(script, way.legs[-1].course):
+                script.line(left, right, relations=(sign,), why=key, args={**args, "lines": uses}, uses=uses)
+
+
+def _sides(r: Relation) -> tuple[Expr, Sign, Expr]:
+    if r.unknown is not None and r.bound is not None:
+        return r.element.field.generators[r.unknown].display, _SIGNS[r.relation], readable(r.bound)
+    return sides_of(readable(r.element), r.relation)
+
+
+def sides_of(e: Expr, relation: str) -> tuple[Expr, Sign, Expr]:
+    """e relation 0 with its terms on the sides on which they are positive."""
+    left, right = balanced(e)
+    sign = _SIGNS[relation]
+    return (left, sign, right) if left != ZERO else (right, _TURNED[sign], left)
+
+
+def _purpose(r: Relation) -> tuple[str, dict[str, Argument]]:
+    return told_purpose(r.purposes[0] if r.purposes else "")
+
+
+def told_purpose(text: str) -> tuple[str, dict[str, Argument]]:
+    """What an inequality is for, as a key of the catalogue."""
+    for ending, key in _KEYS:
+        if text.endswith(ending):
+            return f"condition.{key}", {"connection": text.removesuffix(ending).strip()}
+    if text.startswith("before "):
+        return "condition.before", {"connection": text.split(" ")[1]}
+    return "condition.other", {}

@@ -1,0 +1,258 @@
+"""What ends a phase: the equation, its root, and the state there."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Product, Sum, Symbol, add, negate
+from freebody.language.notation.parts import signed_terms
+from freebody.narrative.contact.phase_contacts import ZERO, slip_symbol
+from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
+from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.lines.glossary import Glossary, Meaning
+from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.study.phases.phase import Watch
+from freebody.study.phases.words import label
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.course import Energy, Uniform
+from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.tidy import tidy
+
+
+def tell_event(script: Script, way: Way, leg: Leg, told: Told, lines: dict[str, int]) -> dict[str, int]:
+    """The event that ends a phase, when or where it comes, and the coordinates and speeds there; returns the lines of
+    the state, by "time", the name of a coordinate, or its rate as x'. lines: of forces and slips, by name."""
+    assert leg.first is not None
+    watch, zero = leg.first.watch, leg.first.zero
+    course = leg.phase.course
+    with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
+        script.say(f"event.{watch.kind.replace(' ', '_')}", connection=label(watch.name), event=f"@{watch.name}")
+        symbol, element = _watched(script, way, leg, watch)
+        base = lines.get(watch.name, 0)
+        uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
+        with on_the_way(script, leg.course):
+            if isinstance(course, Uniform):
+                found = _in_time(script, way, leg, course, symbol, element, uses)
+            elif isinstance(course, Energy) and zero.at is not None:
+                found = _on_the_way(script, way, leg, course, symbol, element, uses)
+            else:
+                raise CannotAnswer("the event has no closed form")
+            return {**found, **_state(script, way, leg, told, found)}
+
+
+def _lines_of(leg: Leg, told: Told, element: Ratio) -> tuple[int, ...]:
+    """The lines of the motion on which an element depends."""
+    model = leg.phase.model
+    used = model.field.ingredients(model.in_independent_speeds(element))
+    found = [told.square]
+    for c in model.coordinates:
+        found.append(told.places.get(c.name, 0) if c.index in used else 0)
+        found.append(told.velocities.get(c.name, 0) if c.speed in used else 0)
+    return tuple(found)
+
+
+def _watched(script: Script, way: Way, leg: Leg, watch: Watch) -> tuple[Expr, Ratio]:
+    """What reaches zero (or its value): how it is written, and as an element that vanishes at the event."""
+    phase, f = leg.phase, leg.phase.model.field
+    symbols = leg.newton.table.symbols
+    match watch.kind:
+        case "slip ends":
+            rub = phase.rubs[watch.name]
+            return slip_symbol(leg, rub), phase.state.rate(rub.row.measure)
+        case "opens":
+            return Symbol(symbols[watch.name].name), watch.element
+        case "slips":
+            return _reserve(script, leg, watch), watch.element
+        case "touches":
+            return _gap(script, leg, watch), watch.element
+        case _:
+            event = way.question.event
+            assert event is not None
+            name = next((n for n, m in phase.base.measures.items() if m == event.measure), "")
+            if not name:
+                name = leg.free_name("q")
+                what = Sentence("symbol.watched", {"event": f"@{event.text}"})
+                leg.glossary.introduce(Meaning(Symbol(name), what, lambda w: w.snapshot.value(event.measure), ""))
+                script.add(Legend(((Symbol(name), what, ""),)))
+            value = phase.state.rate(event.measure) if event.order else phase.state.value(event.measure)
+            symbol: Expr = Symbol(name)
+            shown = Call("rate", symbol) if event.order else symbol
+            return shown, f.lowest_terms(value)
+
+
+def _reserve(script: Script, leg: Leg, watch: Watch) -> Expr:
+    """What is left of the friction that can be transmitted."""
+    rub = leg.phase.rubs[watch.name]
+    names = leg.newton.table.symbols
+    held = Symbol(names[watch.name].name) * (rub.row.sign * watch.direction)
+    f = leg.phase.model.field
+    limit: Expr = ZERO
+    for one in [rub, *(leg.phase.rubs[n] for n in leg.phase.shared.get(rub.name, ()))]:
+        c = tidy(f.lowest_terms(leg.phase.coefficient(one, watch.direction, at_rest=True)))
+        limit = limit + (c * Symbol(names[one.load[0]].name) if one.load else c)
+    return limit + held
+
+
+def _gap(script: Script, leg: Leg, watch: Watch) -> Expr:
+    row = leg.phase.bounds[watch.name].row
+    symbol = Symbol(leg.free_name("d"))
+    what = Sentence("symbol.gap", {"connection": label(watch.name)})
+
+    def read(world: object) -> float:
+        w = world
+        target = 0.0 if row.target is None else w.snapshot.scalar(row.target)  # type: ignore[attr-defined]
+        return float(row.sign * (w.snapshot.value(row.measure) - target))  # type: ignore[attr-defined]
+
+    leg.glossary.introduce(Meaning(symbol, what, read, "m"))  # type: ignore[arg-type]
+    script.add(Legend(((symbol, what, "m"),)))
+    return symbol
+
+
+def _target(way: Way, leg: Leg) -> Ratio:
+    """The value that is to be reached."""
+    assert leg.first is not None
+    f, event = leg.phase.model.field, way.question.event
+    if leg.first.watch.kind == "is reached" and event is not None:
+        return leg.phase.model.geometry.scalar(event.value)
+    return f.zero
+
+
+# -- events in time ---------------------------------------------------------------------------
+def _in_time(
+    script: Script, way: Way, leg: Leg, course: Uniform, symbol: Expr, element: Ratio, uses: tuple[int, ...]
+) -> dict[str, int]:
+    assert leg.time is not None
+    target = way.home(leg, _target(way, leg))
+    coefficients = [way.home(leg, c) for c in course.along(element)]
+    line = 0
+    if not _is_told(leg, symbol):
+        line = script.line(
+            symbol, in_time(coefficients, leg.clock), why="event.in_time", args={"lines": uses}, uses=uses
+        )
+    meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
+    script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
+    used = (line,) if line else uses
+    equation = script.line(
+        in_time(coefficients, leg.end),
+        readable(target),
+        why="event.equation",
+        args={"lines": used},
+        uses=used,
+        when="event",
+    )
+    shown = readable(leg.time)
+    key = "event.time" if len([c for c in coefficients if not c.is_zero()]) < 3 else "event.first_root"
+    time = script.line(leg.end, shown, why=key, args={"line": equation}, uses=(equation,), when="event")
+    return {"time": time}
+
+
+def _is_told(leg: Leg, symbol: Expr) -> bool:
+    """Whether the motion has said already how something goes with time."""
+    names = {c.name for c in leg.phase.model.coordinates}
+    match symbol:
+        case Symbol(name):
+            return name in names
+        case Call("rate", Symbol(name)):
+            return name in names
+        case _:
+            return False
+
+
+# -- events at a place ------------------------------------------------------------------------
+def _on_the_way(
+    script: Script, way: Way, leg: Leg, course: Energy, symbol: Expr, element: Ratio, uses: tuple[int, ...]
+) -> dict[str, int]:
+    assert leg.first is not None
+    zero, c = leg.first.zero, course.coordinate
+    assert zero.at is not None
+    f = course.model.field
+    name = Symbol(c.name)
+    used = uses
+    difference = f.lowest_terms(element - _target(way, leg))
+    if not (difference - f.variable(c.index) + zero.at).is_zero() and not _is_told(leg, symbol):
+        value = course.as_function(element)
+        if course.is_odd(element):
+            raise CannotAnswer("the event is told by the direction of the motion alone")
+        line = script.line(
+            symbol, shown_in_home(way, leg, value), why="event.at_place", args={"lines": uses}, uses=uses
+        )
+        left = f.lowest_terms(value - _target(way, leg))
+        sides = balanced(vanishing(leg.course, shown_in_home(way, leg, left.numerator())))
+        line = script.line(*sides, why="event.zero", args={"line": line}, uses=(line,), when="event")
+        used = (line,)
+    argument = solved_argument(zero.at)
+    if argument is not None:
+        function, inner = argument
+        line = script.line(
+            Call(function, name),
+            way.shown(leg, inner),
+            why="event.solved",
+            args={"lines": used},
+            uses=used,
+            when="event",
+        )
+        used = (line,)
+    place = script.line(name, way.shown(leg, zero.at), why="event.place", args={"lines": used}, uses=used, when="event")
+    return {"place": place}
+
+
+def vanishing(glossary: Glossary, e: Expr) -> Expr:
+    """Of a product the factor that vanishes at the event."""
+    if not isinstance(e, Product):
+        return e
+    sums = [factor for factor in e.factors if isinstance(factor, Sum)]
+    world = next(iter(glossary.worlds("event")))
+    return min(sums, key=lambda s: abs(world.of(s)[0]) / (world.scale([s]) or 1.0)) if sums else e
+
+
+def balanced(e: Expr) -> tuple[Expr, Expr]:
+    """a - b = 0 as a = b."""
+    if not isinstance(e, Sum):
+        return e, ZERO
+    signs = signed_terms(e.terms)
+    left = [t for t, (minus, _x) in zip(e.terms, signs, strict=True) if not minus]
+    right = [negate(t) for t, (minus, _x) in zip(e.terms, signs, strict=True) if minus]
+    return (add(*left) if left else ZERO), (add(*right) if right else ZERO)
+
+
+def solved_argument(at: Ratio) -> tuple[str, Ratio] | None:
+    """acos(u) as cos of the coordinate being u."""
+    f = at.field
+    if len(at.generators()) != 1 or at.den is not None:
+        return None
+    (index,) = at.generators()
+    name, argument = f.arguments.get(index, ("", f.one))
+    if name in ("acos", "asin", "atan") and (at - f.variable(index)).is_zero():
+        return name[1:], argument
+    return None
+
+
+# -- the state there --------------------------------------------------------------------------
+def _state(script: Script, way: Way, leg: Leg, told: Told, found: dict[str, int]) -> dict[str, int]:
+    """Coordinates and speeds at the event, as far as their motion was told."""
+    assert leg.first is not None
+    values, lines = leg.first.zero.values, dict[str, int]()
+    nothing = leg.phase.model.field.zero
+    for c in leg.phase.model.coordinates:
+        symbol = Symbol(c.name)
+        speed = told.velocities.get(c.name) or (told.square if told.square else 0)
+        if speed and not values.get(c.speed, nothing).is_zero():
+            uses = (speed, *found.values())
+            lines[f"{c.name}'"] = script.line(
+                Call("rate", symbol),
+                way.shown(leg, values[c.speed]),
+                why="event.there",
+                args={"lines": uses},
+                uses=uses,
+                when="event",
+            )
+        if c.name in told.places and not values.get(c.index, nothing).is_zero():
+            uses = (told.places[c.name], *found.values())
+            lines[c.name] = script.line(
+                symbol,
+                way.shown(leg, values[c.index]),
+                why="event.there",
+                args={"lines": uses},
+                uses=uses,
+                when="event",
+            )
+    return lines

@@ -1,0 +1,217 @@
+"""The motion of one phase in formulas: constant accelerations integrated twice, or the integral of energy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.model.elements import Push
+from freebody.model.question import Energy as EnergyOf
+from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.questions.state import kinetic_of
+from freebody.study.phases.quantities import plain, value_in_mode
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
+from freebody.symbolic.phases.course import Energy, Uniform
+from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.tidy import tidy
+
+KINETIC, POTENTIAL = Symbol("T_kin"), Symbol("V")
+Part = Literal["kinetic", "potential"]
+PARTS: tuple[Part, Part] = ("kinetic", "potential")
+
+
+@dataclass
+class Told:
+    """Lines of a motion: of the velocity and the place by coordinate, and of the speed squared."""
+
+    velocities: dict[str, int] = field(default_factory=dict[str, int])
+    places: dict[str, int] = field(default_factory=dict[str, int])
+    square: int = 0
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        found = (*self.velocities.values(), *self.places.values(), self.square)
+        return tuple(n for n in found if n)
+
+
+def tell_motion(
+    script: Script,
+    way: Way,
+    leg: Leg,
+    accelerations: dict[str, int],
+    before: tuple[int, ...],
+    needed: set[str],
+    places: set[str],
+) -> Told:
+    """The motion of the coordinates that are needed. accelerations: their lines; before: lines of the state in which
+    the phase begins; places: coordinates of which not only the velocity is needed."""
+    course = leg.phase.course
+    told = Told()
+    if isinstance(course, Uniform):
+        with script.stage("stage.phase_motion", "hint.phase_motion", phase=f"@{leg.number}"):
+            if leg.number > 1 and course.model.coordinates:
+                meaning = leg.glossary.meanings[_name(leg.clock)]
+                script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
+            for c in course.model.coordinates:
+                if c.name in needed:
+                    uses = (*_of(accelerations, c.name), *before)
+                    _integrate(script, way, leg, c, course, told, uses, c.name in places)
+    elif isinstance(course, Energy):
+        _energy_integral(script, way, leg, course, told, before)
+    return told
+
+
+def _of(lines: dict[str, int], name: str) -> tuple[int, ...]:
+    return (lines[name],) if lines.get(name) else ()
+
+
+def _name(e: Expr) -> str:
+    assert isinstance(e, Symbol)
+    return e.name
+
+
+# -- constant accelerations -------------------------------------------------------------------
+def _integrate(
+    script: Script, way: Way, leg: Leg, c: Coordinate, course: Uniform, told: Told, uses: tuple[int, ...], place: bool
+) -> None:
+    """u = u0 + a t, q = q0 + u0 t + a t^2/2."""
+    q, u, a = (
+        way.home(leg, x) for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed])
+    )
+    t, symbol = leg.clock, Symbol(c.name)
+    with on_the_way(script, leg.course):
+        key = "motion.constant_velocity" if a.is_zero() else "motion.velocity"
+        velocity = in_time([u, a], t)
+        told.velocities[c.name] = script.line(
+            Call("rate", symbol), velocity, why=key, args={"name": symbol, "line": uses[0] if uses else 0}, uses=uses
+        )
+        if place:
+            line = told.velocities[c.name]
+            told.places[c.name] = script.line(
+                symbol, in_time([q, u, a / 2], t), why="motion.place", args={"line": line}, uses=(line,)
+            )
+
+
+def in_time(coefficients: list[Ratio], t: Expr) -> Expr:
+    """A polynomial in the time, term by term."""
+    terms: list[Expr] = []
+    for k, c in enumerate(coefficients):
+        if not c.is_zero():
+            terms.append(readable(c) if k == 0 else multiply(readable(c), power(t, number(k))))
+    return add(*terms) if terms else number(0)
+
+
+# -- energy -----------------------------------------------------------------------------------
+def energy_parts(leg: Leg) -> tuple[Ratio, Ratio]:
+    """Kinetic and potential energy in the coordinates; of loads of the model only."""
+    phase, f = leg.phase, leg.phase.model.field
+    parts = [value_in_mode(EnergyOf(what), phase.base, phase.system, phase.state) for what in PARTS]
+    kinetic, potential = (f.lowest_terms(f.element(p)) for p in parts)
+    return kinetic, potential
+
+
+def tell_energies(script: Script, leg: Leg) -> tuple[int, int]:
+    """T and V as lines: T body by body, then in the coordinates."""
+    context = _as_context(leg)
+    parts: list[int] = []
+    for body in leg.phase.system.moving:
+        parts += kinetic_of(context, script, body.name)
+    shown = energy_parts(leg)
+    found: list[int] = []
+    for symbol, value, what in zip((KINETIC, POTENTIAL), shown, PARTS, strict=True):
+        words = Sentence(f"symbol.phase_{what}")
+        leg.glossary.introduce(Meaning(symbol, words, _reads_energy(leg, what), "J"))
+        script.add(Legend(((symbol, words, "J"),)))
+        uses = tuple(parts) if what == "kinetic" else ()
+        in_coordinates = tidy(leg.phase.course.plain(value))
+        found.append(script.line(symbol, in_coordinates, why=f"motion.{what}", args={"lines": uses}, uses=uses))
+    return found[0], found[1]
+
+
+def _as_context(leg: Leg) -> Context:
+    """The mode of a phase as a system of its own."""
+    context = Context(leg.phase.base)
+    context.setup, context.glossary, context.newton = leg.phase.setup, leg.glossary, leg.newton
+    return context
+
+
+def _reads_energy(leg: Leg, what: Part) -> Callable[[World], float]:
+    base = leg.phase.base
+
+    def read(world: World) -> float:
+        system = plain(world.snapshot.reference.system)
+        return float(value_in_mode(EnergyOf(what), base, system, world.snapshot))
+
+    return read
+
+
+def _energy_integral(script: Script, way: Way, leg: Leg, course: Energy, told: Told, before: tuple[int, ...]) -> None:
+    """T + V is what it was, but for the work of friction; solved for the square of the speed."""
+    f, c, phase = leg.phase.model.field, course.coordinate, leg.phase
+    kinetic, potential = energy_parts(leg)
+    begin = course.start.values
+    at_first = f.lowest_terms(f.follow(kinetic + potential, begin))
+    loads = phase.system.loads
+    frictions = [p for p in phase.system.pushes if p.load not in loads]
+    others = [p for p in phase.system.pushes if p.load in loads and not loads[p.load].stores_energy]
+    with script.stage("stage.phase_energy", "hint.phase_energy", phase=f"@{leg.number}"):
+        lines = tell_energies(script, leg)
+        work = _work(leg, [*frictions, *others])
+        script.say("motion.no_work" if not frictions else "motion.friction_work")
+        if others:
+            script.say("motion.other_work", loads=tuple(dict.fromkeys(p.load for p in others)))
+        with on_the_way(script, leg.course):
+            right = at_first if work is None else at_first + work
+            both = script.line(
+                add(KINETIC, POTENTIAL),
+                add(way.shown(leg, at_first), *([] if work is None else [tidy(work)])),
+                why="motion.energy",
+                args={"lines": lines},
+                uses=(*lines, *before),
+            )
+            mass = f.lowest_terms(kinetic / f.variable(c.speed) ** 2)
+            square = f.lowest_terms((right - potential) / mass)
+            if not (square - course.square).is_zero():
+                raise RoutesDisagree("the integral of energy is another one than the solver's")
+            told.square = script.line(
+                power(Call("rate", Symbol(c.name)), number(2)),
+                shown_in_home(way, leg, course.square),
+                why="motion.square",
+                args={"line": both, "lines": lines},
+                uses=(both, *lines),
+            )
+
+
+def _work(leg: Leg, pushes: list[Push]) -> Ratio | None:
+    """Of loads that are no part of V, since the phase began."""
+    if not pushes:
+        return None
+    f, phase = leg.phase.model.field, leg.phase
+    total = f.zero
+    for push in pushes:
+        total = total + phase.start_instant.potential(push) - phase.state.potential(push)
+    return f.lowest_terms(total)
+
+
+def shown_in_home(way: Way, leg: Leg, x: Ratio) -> Expr:
+    """By the parameters of the model where nothing moves in it, else with the coordinates."""
+    model = leg.phase.model
+    moving = {k for c in model.coordinates for k in (c.index, c.speed)}
+    if x.field.ingredients(x) & moving:
+        return readable(x)
+    return way.shown(leg, x)
+
+
+def require_course(leg: Leg) -> None:
+    """Raises CannotAnswer where a phase has no motion in closed form."""
+    try:
+        _ = leg.phase.course
+    except CannotAnswer as error:
+        raise CannotAnswer(f"phase {leg.number} has no motion in closed form: {error}") from None

@@ -1,0 +1,172 @@
+"""Instants of a motion in phases, by the numeric route: where the lines of its derivation are looked at.
+
+The modes are integrated one after the other (`study/phases/witness.py`) at some of the parameter sets that take the
+same way. Lines about the motion of a phase have to hold at instants within it, at its start and at the event that ends
+it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.model.question import Event
+from freebody.narrative.lines.glossary import Glossary, World
+from freebody.narrative.lines.script import When
+from freebody.numeric.jets import Array
+from freebody.numeric.snapshot import Snapshot
+from freebody.study.draws import Draw
+from freebody.study.phases.evidence import run as followed
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.pieces import Piece
+from freebody.study.phases.tree import Tree
+from freebody.study.phases.witness import NumericMode, Seen, follow
+
+N_MOTIONS = 3
+TIMES = (0.37, 0.71)  # of the duration of a phase
+_LONGEST = 400.0
+_OPEN_END = 0.7  # [s] that are looked at of a phase that nothing ends
+
+
+@dataclass(frozen=True)
+class Run:
+    """One parameter set that takes the way: its number, and the phases in numbers."""
+
+    k: int
+    seen: tuple[Seen, ...]
+
+    def begin(self, phase: int) -> float:
+        """When a phase begins."""
+        return self.seen[phase - 1].time if phase else 0.0
+
+
+class CourseWorld(World):
+    """An instant of a run, within one of its phases."""
+
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, run: Run, phase: int) -> None:
+        super().__init__(glossary, draw, snapshot)
+        self.run = run
+        self.phase = phase
+
+    @property
+    def since(self) -> float:
+        """The time since the phase began."""
+        return self.snapshot.t - self.run.begin(self.phase)
+
+
+class Runs:
+    """The runs of a piece of an answer."""
+
+    def __init__(self, tree: Tree, piece: Piece, event: Event | None) -> None:
+        self.tree = tree
+        self.piece = piece
+        self.event = event
+
+    @cached_property
+    def found(self) -> list[Run]:
+        """Raises CannotAnswer where the motion cannot be followed in numbers."""
+        runs: list[Run] = []
+        for k in self.piece.sets:
+            if len(runs) >= N_MOTIONS:
+                break
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                seen = self._seen(int(k))
+                if seen is not None:
+                    runs.append(Run(int(k), tuple(seen)))
+        if len(runs) < 2:
+            raise CannotAnswer("the motion could be followed in numbers at too few parameter sets to check its lines")
+        return runs
+
+    def _seen(self, k: int) -> Sequence[Seen] | None:
+        tree, piece = self.tree, self.piece
+        if piece.first is None:
+            return self._open(k)
+        end: float | None = None
+        if piece.time is not None:
+            end = float(tree.numbers(piece.time)[k])
+            if not 0.0 < end < _LONGEST:
+                return None
+        found = followed(tree, self.event, piece, k, end)
+        met = [other[:2] for other in found[-1].together]
+        return found if (piece.first.watch.kind, piece.first.watch.name) in met else None
+
+    def _open(self, k: int) -> Sequence[Seen]:
+        """A phase that nothing ends."""
+        tree, phases = self.tree, [n.phase for n in self.piece.nodes]
+        key = ("open", tuple(map(id, phases)), k, None if self.event is None else self.event.text)
+        if key not in tree.seen:
+            tree.seen[key] = follow(tree.system, phases, tree.sets.one(k), [_OPEN_END], self.event)
+        return tree.seen[key]
+
+
+class CourseGlossary(Glossary):
+    """The symbols of one phase on its way. Lines are looked at within the phase ("always"), where it begins ("start")
+    and where it ends ("event"). A phase that begins with the event that is asked for is looked at there only."""
+
+    def __init__(self, phase: Phase, runs: Runs, place: int) -> None:
+        super().__init__(phase.setup)
+        self.phase = phase
+        self.runs = runs
+        self.place = place
+
+    def worlds(self, when: When) -> Iterator[World]:
+        follows = self.place == len(self.runs.piece.nodes)
+        at_once = when == "event" and self.runs.piece.first is None  # what is asked for comes at the start
+        if when == "start" or follows or at_once:
+            yield from self._begins
+        elif when == "event":
+            yield from self._ends
+        else:
+            yield from self._within
+
+    @cached_property
+    def _begins(self) -> list[World]:
+        return [self._world(run, self._begin(run)) for run in self.runs.found]
+
+    @cached_property
+    def _ends(self) -> list[World]:
+        return [self._world(run, run.seen[self.place].snapshot()) for run in self.runs.found]
+
+    @cached_property
+    def _within(self) -> list[World]:
+        return [self._world(run, snapshot) for run in self.runs.found for snapshot in self._passed(run)]
+
+    def _passed(self, run: Run) -> list[Snapshot]:
+        """Instants of the phase between its beginning and its end, kept for other questions."""
+        seen, kept = run.seen[self.place], self.runs.tree.seen
+        key = ("within", tuple(map(id, run.seen)), self.place)
+        if key not in kept:
+            begin, (q, v) = run.begin(self.place), self._state(run)
+            found: list[Snapshot] = []
+            time = begin
+            for share in TIMES:
+                later = begin + share * (seen.time - begin)
+                there = seen.mode.run(q, v, time, later)
+                found.append(there.snapshot())
+                time, q, v = later, there.q, there.v
+            kept[key] = found
+        return kept[key]
+
+    def _state(self, run: Run) -> tuple[Array, Array]:
+        """Where a phase begins."""
+        if self.place:
+            before = run.seen[self.place - 1]
+            return before.q, before.v
+        return run.seen[0].mode.start()
+
+    def _mode(self, run: Run) -> NumericMode:
+        if self.place < len(run.seen):
+            return run.seen[self.place].mode
+        return NumericMode(self.runs.tree.system, self.phase, run.seen[0].mode.values)
+
+    def _begin(self, run: Run) -> Snapshot:
+        q, v = self._state(run)
+        return self._mode(run).snapshot(q, v, run.begin(self.place))
+
+    def _world(self, run: Run, snapshot: Snapshot) -> World:
+        mode = self._mode(run)
+        draw = Draw(mode.values, snapshot.reference, mode.references[0].assemble())
+        return CourseWorld(self, draw, snapshot, run, self.place)

@@ -1,0 +1,196 @@
+"""Motion in phases: contacts that slide, roll and open, one mode after the other, up to what is asked.
+
+Every phase is told in the same order: which contacts are closed and what friction does there, momentum and moments with
+the law of friction, the motion, and the event that ends it with the state there, in which the next phase begins.
+"""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.model.contact_questions import Change, EnergyLost, Turns
+from freebody.model.question import Question, When, Work
+from freebody.narrative.contact.phase_answer import asked_side, shown_parts, tell_answer
+from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
+from freebody.narrative.contact.phase_contacts import tell_contacts
+from freebody.narrative.contact.phase_event import tell_event
+from freebody.narrative.contact.phase_motion import require_course, tell_motion
+from freebody.narrative.contact.phase_way import Leg, Way
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.script import Script, Sentence, Sheet, Stage
+from freebody.study.answer import Answer
+from freebody.study.phases.words import summary
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
+from freebody.symbolic.phases.course import Uniform
+
+Values = dict[int, tuple[Ratio, int]]
+WITHOUT_FORCES = (When, Change, EnergyLost, Turns, Work)
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a question about a system with contacts or dry friction. Raises CannotAnswer where there is
+    none."""
+    refuse(method, ("newton",), "a motion in phases")
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or "there is no closed form")
+    way = Way(context.system, question)
+    script = Script(way.legs[0].glossary, context.next_number)
+    if way.piece.first is None:
+        context.glossary = way.legs[0].glossary if question.transition is None else way.legs[0].course
+        return _at_instant(context, way, script, answer)
+    context.glossary = way.legs[-1].course
+    _overview(script, way)
+    ends: list[dict[str, int]] = []
+    forces: Values = {}
+    before: tuple[int, ...] = ()
+    slips: tuple[int, ...] = ()
+    for leg in way.legs:
+        script.glossary = leg.glossary
+        end, forces, signs = _tell_phase(script, way, leg, before)
+        slips += signs
+        ends.append(end)
+        before = tuple(end.values())
+    happens = tuple(end.get("time") or end.get("place", 0) for end in ends)
+    sticks = _after(script, way)
+    tell_conditions(script, way, {"happens": happens, "before": happens, "slips": slips, "sticks": sticks})
+    tell_answer(context, script, way, question, answer, ends, forces)
+    return script.stages
+
+
+def _overview(script: Script, way: Way) -> None:
+    """The phases one after the other."""
+    with script.stage("stage.phases", "hint.phases"):
+        script.say("phases.plan")
+        header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
+        rows = tuple(
+            (str(leg.number), Sentence("phases.does", {"what": f"@{summary(leg.phase)}"}), _end_words(leg))
+            for leg in way.legs
+        )
+        script.add(Sheet(header, rows))
+
+
+def _end_words(leg: Leg) -> Sentence:
+    if leg.first is None:
+        return Sentence("phases.lasts")
+    watch = leg.first.watch
+    name = watch.name if watch.kind == "is reached" else watch.connection
+    return Sentence(f"phases.until_{watch.kind.replace(' ', '_')}", {"connection": f"@{name}"})
+
+
+def _tell_phase(
+    script: Script, way: Way, leg: Leg, before: tuple[int, ...]
+) -> tuple[dict[str, int], Values, tuple[int, ...]]:
+    """One phase, from its contacts to the state at its end."""
+    require_course(leg)
+    with script.stage("stage.phase_contacts", "hint.phase_contacts", phase=f"@{leg.number}"):
+        slips, signs = tell_contacts(script, way, leg, before)
+    moving, places = _needed(way, leg)
+    wanted = _wanted(way, leg, moving)
+    values: Values = {}
+    plan = leg.newton.plan(wanted)
+    if wanted and plan.principles:
+        values = leg.newton.write(script, plan, wanted)
+    lines = {c.name: values[a][1] for c, a in _accelerations(leg) if a in values}
+    told = tell_motion(script, way, leg, lines, before, moving, places)
+    by_name = {
+        name: values[leg.newton.reaction(name)][1]
+        for name in leg.newton.table.rows
+        if leg.newton.reaction(name) in values
+    }
+    signs = [*signs, *(lines.values() if not signs else ())]  # from rest the acceleration tells the sense of the slip
+    return tell_event(script, way, leg, told, {**slips, **by_name}), values, tuple(signs)
+
+
+def _accelerations(leg: Leg) -> list[tuple[Coordinate, int]]:
+    return list(zip(leg.phase.model.coordinates, leg.phase.model.accelerations, strict=True))
+
+
+def _needed(way: Way, leg: Leg) -> tuple[set[str], set[str]]:
+    """Coordinates whose motion is needed, and those of which the place is, not only the velocity."""
+    model, assert_first = leg.phase.model, leg.first
+    assert assert_first is not None
+    f = model.field
+    if leg is not way.legs[-1] or not isinstance(leg.phase.course, Uniform):
+        names = {c.name for c in model.coordinates if _moves(leg, c)}
+        return names, names
+    element = model.in_independent_speeds(assert_first.watch.element)
+    used = f.ingredients(f.follow(element, leg.phase.course.still))
+    match way.question.quantity:
+        case When():
+            pass
+        case EnergyLost() | Turns() | Change() | Work():
+            used |= {k for c in model.coordinates for k in (c.index, c.speed)}
+        case q:
+            for part in leg.newton.asked(q):
+                used |= f.ingredients(part)
+                used |= {
+                    g
+                    for a in f.ingredients(part) & set(model.accelerations)
+                    for g in f.ingredients(model.solved_accelerations[a])
+                }
+    moving = {c.name for c in model.coordinates if used & {c.index, c.speed} and _moves(leg, c)}
+    places = {c.name for c in model.coordinates if c.index in used and c.name in moving}
+    return moving, places
+
+
+def _moves(leg: Leg, c: Coordinate) -> bool:
+    course = leg.phase.course
+    if not isinstance(course, Uniform):
+        return True
+    return not (course.start.of(c.speed).is_zero() and course.accelerations[c.speed].is_zero())
+
+
+def _wanted(way: Way, leg: Leg, moving: set[str]) -> list[int]:
+    """Accelerations and reactions that the phase needs."""
+    assert leg.first is not None
+    watch, newton, found = leg.first.watch, leg.newton, list[int]()
+    if isinstance(leg.phase.course, Uniform):
+        found += [a for c, a in _accelerations(leg) if c.name in moving]
+    if watch.kind in ("opens", "slips"):
+        found.append(newton.reaction(watch.name))
+    if watch.kind == "slips":
+        found += [newton.reaction(n) for n in leg.phase.rubs[watch.name].load]
+    if leg is way.legs[-1] and not isinstance(way.question.quantity, WITHOUT_FORCES):
+        found += newton.unknowns_in(newton.asked(way.question.quantity))
+    return list(dict.fromkeys(found))
+
+
+def _after(script: Script, way: Way) -> tuple[int, ...]:
+    """Whether what follows can be what is said: that rolling goes on needs friction enough."""
+    asked, node = way.question.transition, way.following
+    if asked is None or asked.kind != "rolls" or node is None:
+        return ()
+    last = way.legs[-1]
+    leg = way.leg(last.number + 1, node, None, None, len(way.legs))
+    script.glossary = leg.glossary
+    found = tell_sticking(script, way, leg)
+    script.glossary = last.glossary
+    return tuple(found)
+
+
+# -- one instant ------------------------------------------------------------------------------
+def _at_instant(context: Context, way: Way, script: Script, answer: Answer) -> list[Stage]:
+    """In the phase in which the motion begins."""
+    leg, question = way.legs[0], way.question
+    with script.stage("stage.phase_contacts", "hint.phase_contacts", phase="@1"):
+        _slips, signs = tell_contacts(script, way, leg, ())
+    f, newton = leg.phase.model.field, leg.newton
+    sticks = tuple(tell_sticking(script, way, leg))
+    parts: tuple[Ratio, ...] = () if isinstance(question.quantity, When) else newton.asked(question.quantity)
+    unknowns = newton.unknowns_in(parts)
+    plan = newton.plan(unknowns)
+    values = newton.write(script, plan, unknowns) if unknowns else {}
+    general = tuple(f.lowest_terms(f.substitute(p, {u: v for u, (v, _l) in values.items()})) for p in parts)
+    lines = tuple(line for _v, line in values.values())
+    tell_conditions(script, way, {"sticks": sticks, "slips": tuple(signs)})
+    assert answer.expression is not None
+    with script.stage("stage.value", "hint.value"):
+        left = asked_side(context, way, leg, script, question)
+        if not parts:
+            script.line(left, answer.expression, why="answer.at_once", when="start")
+            return script.stages
+        shown = shown_parts(general)
+        key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")
+        sides = (left, answer.expression) if shown == answer.expression else (left, shown, answer.expression)
+        script.line(*sides, why=key, args={"lines": lines}, uses=lines, when="start" if when == "start" else "always")
+    return script.stages

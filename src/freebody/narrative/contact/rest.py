@@ -1,0 +1,286 @@
+"""Rest under dry friction: the limit at which a contact slips or opens, and with which values the system stays at rest.
+
+Equilibrium alone leaves the frictions open. At the limit the contacts that give way say what their forces are; then
+equilibrium has more equations than unknown forces, and what is left is a condition on the parameters. The way to fail
+that comes first is the one of the study (`study/friction`), whose motion decides which contacts slip and which open.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Call, Expr, Symbol, free_symbols
+from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit
+from freebody.model.question import Question
+from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
+from freebody.narrative.contact.phase_contacts import ZERO
+from freebody.narrative.contact.phase_event import balanced, solved_argument
+from freebody.narrative.contact.rest_newton import RestNewton
+from freebody.narrative.contact.rest_table import RestTable
+from freebody.narrative.contact.rest_worlds import RestGlossary
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.script import Listing, Script, Sentence, Stage
+from freebody.narrative.principles.places import place_of
+from freebody.present.report.blocks import Relation
+from freebody.study.answer import Answer
+from freebody.study.friction.answers import prepared
+from freebody.study.friction.cases import Case, Ends, Limit
+from freebody.study.friction.ends import ParameterEnds, ReactionEnds
+from freebody.study.friction.touching import Touching
+from freebody.study.phases.numbers import coefficients_of_friction
+from freebody.symbolic.active_set import Failure, RestEquations
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import RHS
+from freebody.symbolic.tidy import tidy
+from freebody.system.symbols import reaction_symbols
+
+_AT: dict[int, Relation] = {1: "≤", -1: "≥"}
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a question about rest. Raises CannotAnswer where there is none."""
+    refuse(method, ("newton",), "rest under dry friction")
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or "there is no closed form")
+    telling = _Telling(context, question, answer)
+    telling.tell()
+    return telling.script.stages
+
+
+class _Telling:
+    """One question about rest, while it is told."""
+
+    def __init__(self, context: Context, question: Question, answer: Answer) -> None:
+        self.context = context
+        self.question = question
+        self.answer = answer
+        self.touching, self.setup = prepared(context.system)
+        self.script = Script(context.glossary, context.next_number)
+
+    def tell(self) -> None:
+        touching, setup = self.touching, self.setup
+        q = self.question.quantity
+        match q:
+            case RestLimit(name, which):
+                ends = ParameterEnds(touching, setup, name)
+                self._contacts(ends)
+                signs = {"range": (-1, 1), "least": (-1,), "largest": (1,)}[which]
+                self._ends(ends, Symbol(name), name, signs)
+            case ReactionRange():
+                row = next(r.name for r in touching.rows if r.name in q.rows)
+                ends = ReactionEnds(touching, setup, row)
+                self._contacts(ends)
+                self._ends(ends, Symbol(reaction_symbols(touching.system)[row].name), "", (-1, 1), row)
+            case FirstFailure(name):
+                ends = ParameterEnds(touching, setup, name)
+                self._contacts(ends)
+                self._first(ends, name)
+            case Holds():
+                self._holds()
+            case _:
+                raise CannotAnswer("this is no question about rest")
+
+    # -- what touches -------------------------------------------------------------------------
+    def _contacts(self, ends: Ends) -> None:
+        """What touches, with the laws that its forces obey, and whether equilibrium alone determines them."""
+        found: list[Sentence] = []
+        symbols = reaction_symbols(self.touching.system)
+        for row in self.touching.held.held:
+            if row.unilateral:
+                symbol = Symbol(symbols[row.name].name)
+                key = "rest.taut" if row.reaction == "tension" else "rest.touches"
+                found.append(Sentence(key, {"place": place_of(row), "force": symbol}))
+        for rub in self.touching.rubs:
+            symbol = Symbol(symbols[rub.name].name)
+            place = place_of(rub.row)
+            if rub.static_back is not None:
+                found.append(Sentence("rest.string", {"connection": rub.row.connection, "drum": rub.row.ends[0]}))
+            elif len(rub.load) == 1:
+                limit = tidy(ends.equations.coefficient(rub, 1)) * Symbol(symbols[rub.load[0]].name)
+                found.append(Sentence("rest.friction", {"place": place, "force": Call("abs", symbol), "limit": limit}))
+        with self.script.stage("stage.touching", "hint.touching"):
+            self.script.say("rest.laws")
+            self.script.add(Listing(tuple(found)))
+            free = ends.equations.reactions(Failure()).free
+            if free:
+                self.script.say("rest.not_unique", n=len(free))
+
+    # -- ends ---------------------------------------------------------------------------------
+    def _ends(self, ends: Ends, symbol: Symbol, name: str, signs: tuple[int, ...], row: str = "") -> None:
+        """Every end that there is, then all together."""
+        told: list[tuple[int, Case, int, RestGlossary]] = []
+        for sign in signs:
+            limit = ends.limit(sign)
+            if limit.main is None or limit.first is None:
+                if limit.first is None or limit.first.edge.value > ends.low:
+                    self.script.say("rest.no_limit")
+                continue
+            line, glossary = self._case(ends, limit, limit.main, symbol, name, row)
+            told.append((sign, limit.main, line, glossary))
+        if not told:
+            raise CannotAnswer("no end of the values with which it stays at rest has a derivation")
+        with self.script.stage("stage.value", "hint.rest_value"):
+            self._together(symbol, told)
+
+    def _together(self, symbol: Symbol, told: list[tuple[int, Case, int, RestGlossary]]) -> None:
+        """low <= p <= high"""
+        lines = tuple(line for _s, _c, line, _g in told)
+        self.script.glossary = told[-1][3]
+        shown = [tidy(case.element) for _s, case, _l, _g in told]
+        expected = self.answer.expression if isinstance(self.answer.expression, tuple) else (self.answer.expression,)
+        if tuple(shown) != tuple(expected):
+            raise RoutesDisagree("the derivation ends in another formula than the solver. This is a defect of freebody")
+        if len(told) == 2:
+            sides: tuple[Expr, ...] = (shown[0], symbol, shown[1])
+            relations: tuple[Relation, ...] = ("≤", "≤")
+        else:
+            sides, relations = (symbol, shown[0]), (_AT[told[0][0]],)
+        self.script.line(*sides, relations=relations, why="rest.values", args={"lines": lines}, uses=lines)
+        self.context.glossary = told[-1][3]
+
+    def _case(
+        self, ends: Ends, limit: Limit, case: Case, symbol: Symbol, name: str, row: str = ""
+    ) -> tuple[int, RestGlossary]:
+        """One way to fail: equilibrium with the states of its contacts, down to the limit."""
+        script = self.script
+        glossary = RestGlossary(ends, limit, case, name)
+        script.glossary = glossary
+        table = RestTable(self.touching, _plain_equations(ends, self.touching))
+        newton = RestNewton(table, glossary, case.failure, (row,) if row else ())
+        with script.stage("stage.failure", "hint.failure"):
+            end = "upper" if limit.sign > 0 else "lower"
+            script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=f"@{case.words}", name=symbol)
+        rows, said = newton.tell(script)
+        with script.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
+            solver = newton.solver(script)
+            if row:
+                value, line = solver.solve(solver.with_said(rows, said), [newton.index(row)])[newton.index(row)]
+                if not (value - case.element).is_zero():
+                    raise RoutesDisagree("the derivation ends in another formula than the solver's")
+            else:
+                line = solver.residual(rows, said)
+                if solver.condition != (symbol, tidy(case.element)):
+                    line = self._solved(case, symbol, line, is_root=_has_roots(solver.rest, ends.index))
+        self._conditions(case, table, glossary, symbol if name else None, line)
+        return line, glossary
+
+    def _solved(self, case: Case, symbol: Symbol, line: int, *, is_root: bool) -> int:
+        """The condition solved for the parameter."""
+        argument = solved_argument(case.element)
+        if argument is not None:
+            function, inner = argument
+            line = self.script.line(
+                Call(function, symbol), tidy(inner), why="solve.divide", args={"line": line}, uses=(line,)
+            )
+        key = "rest.root" if is_root else "rest.limit"
+        return self.script.line(symbol, tidy(case.element), why=key, args={"line": line}, uses=(line,))
+
+    def _conditions(
+        self, case: Case, table: RestTable, glossary: RestGlossary, symbol: Symbol | None, limit_line: int
+    ) -> None:
+        """Where this way to fail comes first: what the other contacts transmit at this limit is what they can."""
+        for condition in case.conditions:
+            key, args = told_purpose(condition.purpose)
+            lines: tuple[int, ...] = ()
+            if key in ("condition.touches", "condition.sticks", "condition.taut"):
+                with suppress(CannotAnswer):
+                    lines = self._forces(case, table, glossary, str(args["connection"]), key == "condition.sticks")
+            with self.script.stage("stage.conditions", "hint.rest_conditions"):
+                left, sign, right = sides_of(tidy(condition.element), condition.relation)
+                uses = (*lines, limit_line)
+                self.script.line(
+                    left,
+                    right,
+                    relations=(sign,),
+                    why=f"{key}_from" if lines else key,
+                    args={**args, "lines": uses},
+                    uses=uses if lines else (),
+                )
+
+    def _forces(
+        self, case: Case, table: RestTable, glossary: RestGlossary, place: str, sticks: bool
+    ) -> tuple[int, ...]:
+        """The lines of what a contact transmits at the limit. Raises CannotAnswer where that is not unique."""
+        row = next((r for r in table.rows.values() if r.unilateral and place_of(r) == place), None)
+        rub = next((r for r in self.touching.rubs if r.load and row is not None and r.load[0] == row.name), None)
+        if row is None or (sticks and rub is None):
+            raise CannotAnswer("there is no such contact")
+        asked = (row.name, rub.name) if sticks and rub is not None else (row.name,)
+        eq = table.equations
+        reduced = eq.reactions(case.failure)
+        if any(set(reduced.pivots.get(eq.columns[n], {eq.columns[n]: None})) - {RHS} for n in asked):
+            raise CannotAnswer("it is not unique")
+        newton = RestNewton(table, glossary, case.failure, asked)
+        trial = Script(glossary, self.script.next_number)
+        rows, said = newton.tell(trial)
+        solver = newton.solver(trial)
+        with trial.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
+            indices = [newton.index(n) for n in asked]
+            found = solver.solve(solver.with_said(rows, said), indices)
+        self.script.take(trial)
+        return tuple(line for _value, line in found.values())
+
+    # -- other questions ----------------------------------------------------------------------
+    def _first(self, ends: ParameterEnds, name: str) -> None:
+        """Every way to fail as the parameter grows; the smallest limit comes first."""
+        limit = ends.limit(1)
+        if limit.main is None:
+            raise CannotAnswer("the failure that comes first has no closed form")
+        symbol = Symbol(name)
+        told: list[tuple[Case, int, RestGlossary]] = []
+        for case in sorted(limit.cases, key=lambda c: c is limit.main):
+            try:
+                told.append((case, *self._case(ends, limit, case, symbol, name)))
+            except CannotAnswer:
+                if case is limit.main:
+                    raise
+        main, line, glossary = told[-1]
+        with self.script.stage("stage.value", "hint.rest_value"):
+            self.script.glossary = glossary
+            for other, _line, _glossary in told[:-1]:
+                self.script.line(
+                    tidy(main.element),
+                    tidy(other.element),
+                    relations=("≤",),
+                    why="rest.earlier",
+                    args={"lines": (line, _line), "words": f"@{main.words}"},
+                    uses=(line, _line),
+                )
+            self.script.line(symbol, tidy(main.element), why="rest.first", args={"line": line}, uses=(line,))
+        self.context.glossary = glossary
+
+    def _holds(self) -> None:
+        """The reserve vanishes at the limit of a coefficient of friction: with more friction it is positive."""
+        answer = self.answer.expression
+        assert answer is not None
+        assert not isinstance(answer, tuple)
+        name = next((n for n in coefficients_of_friction(self.context.system) if n in free_symbols(answer)), "")
+        if not name:
+            raise CannotAnswer("the reserve contains no coefficient of friction that could be followed to its limit")
+        ends = ParameterEnds(self.touching, self.setup, name)
+        self._contacts(ends)
+        limit = ends.limit(-1)
+        if limit.main is None:
+            raise CannotAnswer("the limit of friction has no closed form")
+        line, glossary = self._case(ends, limit, limit.main, Symbol(name), name)
+        self.script.glossary = glossary
+        with self.script.stage("stage.value", "hint.rest_value"):
+            self.script.line(
+                *balanced(answer), why="rest.reserve", args={"line": line, "name": Symbol(name)}, uses=(line,)
+            )
+            self.script.line(
+                answer, ZERO, relations=("≥",), why="rest.holds", args={"name": Symbol(name)}, uses=(line,)
+            )
+        self.context.glossary = glossary
+
+
+def _has_roots(rest: Ratio, index: int) -> bool:
+    """Whether an equation is of higher degree in a generator."""
+    numerator = rest.numerator()
+    return index in numerator.generators() and len(numerator.coefficients(index)) > 2
+
+
+def _plain_equations(ends: Ends, touching: Touching) -> RestEquations:
+    """Equilibrium without a reaction that is taken as given."""
+    return ends.equations if ends.asked is None else RestEquations(ends.equations.state, touching.rubs)

@@ -1,0 +1,90 @@
+"""Limits of rest in numbers: where the lines of a derivation about rest are looked at.
+
+At every draw that fails the same way the parameter is put to its limit; the forces are those of the linear programs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from functools import cached_property
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.script import Sentence, When
+from freebody.numeric.friction_branches import margin
+from freebody.numeric.friction_limits import rest_problem
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
+from freebody.study.draws import Draw
+from freebody.study.friction.cases import Case, Compared, Ends, Limit
+
+N_WORLDS = 5
+
+
+class RestWorld(World):
+    """A draw at its limit, with the multipliers there by row."""
+
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, forces: Mapping[str, float]) -> None:
+        super().__init__(glossary, draw, snapshot)
+        self.forces = forces
+
+
+class RestGlossary(Glossary):
+    """The symbols of one limit. parameter: what is put to its limit; nothing where a reaction is asked for."""
+
+    def __init__(self, ends: Ends, limit: Limit, case: Case, parameter: str) -> None:
+        super().__init__(ends.setup)
+        self.touching = ends.touching
+        self.is_linear = ends.is_linear
+        self.limit = limit
+        self.case = case
+        self.parameter = parameter
+
+    def worlds(self, when: When) -> Iterator[World]:
+        yield from self._limits
+
+    @cached_property
+    def _limits(self) -> list[World]:
+        found: list[World] = []
+        for c in self.limit.compared:
+            if c.case is self.case and len(found) < N_WORLDS:
+                with suppress(CannotAnswer, ArithmeticError, ValueError):
+                    found.append(self._world(c))
+        return found
+
+    def _world(self, c: Compared) -> World:
+        values = dict(c.draw.values)
+        if self.parameter:
+            assert c.exact is not None
+            values[self.parameter] = c.exact
+        reference = Reference(self.touching.held, values)
+        q = reference.assemble(guess=c.draw.q)
+        draw = Draw(values, reference, q)
+        problem, optimum = c.edge.problem, c.edge.optimum
+        if not self.is_linear:  # there the forces known are those just beyond the end
+            problem = rest_problem(reference, q, self.touching.rubs)
+            found = margin(problem)
+            if found is None:
+                raise CannotAnswer("nothing holds the system at its limit")
+            optimum = found
+        forces = dict(zip(problem.names, map(float, optimum.forces), strict=True))
+        return RestWorld(self, draw, reference.snapshot(q, np.zeros_like(q)), forces)
+
+    def introduce_reaction(self, row: str, symbol: Expr, what: Sentence) -> None:
+        """The symbol of a reaction, read from the linear programs."""
+        self.introduce(Meaning(symbol, what, _reads(self._sign(row), row), ""))
+
+    def _sign(self, row: str) -> int:
+        return next(r.sign for r in self.touching.rows if r.name == row)
+
+
+def _reads(sign: int, row: str) -> Callable[[World], float]:
+    def read(world: World) -> float:
+        assert isinstance(world, RestWorld)
+        return sign * world.forces[row]
+
+    return read

@@ -1,0 +1,31 @@
+"""The setup by which a system is opened: of a system with contacts or dry friction that of the law it begins with."""
+
+from __future__ import annotations
+
+from freebody.model.friction_questions import RestQuantity
+from freebody.study.setup import Setup
+from freebody.study.solve import MOST_PLACES
+from freebody.system.system import System
+
+
+def setup_of(system: System) -> Setup:
+    """Questions about rest look at the start pose with all that touches held there; motions in phases begin with the
+    first phase."""
+    asked = system.questions
+    if asked and all(isinstance(q.quantity, RestQuantity) for q in asked):
+        from freebody.study.friction.answers import prepared
+
+        return prepared(system)[1]
+    if not has_phases(system):
+        return Setup(system)
+    if len(system.bounds) > MOST_PLACES:
+        return Setup(system, 2)
+    from freebody.narrative.contact.phase_way import tree_of
+
+    tree = tree_of(system)
+    return tree.roots[0].phase.setup if tree.roots else tree.home
+
+
+def has_phases(system: System) -> bool:
+    """Whether the law of motion may change on the way."""
+    return bool(system.bounds or system.rubs) or any(q.transition is not None for q in system.questions)

@@ -1,0 +1,1 @@
+"""Lines of a derivation, the symbols in them, and how they are checked."""

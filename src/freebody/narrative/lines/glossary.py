@@ -1,0 +1,255 @@
+"""What the symbols of a derivation mean, and their values at random motions by the numeric route.
+
+A symbol is a parameter, a coordinate or named measure with its rates, or one that the derivation introduces: then it
+stands for a quantity that the numeric route can tell on its own (a reaction, an acceleration of a mass centre).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
+from freebody.measures.base import Measure
+from freebody.model.question import Event, Quantity
+from freebody.narrative.lines.script import Sentence, When
+from freebody.numeric.snapshot import Snapshot
+from freebody.present.report.blocks import Derivative, Difference, Side
+from freebody.study.draws import Draw
+from freebody.study.quantities import quantity_value
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+
+ROUND_OFF_OF_FORCES = 1e-12
+N_WORLDS = 4  # random motions at which a line is looked at
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a symbol stands for, and how the numeric route finds its value at an instant."""
+
+    symbol: Expr
+    what: Sentence
+    read: Quantity | Callable[[World], float]
+    unit: str = ""
+
+
+class World(Mapping[str, Any]):
+    """All symbols in numbers for one draw of the parameters at one instant."""
+
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot) -> None:
+        self.glossary = glossary
+        self.draw = draw
+        self.snapshot = snapshot
+        self._known: dict[str, float] = {}
+
+    def of(self, side: Side) -> tuple[float, ...]:
+        """The value of a side of a formula; as many numbers as it has components."""
+        if isinstance(side, (Derivative, Difference)):
+            from freebody.narrative.lines.differences import value_of
+
+            return (value_of(side, self),)
+        parts = side if isinstance(side, tuple) else (side,)
+        return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)
+
+    @cached_property
+    def noise(self) -> float:
+        """What forces in this motion are known to: round-off of the largest of them."""
+        masses, v = self.snapshot.reference.masses, self.snapshot.v
+        with suppress(CannotAnswer):
+            forces = abs(masses * self.snapshot.accelerations), abs(masses * v * v)
+            return ROUND_OFF_OF_FORCES * max(float(f.max(initial=0.0)) for f in forces)
+        return 0.0
+
+    def forget(self, name: str) -> None:
+        """A symbol gets another meaning."""
+        self._known.pop(name, None)
+
+    def scale(self, sides: Sequence[Side]) -> float:
+        """The largest term in some formulas, by which round-off is judged."""
+        largest = 0.0
+        for side in sides:
+            if isinstance(side, (Derivative, Difference)):
+                largest = max(largest, *(abs(float(self[name])) for name in formulas_in(side) if name in self), 0.0)
+                continue
+            parts: tuple[Expr, ...] = side if isinstance(side, tuple) else (side,)
+            for part in parts:
+                for term in part.terms if isinstance(part, Sum) else (part,):
+                    largest = max(largest, abs(float(evaluate(term, self, FLOAT_FUNCTIONS))))
+        return largest
+
+    def __getitem__(self, name: str) -> float:
+        if name not in self._known:
+            self._known[name] = self.glossary.number(name, self)
+        return self._known[name]
+
+    def __contains__(self, name: object) -> bool:
+        if name in self._known:
+            return True
+        if not isinstance(name, str):
+            return False
+        try:
+            _ = self[name]
+        except (KeyError, CannotAnswer):
+            return False
+        return True
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._known)
+
+    def __len__(self) -> int:
+        return len(self._known)
+
+    @cached_property
+    def generators(self) -> dict[str, float]:
+        """Values of what the symbolic route made symbols of (start values, hidden coordinates), by name."""
+        model = self.glossary.setup.model
+        numbers = model.numbers(self.draw.sample(self.snapshot), self.draw.sample())
+        found: dict[str, float] = {}
+        for index, generator in model.field.generators.items():
+            if index in numbers and isinstance(generator.display, (Symbol, Call)):
+                with suppress(ExpressionError):
+                    found[rate_key(generator.display)] = float(numbers[index])
+        return found
+
+
+def shown_name(generator: Ratio) -> str:
+    """The name by which a generator is written."""
+    return rate_key(generator.field.generators[generator.field.index(generator)].display)
+
+
+def formulas_in(side: Side) -> set[str]:
+    """The symbols that are differentiated in a side of a formula."""
+    match side:
+        case Difference(first, second):
+            return formulas_in(first) | formulas_in(second)
+        case Derivative(of, _by, _is_partial):
+            return formulas_in(of)
+        case Symbol(name):
+            return {name}
+        case _:
+            return set()
+
+
+class Glossary:
+    """The symbols of a derivation."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+        self.meanings: dict[str, Meaning] = {}
+        self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
+        self.event: Event | None = None
+
+    def introduce(self, meaning: Meaning) -> Expr:
+        """Adds a symbol; one that is known keeps its meaning."""
+        self.meanings.setdefault(rate_key(meaning.symbol), meaning)
+        return meaning.symbol
+
+    def redefine(self, meaning: Meaning) -> Expr:
+        """Gives a symbol its meaning in a new derivation; what it was before is forgotten."""
+        key = rate_key(meaning.symbol)
+        self.meanings[key] = meaning
+        self.formulas.pop(key, None)
+        for name in ("_anywhere", "_at_start", "_at_event"):
+            for world in self.__dict__.get(name, ()):
+                world.forget(key)
+        return meaning.symbol
+
+    def is_known(self, name: str) -> bool:
+        return name in self.meanings or name in self.setup.system.parameters or name in self.measures or name == "t"
+
+    @cached_property
+    def measures(self) -> dict[str, Measure]:
+        """What has rates: named measures, and coordinates that are measures."""
+        found = dict(self.setup.system.measures)
+        try:
+            model = self.setup.model
+        except CannotAnswer:
+            return found
+        for c in (*model.coordinates, *model.dependent):
+            measure = model.measure_of(c)
+            if measure is not None:
+                found.setdefault(c.name, measure)
+        return found
+
+    @property
+    def start_values(self) -> dict[str, Sentence]:
+        """Symbols of start values that follow from the assembly only."""
+        if "model" not in self.setup.__dict__:  # no formulas, no such symbols
+            return {}
+        model = self.setup.model
+        found: dict[str, Sentence] = {}
+        for row, value in model.constants.items():
+            found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})
+        for c in (*model.coordinates, *model.dependent):
+            if c.index in model.start_symbols:
+                found[shown_name(model.start_symbols[c.index])] = Sentence("symbol.start_of", {"name": c.name})
+        return found
+
+    # -- numbers ------------------------------------------------------------------------------
+    def number(self, name: str, world: World) -> float:
+        """The value of a symbol. Raises KeyError for one without a meaning."""
+        if name in self.meanings:
+            read = self.meanings[name].read
+            if callable(read):
+                return read(world)
+            return float(quantity_value(read, self.setup.system, world.snapshot))
+        if name == "t":
+            return world.snapshot.t
+        parameter = self.setup.system.parameters.get(name)
+        if parameter is not None and parameter.form is None:
+            return world.snapshot.scalar(Symbol(name))
+        bare = name.replace("rate(", "").replace(")", "")
+        if bare in self.measures:
+            read_at = (world.snapshot.value, world.snapshot.rate, world.snapshot.acceleration)
+            order = name.count("rate(")
+            if order < len(read_at):
+                return float(read_at[order](self.measures[bare]))
+        return world.generators[name]
+
+    def worlds(self, when: When) -> Iterator[World]:
+        """Draws and instants at which a line has to hold. Those at which it has no real value are passed over by
+        `Script`; fewer than two leave it unproved."""
+        if when == "event":
+            yield from self._at_event
+        elif when == "start":
+            yield from self._at_start
+        else:
+            yield from self._anywhere
+
+    @cached_property
+    def _anywhere(self) -> list[World]:
+        try:
+            general = self.setup.anywhere
+        except CannotAnswer:  # without formulas there is no branch to be on
+            general = [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(self.setup.draws)]
+        pairs = zip(self.setup.draws, general, strict=True)
+        return [World(self, draw, draw.seen(snapshot)) for draw, snapshot in list(pairs)[:N_WORLDS]]
+
+    @cached_property
+    def _at_start(self) -> list[World]:
+        return [World(self, draw, draw.seen(draw.start())) for draw in self.setup.draws[:N_WORLDS]]
+
+    @cached_property
+    def _at_event(self) -> list[World]:
+        from freebody.study.witness import motion_to
+
+        assert self.event is not None
+        found: list[World] = []
+        for draw in self.setup.draw_stream():
+            if len(found) >= N_WORLDS - 1:
+                break
+            with suppress(CannotAnswer, ArithmeticError, ValueError):
+                reached = motion_to(draw.reference, draw.start(), 60.0, self.event)
+                found.append(World(self, draw, draw.seen(reached.event)))
+        return found
+
+    def at_event(self, event: Event | None) -> None:
+        """From now on "event" means this one."""
+        if event != self.event:
+            self.event = event
+            self.__dict__.pop("_at_event", None)

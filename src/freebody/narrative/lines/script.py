@@ -1,0 +1,232 @@
+"""A derivation as data: lines and sentences in their order. A line is checked in numbers before it is taken.
+
+A sentence is a key of the catalogue with what it names, so a derivation has no language. A line says which earlier
+lines it follows from. The formulas of a line hold at every instant of a motion ("always"), at the start, or at the
+event that is asked for.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import TYPE_CHECKING, Literal
+
+from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.notation import to_text
+from freebody.present.report.blocks import Derivative, Difference, Relation, Side
+
+if TYPE_CHECKING:
+    from freebody.narrative.lines.glossary import Glossary
+
+When = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
+ROUND_OFF = 1e-6  # of a line, by the size of its terms
+BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
+FEWEST = 2  # random motions at which a line must have been looked at
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """What is said: a key of the catalogue and what it names. A text argument is a name of the model; one that begins
+    with '@' is a word of the catalogue."""
+
+    key: str
+    args: Mapping[str, Argument] = field(default_factory=dict[str, "Argument"])
+
+
+Argument = str | int | Expr | Sentence | tuple["Argument", ...]
+
+
+@dataclass(frozen=True)
+class Line:
+    """A numbered formula: sides, the relations between them, why it is true, and from which lines it follows."""
+
+    number: int
+    sides: tuple[Side, ...]
+    relations: tuple[Relation, ...]
+    why: Sentence | None = None
+    uses: tuple[int, ...] = ()
+    label: Sentence | None = None
+    when: When = "always"
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Sentences under each other."""
+
+    items: tuple[Sentence, ...]
+
+
+@dataclass(frozen=True)
+class Legend:
+    """Symbols and what they mean, with units: from here on they may be used."""
+
+    entries: tuple[tuple[Expr, Sentence, str], ...]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A table: header and cells are sentences, expressions or names."""
+
+    header: tuple[Sentence, ...]
+    rows: tuple[tuple[Sentence | Expr | str, ...], ...]
+    marks: tuple[Literal["", "right", "wrong"], ...] = ()
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """A picture: of the system, or of bodies cut free."""
+
+    bodies: tuple[str, ...]  # nothing: the whole system
+    caption: Sentence
+
+
+Item = Sentence | Line | Listing | Legend | Sheet | Diagram
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A part of a derivation that is revealed at once. hint: what one should try oneself."""
+
+    title: Sentence
+    hint: Sentence | None
+    items: tuple[Item, ...]
+
+
+class Script:
+    """A derivation that is being written. Every line is evaluated at random motions as it is added."""
+
+    def __init__(self, glossary: Glossary, first: int = 1) -> None:
+        self.glossary = glossary
+        self.stages: list[Stage] = []
+        self._items: list[Item] = []
+        self._number = first
+        self._constants: set[str] = set()
+
+    @property
+    def next_number(self) -> int:
+        return self._number
+
+    @contextmanager
+    def stage(self, title: str, hint: str = "", **args: Argument) -> Generator[None]:
+        """What is added inside belongs to one stage; an empty one is left out."""
+        before, self._items = self._items, []
+        try:
+            yield
+            if self._items:
+                shown = Sentence(hint, args) if hint else None
+                self.stages.append(Stage(Sentence(title, args), shown, tuple(self._items)))
+        finally:
+            self._items = before
+
+    def take(self, other: Script) -> None:
+        """The stages of another one that began where this one stands."""
+        self.stages += other.stages
+        self._number = other._number
+
+    def say(self, key: str, **args: Argument) -> None:
+        self._items.append(Sentence(key, args))
+
+    def add(self, item: Item) -> None:
+        self._items.append(item)
+
+    def add_all(self, items: Sequence[Item]) -> None:
+        self._items += items
+
+    def line(
+        self,
+        *sides: Side,
+        why: str = "",
+        args: Mapping[str, Argument] | None = None,
+        uses: Sequence[int] = (),
+        label: Sentence | None = None,
+        when: When = "always",
+        relations: Sequence[Relation] = (),
+        unit: str = "",
+    ) -> int:
+        """Checks a formula and adds it; returns its number. Raises RoutesDisagree where it does not hold."""
+        relations = tuple(relations) or ("=",) * (len(sides) - 1)
+        self._check(sides, relations, when)
+        self._introduce_constants(sides)
+        number, self._number = self._number, self._number + 1
+        reason = Sentence(why, args or {}) if why else None
+        self._items.append(Line(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
+        return number
+
+    def _introduce_constants(self, sides: Sequence[Side]) -> None:
+        """Start values that have no formula are explained where they first stand."""
+        used = set[str]().union(*(names_in(side) for side in sides))
+        known = self.glossary.start_values
+        entries = [(Symbol(name), known[name], "") for name in sorted(used & known.keys() - self._constants)]
+        self._constants |= used
+        if entries:
+            self._items.append(Legend(tuple(entries)))
+
+    def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: When) -> None:
+        expressions = list(sides)
+        room = BY_DIFFERENCES if any(isinstance(s, (Derivative, Difference)) for s in sides) else ROUND_OFF
+        n_held, trouble = 0, ""
+        for world in self.glossary.worlds(when):
+            try:
+                known = [world.of(side) for side in expressions]
+                scale = max(world.scale(expressions), world.noise / ROUND_OFF)
+            except (CannotAnswer, ArithmeticError, ValueError) as error:
+                trouble = str(error)
+                continue
+            n_held += 1
+            for k, (left, right) in enumerate(pairwise(known)):
+                for a, b in zip(left, right, strict=True):
+                    if not _agrees(a, b, relations[k], scale, room):
+                        raise RoutesDisagree(
+                            f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}. The derivation is "
+                            "not shown. This is a defect of freebody; please report the model"
+                        )
+        if n_held < FEWEST:
+            raise CannotAnswer(
+                f"the step {_shown(expressions)} could be checked at {n_held} random motions only, so the derivation is "
+                f"not shown{': ' + trouble if trouble else ''}"
+            )
+
+
+def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:
+    if not (math.isfinite(a) and math.isfinite(b)):
+        return False
+    room = share * max(abs(a), abs(b), scale, 1e-9)
+    match relation:
+        case "=" | "≈":
+            return abs(a - b) <= (room if relation == "=" else 1e-2 * max(abs(a), abs(b), scale))
+        case ">" | "≥":
+            return a >= b - room
+        case "<" | "≤":
+            return a <= b + room
+        case "≠":
+            return a != b
+        case _:
+            return True
+
+
+def _shown(sides: Sequence[Side]) -> str:
+    return " = ".join(_text(side) for side in sides)
+
+
+def _text(side: Side) -> str:
+    if isinstance(side, tuple):
+        return "(" + ", ".join(map(to_text, side)) + ")"
+    return "?" if isinstance(side, (Derivative, Difference)) else to_text(side)
+
+
+def names_in(side: Side) -> set[str]:
+    """All symbols of a side of a formula."""
+    match side:
+        case tuple():
+            return {name for part in side for name in free_symbols(part)}
+        case Derivative(of, by, _):
+            return names_in(of) | free_symbols(by)
+        case Difference(first, second):
+            return names_in(first) | names_in(second)
+        case _:
+            return set(free_symbols(side))

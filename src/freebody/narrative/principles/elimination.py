@@ -1,0 +1,206 @@
+"""Linear equations solved one unknown at a time, with every step a line of the derivation.
+
+Reactions are eliminated first, from the equation in which their coefficient is simplest; then accelerations; what is asked
+for comes last, or is put back in from what was found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, add
+from freebody.narrative.lines.script import Script, When
+from freebody.narrative.principles.kinematics import scaled
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.tidy import sign_is_negative, tidy
+
+
+@dataclass
+class Row:
+    """sum of entries * unknowns = rest, as it stands in line `number`."""
+
+    entries: dict[int, Ratio]
+    rest: Ratio
+    number: int
+
+
+@dataclass
+class Unknowns:
+    """The unknowns of a set of equations: generators, how they are written, and which are reactions."""
+
+    names: dict[int, Expr]
+    reactions: set[int] = field(default_factory=set[int])
+
+
+class Solver:
+    """Solves rows for one unknown and writes how."""
+
+    def __init__(self, model: SymbolicModel, script: Script, unknowns: Unknowns, when: When = "always") -> None:
+        self.model = model
+        self.field = model.field
+        self.script = script
+        self.unknowns = unknowns
+        self.when: When = when
+
+    # -- forward and back ---------------------------------------------------------------------
+    def solve(self, rows: Sequence[Row], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+        """The values of unknowns and the lines in which they stand. Raises CannotAnswer where the rows do not tell."""
+        work = [self._without_zeros(row) for row in rows]
+        solved: list[tuple[int, Row]] = []  # unknown, and the row that gives it by later ones
+        order = self._order(work, asked)
+        for unknown in order:
+            having = [row for row in work if unknown in row.entries]
+            if not having:
+                continue
+            pivot = min(having, key=lambda row: self._trouble(row, unknown))
+            work.remove(pivot)
+            if len(having) == 1:  # its only equation decides it
+                solved.append((unknown, pivot))
+                continue
+            given = self._isolated(pivot, unknown)
+            solved.append((unknown, given))
+            work = [self._put_in(row, unknown, given) if row in having else row for row in work]
+        return self._back(solved, asked)
+
+    def _order(self, work: Sequence[Row], asked: Sequence[int]) -> list[int]:
+        """Reactions first; among these and among accelerations those in the fewest equations; last the asked
+        acceleration."""
+        present = {u for row in work for u in row.entries}
+        in_how_many = {u: sum(1 for row in work if u in row.entries) for u in present}
+        first = sorted(
+            (u for u in present if u in self.unknowns.reactions), key=lambda u: (u in asked, in_how_many[u], u)
+        )
+        rest = sorted((u for u in present if u not in self.unknowns.reactions), key=lambda u: (u in asked, -u))
+        return [*first, *rest]
+
+    def _trouble(self, row: Row, unknown: int) -> tuple[int, int, int]:
+        """How hard it is to solve a row for an unknown."""
+        entry = row.entries[unknown]
+        simple = 0 if entry.fraction() is not None else len(entry.generators())
+        return simple, len(entry.num), len(row.entries)
+
+    def _without_zeros(self, row: Row) -> Row:
+        kept = {u: x for u, x in row.entries.items() if not self.model.vanishes(x)}
+        return Row(kept, row.rest, row.number)
+
+    # -- steps --------------------------------------------------------------------------------
+    def _isolated(self, row: Row, unknown: int) -> Row:
+        """unknown = (rest - others)/entry, as a line unless it stands there already."""
+        entry = row.entries[unknown]
+        f = self.field
+        others = {u: f.lowest_terms(-x / entry) for u, x in row.entries.items() if u != unknown}
+        rest = f.lowest_terms(row.rest / entry)
+        right = self._side(others, rest)
+        if (entry - 1).is_zero() and not others:
+            return Row(row.entries, row.rest, row.number)
+        name = self.unknowns.names[unknown]
+        number = self.script.line(
+            name,
+            right,
+            why="solve.from",
+            args={"line": row.number, "unknown": name},
+            uses=(row.number,),
+            when=self.when,
+        )
+        return Row({unknown: f.one, **{u: -x for u, x in others.items()}}, rest, number)
+
+    def _put_in(self, row: Row, unknown: int, given: Row) -> Row:
+        """A row with an unknown replaced, collected."""
+        f = self.field
+        factor = row.entries[unknown]
+        entries = {u: x for u, x in row.entries.items() if u != unknown}
+        for u, x in given.entries.items():
+            if u != unknown:
+                entries[u] = f.lowest_terms(entries.get(u, f.zero) - factor * x)
+        rest = f.lowest_terms(row.rest - factor * given.rest)
+        made = self.cleared(self._without_zeros(Row(entries, rest, 0)))
+        if not made.entries:
+            return made
+        left, right = self.sides(made)
+        number = self.script.line(
+            left,
+            right,
+            why="solve.put_in",
+            args={"given": given.number, "line": row.number},
+            uses=(given.number, row.number),
+            when=self.when,
+        )
+        return Row(made.entries, made.rest, number)
+
+    def cleared(self, row: Row) -> Row:
+        """The row without common denominators that are products, and with a positive first coefficient."""
+        f = self.field
+        factor = f.one
+        for x in (*row.entries.values(), row.rest):
+            below = f.lowest_terms(x * factor).denominator()
+            if len(below.num) == 1 and below.is_constant():
+                factor = factor * below
+        leading = [u for u in row.entries if u not in self.unknowns.reactions] or list(row.entries)
+        if leading and sign_is_negative(f.lowest_terms(row.entries[min(leading)] * factor)):
+            factor = -factor
+        entries = {u: f.lowest_terms(x * factor) for u, x in row.entries.items()}
+        return Row(entries, f.lowest_terms(row.rest * factor), row.number)
+
+    def _back(self, solved: list[tuple[int, Row]], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+        """Values from the last unknown to those that are asked for."""
+        values: dict[int, tuple[Ratio, int]] = {}
+        needed = self._needed(solved, asked)
+        for unknown, row in reversed(solved):
+            if unknown in needed:
+                values[unknown] = self._value(row, unknown, values)
+        if not set(asked) <= set(values):
+            raise CannotAnswer("the chosen equations do not contain what is asked for")
+        return {unknown: values[unknown] for unknown in asked}
+
+    def _value(self, row: Row, unknown: int, values: dict[int, tuple[Ratio, int]]) -> tuple[Ratio, int]:
+        """The last step for one unknown, whose companions in its row are known."""
+        entry, rest, uses = row.entries[unknown], row.rest, [row.number]
+        for u, x in row.entries.items():
+            if u == unknown:
+                continue
+            if u not in values:
+                raise CannotAnswer("the chosen equations do not determine what is asked for")
+            rest = rest - x * values[u][0]
+            uses.append(values[u][1])
+        value = self.field.lowest_terms(rest / entry)
+        if len(row.entries) == 1 and (entry - 1).is_zero():
+            return value, row.number
+        name, key = self.unknowns.names[unknown], "solve.divide" if len(uses) == 1 else "solve.put_back"
+        args = {"line": uses[0], "given": tuple(uses[1:]), "unknown": name}
+        number = self.script.line(name, tidy(value), why=key, args=args, uses=uses, when=self.when)
+        return value, number
+
+    def _needed(self, solved: list[tuple[int, Row]], asked: Sequence[int]) -> set[int]:
+        needed = set(asked)
+        for unknown, row in solved:
+            if unknown in needed:
+                needed |= set(row.entries)
+        return needed
+
+    # -- how rows are written -----------------------------------------------------------------
+    def sides(self, row: Row) -> tuple[Expr, Expr]:
+        """Accelerations on the left, known terms and reactions on the right; reactions alone go left."""
+        left = {u: x for u, x in row.entries.items() if u not in self.unknowns.reactions}
+        right = {u: -x for u, x in row.entries.items() if u in self.unknowns.reactions}
+        if not left:
+            return self._side(row.entries, self.field.zero), tidy(row.rest)
+        return self._side(left, self.field.zero), self._side(right, row.rest)
+
+    def _side(self, entries: dict[int, Ratio], rest: Ratio) -> Expr:
+        terms = [scaled(x, self.unknowns.names[u]) for u, x in sorted(entries.items())]
+        if not rest.is_zero() or not terms:
+            terms.insert(0, tidy(rest))
+        return positive_first(terms)
+
+
+def positive_first(terms: Sequence[Expr]) -> Expr:
+    """A sum that does not begin with a minus where it need not."""
+    from freebody.language.notation.parts import signed_terms
+
+    signs = signed_terms(tuple(terms))
+    ordered = [t for t, (minus, _e) in zip(terms, signs, strict=True) if not minus]
+    ordered += [t for t, (minus, _e) in zip(terms, signs, strict=True) if minus]
+    return add(*ordered)

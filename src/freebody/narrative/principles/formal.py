@@ -1,0 +1,33 @@
+"""The system at a general instant, with accelerations and reactions left as symbols: what a question asks for in terms of
+the unknowns of the table of principles."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, RateMeasure
+from freebody.narrative.principles.table import Table
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.state import SymbolicState
+
+
+def elements(field: Field, value: Any) -> tuple[Ratio, ...]:
+    """A quantity as elements: one for a scalar, its components for a vector."""
+    parts: tuple[Any, ...] = cast("tuple[Any, ...]", value) if isinstance(value, tuple) else (value,)
+    return tuple(field.lowest_terms(field.element(part)) for part in parts)
+
+
+class FormalState(SymbolicState):
+    """A state whose reactions are symbols and whose accelerations are those of the independent coordinates."""
+
+    def __init__(self, table: Table) -> None:
+        super().__init__(table.model)
+        self.table = table
+
+    def acceleration(self, measure: Measure | RateMeasure) -> Ratio:
+        m = self.model
+        return m.field.lowest_terms(m.in_independent_speeds(m.rate(self.raw_rate(measure))))
+
+    def multiplier(self, row: Held) -> Ratio:
+        return row.sign * self.table.reactions[row.name]

@@ -1,0 +1,92 @@
+"""The equations of motion as lines: closed loops, then M q'' = F by the principle of virtual power.
+
+For every independent speed u_k the virtual power of what is impressed equals that of the inertia,
+
+    sum over bodies of (dP/dt - F) . dv/du_k + (dH/dt - M) . domega/du_k = 0,
+
+in which ideal reactions do not appear. Source: Kane & Levinson, Dynamics: Theory and Applications, 1985, ch. 6.
+"""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Sum, Symbol, add, negate, number
+from freebody.language.notation.parts import signed_terms
+from freebody.model.elements import RateMeasure
+from freebody.narrative.context import Context
+from freebody.narrative.lines.script import Script
+from freebody.narrative.principles.elimination import Row
+from freebody.narrative.principles.kinematics import rates_of, scaled
+from freebody.study.eom import primitive_part
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+MOST_TERMS = 120  # of one entry that anybody reads
+
+
+def motion_equations(context: Context, script: Script, *, why: str = "unclosed.kane") -> list[Row]:
+    """One line for every coordinate; the rows M q'' = F. Raises CannotAnswer where they are too long to read."""
+    model, f = context.setup.model, context.setup.model.field
+    rows: list[Row] = []
+    if not model.coordinates:
+        script.say("unclosed.no_freedom")
+        return rows
+    script.say(why)
+    for k, c in enumerate(model.coordinates):
+        entries = {
+            a: f.lowest_terms(m)
+            for a, m in zip(model.accelerations, model.mass_matrix[k], strict=True)
+            if not model.vanishes(m)
+        }
+        rest = f.lowest_terms(model.in_independent_speeds(model.forcing[k]))
+        for x in (*entries.values(), rest):
+            readable(x)
+        terms: list[Expr] = [scaled(x, f.generators[a].display) for a, x in entries.items()]
+        script_line = script.line(
+            add(*terms) if terms else number(0), tidy(rest), why="unclosed.along", args={"name": Symbol(c.name)}
+        )
+        rows.append(Row(entries, rest, script_line))
+    return rows
+
+
+def loop_lines(context: Context, script: Script) -> list[int]:
+    """Closed loops and constraints on velocities, and the bound speeds."""
+    model, f = context.setup.model, context.setup.model.field
+    found: list[int] = []
+    for loop in model.loops:
+        value = readable(primitive_part(loop.value))
+        args = {"connection": loop.name.split(".")[0]}
+        found.append(script.line(*balanced(tidy(value)), why="unclosed.loop", args=args))
+    for row in context.system.held:
+        if isinstance(row.measure, RateMeasure):
+            rate = readable(f.lowest_terms(context.setup.state.raw_rate(row.measure)))
+            if not rate.is_zero() and row.target is None:
+                args = {"connection": row.connection, "component": row.component}
+                found.append(script.line(*balanced(tidy(rate)), why="unclosed.velocity", args=args))
+    for c in model.dependent:
+        speed = readable(f.lowest_terms(model.dependent_speed(c)))
+        args = {"name": Symbol(c.name), "lines": tuple(found)}
+        script.line(rates_of(c.name, 1), tidy(speed), why="unclosed.bound", args=args, uses=tuple(found))
+    return found
+
+
+def balanced(x: Expr) -> tuple[Expr, Expr]:
+    """x = 0 as left = right, without minus signs as far as possible."""
+    if not isinstance(x, Sum):
+        return x, number(0)
+    signs = signed_terms(x.terms)
+    left = [t for t, (minus, _e) in zip(x.terms, signs, strict=True) if not minus]
+    right = [negate(t) for t, (minus, _e) in zip(x.terms, signs, strict=True) if minus]
+    if not left:
+        left, right = right, left
+    return add(*left), add(*right) if right else number(0)
+
+
+def readable(x: Ratio) -> Ratio:
+    """The element; raises CannotAnswer for one that is too long to read."""
+    if len(x.num) + len(x.denominator().num) > MOST_TERMS:
+        raise CannotAnswer("its equations of motion are longer than anybody reads; freebody eom writes them out")
+    return x
+
+
+__all__ = ["balanced", "loop_lines", "motion_equations", "readable"]

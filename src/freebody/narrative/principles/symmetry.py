@@ -1,0 +1,88 @@
+"""Copies: bodies that can change places without changing the system, so that one of them speaks for all.
+
+Two bodies are copies if they have the same mass, inertia and size, the same connections to the same other bodies (or to
+copies of these) and the same loads. That is necessary, not sufficient: copies must also be found to turn alike exactly,
+and to feel the same reactions at random motions, before a derivation treats them once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.model.elements import Held
+from freebody.narrative.lines.glossary import World
+from freebody.narrative.principles.table import Table
+
+_ALIKE = 1e-8
+
+
+@dataclass(frozen=True)
+class Copies:
+    """Bodies of which the first speaks for all, and the rows of the others by those of the first."""
+
+    bodies: tuple[str, ...]
+    rows: Mapping[str, str]
+
+
+def copies(table: Table, worlds: Sequence[World]) -> list[Copies]:
+    """All sets of copies in a system."""
+    found: list[Copies] = []
+    left = [body.name for body in table.system.moving]
+    while left:
+        first, *others = left
+        alike: list[str] = [first]
+        rows: dict[str, str] = {}
+        for other in others:
+            exchanged = _exchanged(table, first, other)
+            if exchanged is not None and _are_alike(table, first, other, exchanged, worlds):
+                alike.append(other)
+                rows |= exchanged
+        left = [name for name in others if name not in alike]
+        if len(alike) > 1:
+            found.append(Copies(tuple(alike), rows))
+    return found
+
+
+def _exchanged(table: Table, first: str, other: str) -> dict[str, str] | None:
+    """The rows of the other body by those of the first; None where they do not correspond."""
+    if _build(table, first) != _build(table, other) or _loads(table, first) != _loads(table, other):
+        return None
+    mine, its = ([table.rows[r] for r in table.acting_on(body)] for body in (first, other))
+    by_sign = {_signature(row, first): row.name for row in mine}
+    pairs = {row.name: by_sign.get(_signature(row, other)) for row in its}
+    if len(mine) != len(its) or None in pairs.values() or len(set(pairs.values())) != len(pairs):
+        return None
+    return {row: same for row, same in pairs.items() if same is not None and row != same}
+
+
+def _build(table: Table, name: str) -> tuple[object, ...]:
+    body = table.system.bodies[name]
+    return body.mass, body.inertia, body.radius, body.turns
+
+
+def _loads(table: Table, name: str) -> list[tuple[Expr, str]]:
+    acting = [p for p in table.system.pushes if name in set(p.measure.bodies())]
+    return sorted(((p.law, p.load) for p in acting), key=lambda pair: (str(pair[0]), pair[1]))
+
+
+def _signature(row: Held, body: str) -> tuple[object, ...]:
+    others = frozenset(b for b in row.measure.bodies() if b != body)
+    return row.component, row.reaction, row.sign, type(row.measure).__name__, others
+
+
+def _are_alike(table: Table, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
+    model = table.model
+    if not (model.body_accelerations[first][2] - model.body_accelerations[other][2]).is_zero():
+        return False
+    for world in worlds:
+        for row, same in rows.items():
+            with suppress(CannotAnswer):
+                a, b = (world.snapshot.multiplier(table.rows[name]) for name in (row, same))
+                if not math.isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE):
+                    return False
+    return True

@@ -1,0 +1,1 @@
+"""Derivations by what is asked: instants, states, events, freedoms, conservation, small motions."""

@@ -1,0 +1,308 @@
+"""Questions about an event: from the acceleration to the motion, and to the instant at which a measure has its value.
+
+Three ways, as the solver goes them: constant acceleration (velocity, place, the root that is meant), an acceleration linear
+in the coordinate (harmonic or exponential), else the energy integral from the start to the event.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.model.question import Question, When, Work
+from freebody.narrative.context import Context, Method
+from freebody.narrative.lines.script import Legend, Script, Sentence, Stage
+from freebody.narrative.principles.analytic import energy_terms
+from freebody.narrative.principles.kinematics import rates_of
+from freebody.narrative.principles.momentum import by_momentum, parts_of
+from freebody.narrative.principles.newton import same_answer
+from freebody.narrative.questions.instant import asked_symbol
+from freebody.study.answer import Answer
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import Reached
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+
+TIME = Symbol("t")
+
+
+@dataclass
+class _Way:
+    """What the way to the event is made of."""
+
+    context: Context
+    script: Script
+    question: Question
+    reached: Reached
+    acceleration: Ratio
+    line: int  # of the acceleration
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a quantity at an event. Raises CannotAnswer where the solver has no formula either."""
+    event = question.event
+    assert event is not None
+    setup = context.setup
+    reached = setup.motion.reach(event)
+    context.glossary.at_event(event)
+    c = reached.coordinate
+    k = setup.model.coordinates.index(c)
+    acceleration = setup.model.field.lowest_terms(setup.model.solved_accelerations[setup.model.accelerations[k]])
+    script = context.script()
+    by_energy = reached.time is None or method == "energy"
+    if by_energy and reached.time is not None and isinstance(question.quantity, When):
+        raise CannotAnswer("energy tells the speed, not the time; there is: auto, newton, lagrange")
+    line = 0
+    if not by_energy:
+        line = _acceleration(context, script, setup.model.accelerations[k], method)
+    way = _Way(context, script, question, reached, acceleration, line)
+    lines = _energy(way) if by_energy else _motion(way)
+    _asked(way, lines)
+    return script.stages
+
+
+def _acceleration(context: Context, script: Script, unknown: int, method: Method) -> int:
+    """The line in which the acceleration of the coordinate stands."""
+    if method == "lagrange":
+        from freebody.narrative.principles.analytic import by_lagrange
+
+        return by_lagrange(context, script, [unknown])[unknown][1]
+    return by_momentum(context, script, [unknown])[unknown][1]
+
+
+def _start(way: _Way) -> tuple[Ratio, Ratio]:
+    """Coordinate and speed at the start."""
+    c, start = way.reached.coordinate, way.context.setup.start
+    return start.of(c.index), start.of(c.speed)
+
+
+# -- integration ------------------------------------------------------------------------------
+def _motion(way: _Way) -> list[int]:
+    """Velocity and place as functions of time, and the time of the event; the lines that give the state there."""
+    a = way.acceleration
+    if a.is_constant():
+        return _uniform(way)
+    return _linear(way)
+
+
+def _uniform(way: _Way) -> list[int]:
+    script, c, a = way.script, way.reached.coordinate, way.acceleration
+    q0, u0 = _start(way)
+    f = a.field
+    x, u = Symbol(c.name), rates_of(c.name, 1)
+    with script.stage("stage.integration", "hint.integration"):
+        script.say("course.constant", line=way.line, coordinate=c.name)
+        t = f.time
+        u_line = script.line(
+            u, _sum(u0, (a, TIME)), why="course.velocity", args={"line": way.line}, uses=(way.line,), when="event"
+        )
+        place = _sum(q0, (u0, TIME), (a / 2, power(TIME, number(2))))
+        x_line = script.line(x, place, why="course.place", args={"line": u_line}, uses=(u_line,), when="event")
+        square = None
+        if not a.is_zero():
+            v2 = add(tidy(u0 * u0), multiply(tidy(2 * a), add(x, multiply(number(-1), tidy(q0)))))
+            square = script.line(
+                power(u, number(2)),
+                v2,
+                why="course.square",
+                args={"lines": (u_line, x_line)},
+                uses=(u_line, x_line),
+                when="event",
+            )
+    with script.stage("stage.event", "hint.event"):
+        at = _place_line(way)
+        _time_lines(way, x_line, u_line, square, at, t)
+    return [u_line, x_line, *([square] if square else [])]
+
+
+def _sum(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
+    """first + coefficient * symbol + ..., without what vanishes."""
+    from freebody.narrative.principles.elimination import positive_first
+
+    shown = [] if first.is_zero() else [tidy(first)]
+    shown += [multiply(tidy(c), e) for c, e in terms if not c.is_zero()]
+    return positive_first(shown) if shown else number(0)
+
+
+def _place_line(way: _Way) -> int:
+    """What the event means for the coordinate (or its rate)."""
+    event, c = way.question.event, way.reached.coordinate
+    assert event is not None
+    symbol = rates_of(c.name, 1) if event.order == 1 else Symbol(c.name)
+    value = way.reached.speed if event.order == 1 else way.reached.at
+    assert value is not None
+    return way.script.line(symbol, tidy(value), why="course.event", args={"event": f"@{event.text}"}, when="event")
+
+
+def _time_lines(way: _Way, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
+    """The equation for the time, its roots, and which one is meant."""
+    script, reached = way.script, way.reached
+    event = way.question.event
+    assert event is not None
+    assert reached.time is not None
+    source = u_line if event.order == 1 else x_line
+    a, (q0, u0) = way.acceleration, _start(way)
+    if event.order == 0 and not a.is_zero():
+        left = _sum(a.field.zero, (a / 2, power(TIME, number(2))), (u0, TIME))
+        script.line(
+            left,
+            tidy(reached.at - q0),
+            why="course.quadratic",
+            args={"given": at, "line": source},
+            uses=(at, source),
+            when="event",
+        )
+        source = script.next_number - 1
+    script.line(TIME, tidy(reached.time), why="course.time", args={"line": source}, uses=(source, at), when="event")
+    for note in reached.notes:
+        script.say("course.note", text=f"@{note}")
+
+
+def _linear(way: _Way) -> list[int]:
+    """An acceleration linear in the coordinate (or speed): the motion, and the time of the event."""
+    script, c, reached = way.script, way.reached.coordinate, way.reached
+    assert reached.time is not None
+    f = way.acceleration.field
+    q0, u0 = _start(way)
+    beta, gamma = f.partial(way.acceleration, c.index), f.partial(way.acceleration, c.speed)
+    x, u = Symbol(c.name), rates_of(c.name, 1)
+    event = way.question.event
+    assert event is not None
+    lines: list[int] = []
+    with script.stage("stage.integration", "hint.integration"):
+        if gamma.is_zero():
+            alpha = way.acceleration - beta * f.variable(c.index)
+            center = f.lowest_terms(-alpha / beta)
+            lines += _oscillation(way, beta, center, q0 - center, u0, x, u)
+        else:
+            alpha = way.acceleration - gamma * f.variable(c.speed)
+            decayed = Call("exp", multiply(tidy(gamma), TIME))
+            end = f.lowest_terms(-alpha / gamma)
+            right = add(tidy(end), multiply(tidy(f.lowest_terms(u0 - end)), decayed))
+            lines.append(
+                script.line(u, right, why="course.decay", args={"line": way.line}, uses=(way.line,), when="event")
+            )
+    with script.stage("stage.event", "hint.event"):
+        at = _place_line(way)
+        uses = (*lines, at)
+        script.line(TIME, tidy(reached.time), why="course.first_time", args={"lines": uses}, uses=uses, when="event")
+        for note in reached.notes:
+            script.say("course.note", text=f"@{note}")
+    return lines
+
+
+def _oscillation(way: _Way, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:
+    """x = center + x0 cos w t + u0/w sin w t, or with cosh and sinh."""
+    from freebody.symbolic.signs import Sign, sign_of
+
+    f, model, script = beta.field, way.context.setup.model, way.script
+    is_bound = sign_of(beta) is Sign.NEGATIVE
+    w = f.sqrt(-beta if is_bound else beta, model.is_negative)
+    wave, other = ("cos", "sin") if is_bound else ("cosh", "sinh")
+    angle = multiply(tidy(w), TIME)
+    from freebody.narrative.principles.elimination import positive_first
+
+    parts = [] if center.is_zero() else [tidy(center)]
+    if not x0.is_zero():
+        parts.append(multiply(tidy(f.lowest_terms(x0)), Call(wave, angle)))
+    if not u0.is_zero():
+        parts.append(multiply(tidy(f.lowest_terms(u0 / w)), Call(other, angle)))
+    place = script.line(
+        x,
+        positive_first(parts),
+        why=f"course.{'harmonic' if is_bound else 'growing'}",
+        args={"line": way.line},
+        uses=(way.line,),
+        when="event",
+    )
+    rates: list[Expr] = []
+    if not x0.is_zero():
+        rates.append(multiply(tidy(f.lowest_terms((-1 if is_bound else 1) * x0 * w)), Call(other, angle)))
+    if not u0.is_zero():
+        rates.append(multiply(tidy(u0), Call(wave, angle)))
+    speed = script.line(
+        u, positive_first(rates), why="course.differentiated", args={"line": place}, uses=(place,), when="event"
+    )
+    return [place, speed]
+
+
+# -- energy -----------------------------------------------------------------------------------
+def _energy(way: _Way) -> list[int]:
+    """Kinetic and potential energy at the start and at the event are the same."""
+    script, c, reached, context = way.script, way.reached.coordinate, way.reached, way.context
+    model, f = context.setup.model, context.setup.model.field
+    if reached.speed is None:
+        raise CannotAnswer("the motion to the event has no closed form")
+    lines = energy_terms(context, script)
+    u = rates_of(c.name, 1)
+    with script.stage("stage.event", "hint.event"):
+        at = _place_line(way)
+        state = SymbolicState(model, {c.index: reached.at})
+        mass = f.follow(model.mass_matrix[0][0], {c.index: reached.at})
+        begin = context.setup.start_instant
+        zero = f.zero
+        v_end = sum((state.potential(p) for p in model.system.pushes), zero)
+        v_start = sum((begin.potential(p) for p in model.system.pushes), zero)
+        _q0, u0 = _start(way)
+        m_start = f.follow(model.mass_matrix[0][0], context.setup.start.values)
+        t_start = f.lowest_terms(m_start * u0 * u0 / 2)
+        left = add(multiply(tidy(f.lowest_terms(mass / 2)), power(u, number(2))), tidy(f.lowest_terms(v_end)))
+        right = tidy(f.lowest_terms(t_start + v_start))
+        kept = script.line(
+            left, right, why="course.energy", args={"lines": tuple(lines), "line": at}, uses=(*lines, at), when="event"
+        )
+        speed = script.line(u, tidy(reached.speed), why="course.speed", args={"line": kept}, uses=(kept,), when="event")
+    return [speed, at]
+
+
+# -- what is asked ----------------------------------------------------------------------------
+def _asked(way: _Way, lines: Sequence[int]) -> None:
+    """The quantity in the state at the event."""
+    context, question, reached, script = way.context, way.question, way.reached, way.script
+    if isinstance(question.quantity, When):
+        return
+    model, f = context.setup.model, context.setup.model.field
+    if isinstance(question.quantity, Work):
+        raise CannotAnswer("the work of a load until an event is told without a derivation")
+    parts, unknowns = parts_of(context, question.quantity)
+    found = by_momentum(context, script, unknowns) if unknowns else {}
+    general = [f.substitute(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
+    values = {reached.coordinate.index: reached.at}
+    if reached.speed is not None:
+        values[reached.coordinate.speed] = reached.speed
+    if reached.time is not None:
+        values[f.index(f.time)] = reached.time
+    state = SymbolicState(model, values)
+    there = [f.lowest_terms(state.here(g)) for g in general]
+    if len(there) != 1:
+        raise CannotAnswer("a vector at an event is told by its components")
+    c = reached.coordinate
+    shown, last = tidy(there[0]), script.next_number - 1
+    uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
+    with script.stage("stage.value", "hint.value"):
+        if general[0] == f.variable(c.speed) or general[0] == f.variable(c.index):
+            symbol: Expr = rates_of(c.name, 1) if general[0] == f.variable(c.speed) else Symbol(c.name)
+        else:
+            symbol = asked_symbol(context, question)
+            script.add(Legend(((symbol, Sentence("symbol.asked", {"question": question.text}), ""),)))
+            before = tidy(f.lowest_terms(general[0]))
+            if before != shown:
+                last = script.line(symbol, before, why="course.general", args={"lines": uses}, uses=uses, when="event")
+                uses = (*uses, last)
+        script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
+    _ends_in_answer(way, there[0])
+
+
+def _ends_in_answer(way: _Way, found: Ratio) -> None:
+    from freebody.study.quantities import quantity_value
+
+    f, reached, setup = found.field, way.reached, way.context.setup
+    values = {reached.coordinate.index: reached.at}
+    if reached.speed is not None:
+        values[reached.coordinate.speed] = reached.speed
+    if reached.time is not None:
+        values[f.index(f.time)] = reached.time
+    wanted = quantity_value(way.question.quantity, setup.system, SymbolicState(setup.model, values))
+    same_answer([found], [f.lowest_terms(f.element(wanted))])

@@ -1,0 +1,53 @@
+"""A question without a closed form: the equations that the numeric route solves, and what remains to it and why."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.model.question import Question
+from freebody.narrative.context import Context, Derive, Method
+from freebody.narrative.lines.script import Script, Stage
+from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
+from freebody.study.answer import Answer
+from freebody.study.setup import Setup
+
+
+def or_in_numbers(derive: Derive) -> Derive:
+    """The same derivation; where it cannot be done since the solver has no formula either, the equations of motion."""
+
+    def derived(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+        try:
+            return derive(context, question, answer, method)
+        except CannotAnswer:
+            if answer.expression is not None or not answer.reason or not _is_plain(context):
+                raise
+            return in_numbers(context, answer)
+
+    return derived
+
+
+def _is_plain(context: Context) -> bool:
+    """Whether there are equations of motion that hold all the time."""
+    return not context.system.bounds and not context.system.rubs
+
+
+def in_numbers(context: Context, answer: Answer) -> list[Stage]:
+    """The equations of motion, and what is done with them in numbers."""
+    script = context.script()
+    try:
+        with script.stage("unclosed.equations", "unclosed.equations_hint"):
+            loop_lines(context, script)
+            motion_equations(context, script)
+    except CannotAnswer as error:
+        with script.stage("unclosed.equations"):
+            _constraints(context.setup, script, str(error))
+    with script.stage("stage.numeric"):
+        script.say("unclosed.why", reason=f"@{answer.reason}")
+        script.say("unclosed.number" if answer.value is not None else "unclosed.simulate")
+    return script.stages
+
+
+def _constraints(setup: Setup, script: Script, reason: str) -> None:
+    """Where even the speeds have no short formula: what is solved instead."""
+    script.say("unclosed.no_coordinates", reason=f"@{reason}")
+    script.say("unclosed.bodies", n=sum(6 if setup.system.space else 3 for _b in setup.system.moving))
+    script.say("unclosed.rows", n=len(setup.system.held))

@@ -1,0 +1,242 @@
+"""Questions that a pose and velocities answer without any law of motion: energies, momenta, velocities, ratios, centres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr, Symbol, add, multiply, number, power
+from freebody.measures.geometry import Point
+from freebody.model.elements import RigidBody
+from freebody.model.question import (
+    SYSTEM_CENTER,
+    Energy,
+    InstantCentre,
+    Momentum,
+    OfMeasure,
+    OfPoint,
+    Quantity,
+    Question,
+    RatioOf,
+    Spin,
+)
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.principles.elimination import positive_first
+from freebody.narrative.principles.kinematics import Term, scaled
+from freebody.narrative.principles.loops import loop_lines
+from freebody.study.quantities import ORIGIN, is_among, motion_at_origin, place, point_about
+from freebody.symbolic.tidy import tidy
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Lines that an answer follows from, and the symbols whose sum it is."""
+
+    lines: tuple[int, ...]
+    total: Expr | tuple[Expr, ...] | None = None
+
+
+def parts_of_state(context: Context, script: Script, question: Question) -> Parts:
+    """What a quantity is made of."""
+    q = question.quantity
+    uses = loop_lines(context, script)
+    match q:
+        case Energy():
+            lines, symbols = _energy(context, script, q)
+            return Parts((*uses, *lines), add(*symbols) if symbols else None)
+        case Momentum():
+            return Parts((*uses, *_momentum(context, script, q)))
+        case Spin():
+            lines, symbols = _spin(context, script, q)
+            return Parts((*uses, *lines), add(*symbols) if symbols else None)
+        case InstantCentre():
+            return Parts((*uses, *_centre(context, script, q)))
+        case _:
+            bodies = [b for b in _bodies(q) if b in context.setup.model.velocities]
+            with script.stage("stage.kinematics", "hint.velocities"):
+                found = [line for b in bodies for line in context.newton.constraints_of(script, b)]
+            return Parts(tuple(dict.fromkeys((*uses, *found))))
+
+
+def _bodies(q: Quantity) -> list[str]:
+    """Bodies whose motion a quantity reads."""
+    match q:
+        case RatioOf(top, bottom):
+            return list(dict.fromkeys((*_bodies(top), *_bodies(bottom))))
+        case OfMeasure(measure, order, _) if order:
+            return list(dict.fromkeys(measure.bodies()))
+        case OfPoint(point, order) if order:
+            return [point.body]
+        case _:
+            return []
+
+
+# -- velocities -------------------------------------------------------------------------------
+def _velocity(context: Context, body: str) -> tuple[list[Term], list[Term]]:
+    """The velocity of a mass centre as terms to be squared and added: one along its path, else two components."""
+    kin, f = context.newton.kinematics, context.setup.model.field
+    x = kin.along(body, (f.one, f.zero), 1)
+    y = kin.along(body, (f.zero, f.one), 1)
+    return x, y
+
+
+def _square(context: Context, body: str) -> tuple[Expr | None, list[Term]]:
+    """v^2 in symbols; None where the mass centre is at rest."""
+    x, y = _velocity(context, body)
+    terms = [*x, *y]
+    if not terms:
+        return None, []
+    f = context.setup.model.field
+    if len({t.symbol for t in terms}) == 1:
+        size = f.lowest_terms(sum((t.coefficient * t.coefficient for t in terms), f.zero))
+        return multiply(tidy(size), power(terms[0].symbol, number(2))), terms[:1]
+    squares = [power(positive_first([t.expression for t in group]), number(2)) for group in (x, y) if group]
+    return add(*squares), terms
+
+
+def _name(context: Context, letter: str, of: str) -> Symbol:
+    """T_left, or E_kin_left where T_left is a tension."""
+    long = {"T": "E_kin", "V": "E_pot", "H": "L"}[letter]
+    return context.symbol(f"{letter}_{of}", f"{long}_{of}")
+
+
+# -- energy -----------------------------------------------------------------------------------
+def _energy(context: Context, script: Script, q: Energy) -> tuple[list[int], list[Expr]]:
+    """Lines, and the symbols of the parts."""
+    system = context.system
+    lines: list[int] = []
+    symbols: list[Expr] = []
+    with script.stage("stage.parts", "hint.parts"):
+        if q.what in ("kinetic", "total"):
+            for body in system.moving:
+                if q.body is None or q.body == body.name:
+                    more = kinetic_of(context, script, body.name)
+                    lines += more
+                    symbols += [_name(context, "T", body.name)] if more else []
+        if q.what in ("potential", "total"):
+            for load in system.loads:
+                own = [p for p in system.pushes if p.load == load and (q.body in (None, *p.measure.bodies()))]
+                if own and system.loads[load].stores_energy:
+                    lines.append(_potential_of(context, script, load, q.body))
+                    symbols.append(_name(context, "V", load))
+    return lines, symbols
+
+
+def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
+    """T = m v^2/2 + I w^2/2 of one body, and the constraints that its velocity obeys."""
+    square, terms = _square(context, body)
+    turning = context.newton.kinematics.turning(body, 1) if context.system.bodies[body].turns else None
+    mass, _m, inertia = context.setup.model.inertias[body]
+    parts: list[Expr] = []
+    if square is not None and not mass.is_zero():
+        parts.append(multiply(tidy(mass / 2), square))
+    if turning is not None and not inertia.is_zero():
+        parts.append(multiply(tidy(inertia / 2), power(turning.symbol, number(2))))
+        terms = [*terms, turning]
+    if not parts:
+        return []
+    symbol = _name(context, "T", body)
+    what = Sentence("symbol.kinetic_of", {"body": body})
+    context.glossary.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
+    script.add(Legend(((symbol, what, "J"),)))
+    context.newton.introduce_terms(script, terms)
+    own = script.line(symbol, add(*parts), why="energy.of_body", args={"body": body})
+    return [own, *context.newton.explain_velocities(script, terms)]
+
+
+def _potential_of(context: Context, script: Script, load: str, body: str | None) -> int:
+    """The energy that a load stores."""
+    state, f = context.setup.state, context.setup.model.field
+    pushes = [p for p in context.system.pushes if p.load == load and (body is None or body in set(p.measure.bodies()))]
+    total = f.zero
+    for push in pushes:
+        total = total + state.potential(push)
+    symbol = _name(context, "V", load)
+
+    def read(world: World) -> float:
+        return float(sum(world.snapshot.potential(push) for push in pushes))
+
+    what = Sentence("symbol.potential_of", {"load": load})
+    context.glossary.introduce(Meaning(symbol, what, read, "J"))
+    script.add(Legend(((symbol, what, "J"),)))
+    return script.line(symbol, tidy(f.lowest_terms(total)), why="energy.of_load", args={"load": load})
+
+
+# -- momentum ---------------------------------------------------------------------------------
+def _momentum(context: Context, script: Script, q: Momentum) -> list[int]:
+    """The velocities of the mass centres that are meant."""
+    lines: list[int] = []
+    with script.stage("stage.parts", "hint.parts"):
+        for body in context.system.moving:
+            if is_among(body.name, q.body):
+                x, y = _velocity(context, body.name)
+                context.newton.introduce_terms(script, [*x, *y])
+                lines += context.newton.explain_velocities(script, [*x, *y])
+    return lines
+
+
+def _spin(context: Context, script: Script, q: Spin) -> tuple[list[int], list[Expr]]:
+    """H = I w + r x m v of every body that is meant, and the symbols of these parts."""
+    if q.about == SYSTEM_CENTER:
+        return [], []
+    lines: list[int] = []
+    symbols: list[Expr] = []
+    with script.stage("stage.parts", "hint.parts"):
+        for body in context.system.moving:
+            if is_among(body.name, q.body):
+                more = _spin_of(context, script, q, body)
+                lines += more
+                symbols += [_name(context, "H", body.name)] if more else []
+    return lines, symbols
+
+
+def _spin_of(context: Context, script: Script, q: Spin, body: RigidBody) -> list[int]:
+    system, f = context.system, context.setup.model.field
+    mass, _m, inertia = context.setup.model.inertias[body.name]
+    x, y = _velocity(context, body.name)
+    turning = context.newton.kinematics.turning(body.name, 1) if body.turns else None
+    about, _v = point_about(system, context.setup.state, q)
+    arm = [a - b for a, b in zip(place(system, context.setup.state, body.mass_center), about, strict=True)]
+    shown: list[Expr] = []
+    if turning is not None and not inertia.is_zero():
+        shown.append(scaled(f.lowest_terms(inertia * turning.coefficient), turning.symbol))
+    for terms, factor in ((x, -arm[1] * mass), (y, arm[0] * mass)):
+        if not factor.is_zero():
+            shown += [scaled(f.lowest_terms(factor * t.coefficient), t.symbol) for t in terms]
+    if not shown:
+        return []
+    point = q.about if isinstance(q.about, Point) else body.mass_center if isinstance(q.body, str) else None
+    symbol, what = _name(context, "H", body.name), Sentence("symbol.spin_of", {"body": body.name})
+    context.glossary.introduce(Meaning(symbol, what, Spin(body.name, point or ORIGIN), "kg m^2/s"))
+    script.add(Legend(((symbol, what, "kg m^2/s"),)))
+    moving = [*x, *y, *([turning] if turning is not None else [])]
+    context.newton.introduce_terms(script, moving)
+    own = script.line(symbol, positive_first(shown), why="momentum.of_body", args={"body": body.name})
+    return [own, *context.newton.explain_velocities(script, moving)]
+
+
+# -- instant centres --------------------------------------------------------------------------
+def _centre(context: Context, script: Script, q: InstantCentre) -> list[int]:
+    """The velocity of the point of each body at the origin, and its angular velocity."""
+    lines: list[int] = []
+    with script.stage("stage.parts", "hint.centre"):
+        script.say("centre.principle")
+        for body in (q.body, q.relative_to):
+            if context.system.bodies[body].fixed:
+                continue
+            for k, (letter, key) in enumerate((("u", "x"), ("u", "y"), ("omega", ""))):
+                lines.append(_of_body(context, script, body, k, f"{letter}_{body}{f'_{key}' if key else ''}"))
+    return lines
+
+
+def _of_body(context: Context, script: Script, body: str, k: int, name: str) -> int:
+    def read(world: World) -> float:
+        return float(motion_at_origin(context.system, world.snapshot, body)[k])
+
+    f = context.setup.model.field
+    what = Sentence("symbol.turning_1" if k == 2 else "symbol.at_origin", {"body": body, "axis": f"@axis.{'xyz'[k]}"})
+    context.glossary.introduce(Meaning(Symbol(name), what, read, "rad/s" if k == 2 else "m/s"))
+    script.add(Legend(((Symbol(name), what, ""),)))
+    value = motion_at_origin(context.system, context.setup.state, body)[k]
+    return script.line(Symbol(name), tidy(f.lowest_terms(f.element(value))), why="kinematics.seen")

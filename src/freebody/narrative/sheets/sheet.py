@@ -1,0 +1,161 @@
+"""Exercise sheets: several models as numbered exercises, with or without solutions, in variants with an answer key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from freebody.errors import FreebodyError, InputError, ModelError
+from freebody.model.names import did_you_mean
+from freebody.narrative.lines.script import Sentence
+from freebody.narrative.sheets.answer_key import Key, key_of, key_table
+from freebody.narrative.sheets.sheet_report import SheetWriter, report_words
+from freebody.narrative.sheets.statement import label_of
+from freebody.narrative.sheets.variants import Variant, as_given, variant_of
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.present.report.blocks import Block, Report, Section
+from freebody.system.system import System
+
+Solutions = Literal["none", "end", "inline"]
+SOLUTIONS: tuple[Solutions, ...] = ("none", "end", "inline")
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """An exercise sheet in one or more variants, counted from 1."""
+
+    systems: tuple[System, ...]
+    solutions: Solutions
+    variants: int
+    seed: int
+    language: str
+    _made: tuple[tuple[Variant, ...], ...]
+
+    def variant(self, n: int) -> tuple[Variant, ...]:
+        """The exercises of a variant. Raises InputError for one that there is not."""
+        if not 1 <= n <= self.variants:
+            raise InputError(f"there is no variant {n}; there are 1 to {self.variants}")
+        return self._made[n - 1]
+
+    def key(self, variant: int = 1) -> tuple[Key, ...]:
+        """What is right, question by question."""
+        found: list[Key] = []
+        for number, exercise in enumerate(self.variant(variant), 1):
+            answers = exercise.solution.answers
+            for k, answer in enumerate(answers, 1):
+                found.append(key_of(answer, label_of(number, k, len(answers))))
+        return tuple(found)
+
+    def report(self, variant: int = 1) -> Report:
+        """The sheet of a variant."""
+        return SheetWriter(self, variant).report()
+
+    def key_report(self) -> Report:
+        """The answer keys of all variants."""
+        catalogue = Catalogue(self.language)
+        blocks: list[Block] = []
+        for n in range(1, self.variants + 1):
+            table = key_table(catalogue, self.key(n))
+            title = catalogue.tell(Sentence("sheet.variant", {"n": n}))
+            blocks.append(Section(title, (table,)) if self.variants > 1 else table)
+        title = catalogue.word("sheet.key_title")
+        return Report(title, catalogue.language, catalogue.word("sheet.sheet"), tuple(blocks), report_words(catalogue))
+
+    def write(self, path: str | Path) -> list[Path]:
+        """Writes the sheet as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix, and the answer key beside it as
+        name-key; several variants as name-1, name-2 ... Returns all files written. Raises InputError for another suffix
+        or a place that cannot be written, before anything is."""
+        from freebody.present.report.write import check_report_path, write_report
+
+        path = Path(path)
+        places = [path] if self.variants == 1 else [_beside(path, str(n)) for n in range(1, self.variants + 1)]
+        key = _beside(path, "key")
+        for place in (*places, key):
+            check_report_path(place)
+        written: list[Path] = []
+        for n, place in enumerate(places, 1):
+            written += write_report(self.report(n), place)
+        return [*written, *write_report(self.key_report(), key)]
+
+
+def sheet(
+    systems: Iterable[System],
+    *,
+    solutions: str = "none",
+    variants: int = 1,
+    seed: int = 0,
+    language: str = "en",
+) -> Sheet:
+    """An exercise sheet of several systems. With one variant and no seed it is as the models have it; else every
+    variant has its own numbers and its own order of options, the same for the same seed.
+
+    Raises InputError for systems without questions and for unknown words, ModelError where a system cannot be
+    assembled, all of them in one message."""
+    chosen = _solutions(solutions)
+    Catalogue(language)
+    systems = tuple(systems)
+    if not systems:
+        raise InputError("an exercise sheet needs at least one model")
+    if variants < 1:
+        raise InputError(f"there can be no {variants} variants; ask for at least 1")
+    given = _solved(systems)
+    if variants == 1 and not seed:
+        return Sheet(systems, chosen, 1, seed, language, (given,))
+    made = tuple(
+        tuple(variant_of(v.system, v.solution, f"{seed}/{n}/{k}") for k, v in enumerate(given))
+        for n in range(1, variants + 1)
+    )
+    return Sheet(systems, chosen, variants, seed, language, made)
+
+
+def load_systems(paths: Iterable[str | Path]) -> list[System]:
+    """Reads several model files. Raises InputError with all problems of all files."""
+    found: list[System] = []
+    problems: list[str] = []
+    for path in paths:
+        try:
+            found.append(System.load(path))
+        except InputError as error:
+            problems.append(str(error))
+    problems += [p for p in (_unasked(s) for s in found) if p]
+    if problems:
+        raise InputError("\n".join(problems))
+    return found
+
+
+def _solved(systems: Sequence[System]) -> tuple[Variant, ...]:
+    """All systems as their files have them."""
+    found: list[Variant] = []
+    problems = [p for p in (_unasked(s) for s in systems) if p]
+    for system in systems:
+        try:
+            found.append(as_given(system))
+        except ModelError as error:
+            problems.append(str(error) if system.file else f"{system.title}: {error}")
+        except FreebodyError as error:
+            problems.append(f"{system.file or system.title}: {error}")
+    if problems:
+        raise InputError("\n".join(problems))
+    return tuple(found)
+
+
+def _unasked(system: System) -> str:
+    """What is to be done about a system without questions."""
+    if system.questions:
+        return ""
+    measure = next(iter(system.measures), "")
+    what = f"acceleration of {measure}" if measure else "degrees of freedom"
+    return f"{system.file or system.title}: an exercise needs a question; add questions: [{{find: {what}}}]"
+
+
+def _solutions(word: str) -> Solutions:
+    for known in SOLUTIONS:
+        if word == known:
+            return known
+    raise InputError(f"solutions can be {', '.join(SOLUTIONS)}, not {word}.{did_you_mean(word, SOLUTIONS)}")
+
+
+def _beside(path: Path, what: str) -> Path:
+    return path.with_name(f"{path.stem}-{what}{path.suffix}")

@@ -1,0 +1,135 @@
+"""An exercise sheet as a report: exercises, and where they are wanted solutions and the answer key."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass, replace
+from typing import TYPE_CHECKING, Any, cast
+
+from freebody.narrative.lines.script import Sentence
+from freebody.narrative.sheets.answer_key import key_table
+from freebody.narrative.sheets.statement import Statement, title_of
+from freebody.narrative.sheets.variants import Variant
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.present.report.blocks import (
+    Block,
+    Equation,
+    Figure,
+    Formula,
+    Paragraph,
+    Reference,
+    Remark,
+    Report,
+    Section,
+    Step,
+    Table,
+    equation_numbers,
+)
+
+if TYPE_CHECKING:
+    from freebody.narrative.sheets.sheet import Sheet
+
+_REPORT_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
+
+
+def report_words(catalogue: Catalogue) -> dict[str, str]:
+    """What the writers of reports say themselves, in the language of a catalogue."""
+    return {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _REPORT_WORDS}
+
+
+class SheetWriter:
+    """Writes one variant."""
+
+    def __init__(self, sheet: Sheet, variant: int) -> None:
+        self.sheet = sheet
+        self.n = variant
+        self.exercises = sheet.variant(variant)
+        self.catalogue = Catalogue(sheet.language)
+        self.n_equations = 0
+        self.n_figures = 0
+
+    def report(self) -> Report:
+        catalogue, sheet = self.catalogue, self.sheet
+        blocks: list[Block] = []
+        solutions: list[Block] = []
+        for number, exercise in enumerate(self.exercises, 1):
+            title = {"n": number, "title": f"@{title_of(exercise.system, catalogue)}"}
+            set_ = Statement(exercise.system, catalogue, number, self.n_figures + 1).blocks()
+            self.n_figures += sum(isinstance(block, Figure) for block in set_)
+            solved: tuple[Block, ...] = ()
+            if sheet.solutions == "inline":
+                solved = self._solution(exercise, number)
+            elif sheet.solutions == "end":
+                heading = catalogue.tell(Sentence("sheet.exercise", title))
+                solutions.append(Section(heading, self._solution(exercise, number), 3))
+            if exercise.is_as_in_file and exercise.system.has_values and sheet.solutions != "none":
+                solved = (Remark(catalogue.tell(Sentence("sheet.no_numbers", {"n": number})), "warning"), *solved)
+            blocks.append(Section(catalogue.tell(Sentence("sheet.exercise", title)), (*set_, *solved)))
+        if solutions:
+            blocks.append(Section((catalogue.word("sheet.solutions"),), tuple(solutions)))
+        if sheet.solutions != "none":
+            blocks.append(Section((catalogue.word("sheet.key_title"),), (key_table(catalogue, sheet.key(self.n)),)))
+        return Report(
+            catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), report_words(catalogue)
+        )
+
+    def _subtitle(self) -> str:
+        if self.sheet.variants == 1:
+            return self.catalogue.word("sheet.sheet")
+        return self.catalogue.plain(Sentence("sheet.variant", {"n": self.n}))
+
+    def _solution(self, exercise: Variant, number: int) -> tuple[Block, ...]:
+        """The worked solution of every question, its numbers going on from those of the exercise before."""
+        from freebody.narrative.explain import explain
+
+        report = explain(exercise.system, language=self.sheet.language).report
+        moved = cast("tuple[Block, ...]", _renumbered(report.blocks, self.n_equations, self.n_figures))
+        self.n_equations = max([self.n_equations, *equation_numbers(moved)])
+        self.n_figures = max([self.n_figures, *_figure_numbers(moved)])
+        inside = tuple(
+            replace(b, level=b.level + 1) if isinstance(b, Section) else b for b in _without_statement(moved)
+        )
+        title = self.catalogue.tell(Sentence("sheet.solution", {"n": number}))
+        return (Step(title, (), inside),) if self.sheet.solutions == "inline" else inside
+
+
+def _without_statement(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
+    """A worked solution without what the exercise has shown already: words, picture and bodies."""
+    kept = [block for block in blocks if not isinstance(block, Paragraph)]
+    if kept and isinstance(kept[0], Section):
+        said = tuple(b for b in kept[0].blocks if not isinstance(b, (Figure, Table)))
+        kept[0] = replace(kept[0], blocks=said)
+    return tuple(kept)
+
+
+def _renumbered(part: Any, equations: int, figures: int) -> Any:
+    """Blocks with all numbers of equations and figures moved on."""
+
+    def moved(x: Any) -> Any:
+        match x:
+            case tuple():
+                return tuple(map(moved, cast("tuple[Any, ...]", x)))
+            case Reference(number, what):
+                return Reference(number + (equations if what == "equation" else figures), what)
+            case Equation():
+                number = None if x.number is None else x.number + equations
+                return replace(x, number=number, note=moved(x.note))
+            case Figure():
+                return replace(x, number=x.number + figures, caption=moved(x.caption))
+            case Formula() | str():
+                return x
+            case _ if is_dataclass(x) and not isinstance(x, type):
+                return replace(x, **{f.name: moved(getattr(x, f.name)) for f in fields(x)})
+            case _:
+                return x
+
+    return moved(part)
+
+
+def _figure_numbers(part: Any) -> list[int]:
+    if isinstance(part, tuple):
+        return [n for item in cast("tuple[Any, ...]", part) for n in _figure_numbers(item)]
+    if isinstance(part, Figure):
+        return [part.number]
+    if is_dataclass(part) and not isinstance(part, (type, Formula)):
+        return [n for f in fields(part) for n in _figure_numbers(getattr(part, f.name))]
+    return []

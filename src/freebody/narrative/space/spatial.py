@@ -1,0 +1,200 @@
+"""Questions about an instant in space: velocities axis by axis, energies and momenta body by body, accelerations and
+reactions by momentum and angular momentum."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, cast
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
+from freebody.measures.geometry import GROUND
+from freebody.model.question import Energy, Momentum, OfMeasure, OfPoint, Quantity, Question, RatioOf, Spin, Turning
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.naming import asked_entry
+from freebody.narrative.lines.script import Argument, Script, Stage
+from freebody.narrative.principles.formal import FormalState
+from freebody.narrative.principles.table import Table
+from freebody.narrative.questions.instant import asked_symbol, finish, side_of
+from freebody.narrative.questions.state import Parts
+from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
+from freebody.narrative.space.spatial_frames import axes_of
+from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.study.answer import Answer
+from freebody.study.quantities import quantity_value
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a quantity at an instant. Raises CannotAnswer where the solver has no formula."""
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or "there is no closed form")
+    script = context.script()
+    table = Table(context.setup.model)
+    parts, unknowns = asked(context, question.quantity, table)
+    telling = SpatialTelling(context, script, at_start=question.at_start)
+    found: dict[int, tuple[Ratio, int]] = {}
+    before = Parts(())
+    if unknowns and isinstance(question.quantity, Turning) and turns_freely(context, question.quantity):
+        refuse(method, ("newton",), "the turning of a free body")
+        by_euler(context, script, telling.kinematics, question, question.quantity)
+        return script.stages
+    if unknowns:
+        if isinstance(question.quantity, (Turning, OfPoint)):
+            before = telling.parts(question.quantity)
+        found = _unknowns(context, script, telling.kinematics, table, unknowns, method)
+    else:
+        refuse(method, (), "what follows from the state alone")
+        before = telling.parts(question.quantity)
+    if question.at_start and not found and before.total is not None and telling.is_formal:
+        finish_at_start(context, script, question, parts, before)
+    else:
+        finish(context, script, question, parts, found, before)
+    return script.stages
+
+
+def finish_at_start(
+    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: Parts
+) -> None:
+    """What is asked at the start, from symbols whose values there are told."""
+    here, f = context.setup.start_instant, context.setup.model.field
+    name = asked_symbol(context, question, len(parts))
+    values = tuple(tidy(f.lowest_terms(here.here(part))) for part in parts)
+    total = before.total
+    assert total is not None
+    with script.stage("stage.value", "hint.value"):
+        script.add(asked_entry(name, question, n=len(parts)))
+        left = side_of(name, len(parts))
+        shown: Expr | tuple[Expr, ...] = values if len(values) > 1 else next(iter(values))
+        args: dict[str, Argument] = {"lines": before.lines}
+        script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
+
+
+def asked(context: Context, quantity: Quantity, table: Table) -> tuple[tuple[Ratio, ...], list[int]]:
+    """A quantity with accelerations and reactions as symbols, and which of these it contains."""
+    model, f = context.setup.model, context.setup.model.field
+    value: Any = quantity_value(quantity, context.system, FormalState(table))
+    parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
+    elements = tuple(f.lowest_terms(model.in_independent_speeds(f.element(p))) for p in parts)
+    used = {g for p in elements for g in f.ingredients(p)}
+    reactions = {f.index(r) for r in table.reactions.values()}
+    return elements, sorted(g for g in used if g in reactions or g in set(model.accelerations))
+
+
+def _unknowns(
+    context: Context,
+    script: Script,
+    kinematics: SpatialKinematics,
+    table: Table,
+    unknowns: Sequence[int],
+    method: Method,
+) -> dict[int, tuple[Ratio, int]]:
+    if method in ("lagrange", "energy"):
+        from freebody.narrative.principles.analytic import by_energy, by_lagrange
+
+        return (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
+    from freebody.narrative.space.spatial_newton import SpatialNewton
+
+    return SpatialNewton(context, script, kinematics).derive(unknowns)
+
+
+class SpatialTelling:
+    """What a quantity is made of that follows from pose and velocities."""
+
+    def __init__(self, context: Context, script: Script, *, at_start: bool = False) -> None:
+        self.context, self.script, self.at_start = context, script, at_start
+        self.kinematics = SpatialKinematics(context, script)
+        self.is_formal = False  # whether a sum is told by symbols that have values at the start
+
+    def parts(self, q: Quantity) -> Parts:
+        """Lines, and the sum that the quantity is. Written inside stages of their own."""
+        match q:
+            case Turning():
+                return self._turning(q)
+            case OfPoint():
+                return self._point(q)
+            case OfMeasure():
+                with self.script.stage("space.velocities", "space.velocities_hint"):
+                    return Parts(self._measure(q))
+                return Parts(())
+            case RatioOf(top, bottom):
+                over, under = self.parts(top), self.parts(bottom)
+                lines = tuple(dict.fromkeys((*over.lines, *under.lines)))
+                return Parts(lines, None)
+            case Energy("kinetic", _) if self.at_start and free_bodies(self.context, q.body):
+                self.is_formal = True
+                return kinetic_energy_of_free(self.context, self.script, self.kinematics, q)
+            case Energy() | Momentum() | Spin():
+                from freebody.narrative.space.spatial_momentum import parts_of_momentum
+
+                return parts_of_momentum(self.context, self.script, self.kinematics, q)
+            case _:
+                return Parts(())
+
+    # -- turning ------------------------------------------------------------------------------
+    def _turning(self, q: Turning) -> Parts:
+        kinematics, axes = self.kinematics, axes_of(q.basis)
+        bodies = [b for b in (q.body, q.relative_to) if not self.context.system.bodies[b].fixed]
+        lines: list[int] = []
+        totals: list[tuple[Expr, ...] | Expr] = []
+        is_component = q.along is not None and not q.size
+        with self.script.stage("space.rotations", "space.rotations_hint"):
+            for body in bodies:
+                if is_component and q.along is not None:
+                    totals.append(kinematics.component(body, q.along))
+                    continue
+                symbols, line = kinematics.omega(body, axes)
+                lines.append(line)
+                totals.append(symbols if q.order == 1 else kinematics.omega_rates(body, axes))
+            if q.order == 2:
+                self._say_of_axes(q, axes.body)
+        with self.script.stage("space.bound", "space.bound_hint"):
+            for body in dict.fromkeys((*bodies, *((axes.body,) if axes.body != GROUND and q.order == 2 else ()))):
+                lines += kinematics.bound(body)
+        is_plain = len(totals) == 1 and not q.size and not (is_component and q.order == 2)
+        return Parts(tuple(dict.fromkeys(lines)), totals[0] if is_plain else None)
+
+    def _say_of_axes(self, q: Turning, body: str) -> None:
+        """How an angular acceleration follows from an angular velocity along the same axes."""
+        if q.along is not None and not q.size:
+            self.script.say("space.differentiate_component")
+        elif body == GROUND:
+            self.script.say("space.axes_fixed")
+        elif body == q.body:
+            self.script.say("space.axes_own", body=body)
+        else:
+            self.script.say("space.axes_turn", body=body)
+
+    # -- points and measures ------------------------------------------------------------------
+    def _point(self, q: OfPoint) -> Parts:
+        with self.script.stage("space.places", "space.places_hint"):
+            line = self.kinematics.place(q.point, str(q.point))
+            if q.order:
+                self.script.say("space.differentiate_place" if q.basis is None else "space.differentiate_in_axes")
+            bound = self._bound_by(q)
+            return Parts((line, *bound))
+        return Parts(())
+
+    def _measure(self, q: OfMeasure) -> tuple[int, ...]:
+        return self._bound_by(q)
+
+    def _bound_by(self, q: OfMeasure | OfPoint) -> tuple[int, ...]:
+        """Lines that tell the bound rates in a quantity."""
+        model, f = self.context.setup.model, self.context.setup.model.field
+        if q.order == 0:
+            return ()
+        names: list[str] = []
+        for body in self._bodies(q):
+            names += [name for name, _axis in self.kinematics.model.turning_axes(body)]
+        lines = self.kinematics.angles.explain(dict.fromkeys(names))
+        bound = {c.speed for c in model.dependent} | {c.index for c in model.dependent}
+        state = self.context.setup.state
+        raw = [state.raw_rate(q.measure)] if isinstance(q, OfMeasure) else []
+        if any(f.ingredients(x) & bound for x in raw):
+            lines = (*lines, *self.kinematics.velocities_bound())
+        return lines
+
+    def _bodies(self, q: OfMeasure | OfPoint) -> list[str]:
+        bodies = q.measure.bodies() if isinstance(q, OfMeasure) else {q.point.body}
+        return [b for b in dict.fromkeys(bodies) if not self.context.system.bodies[b].fixed]

@@ -1,0 +1,137 @@
+"""Angles that connections of space bind: the equation of each loop, differentiated, and the rate that follows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Symbol
+from freebody.model.elements import Held, RateMeasure
+from freebody.model.question import OfMeasure
+from freebody.narrative.lines.glossary import Meaning
+from freebody.narrative.lines.script import Argument, Legend, Sentence
+from freebody.narrative.principles.kinematics import rates_of
+from freebody.narrative.principles.motion_equations import balanced, readable
+from freebody.narrative.space.spatial_frames import Frames
+from freebody.study.eom import primitive_part
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+class Angles:
+    """Rates of the angles by which bodies are turned, each explained once."""
+
+    def __init__(self, frames: Frames) -> None:
+        self.frames, self.context, self.script = frames, frames.context, frames.script
+        self.model, self.field = frames.model, frames.field
+        self.independent = {c.name for c in self.model.coordinates}
+        self.bound = {c.name for c in self.model.dependent}
+        self.lines: dict[str, tuple[int, ...]] = {}  # by angle: where its rate is told
+        self._introduced: set[str] = set()
+
+    # -- symbols ------------------------------------------------------------------------------
+    def introduce(self, names: Iterable[str]) -> None:
+        """Joint angles that are no measures of the model, with their rates."""
+        entries: list[tuple[Expr, Sentence, str]] = []
+        for name in names:
+            if name in self.context.system.measures:
+                continue
+            measure = self.model.tree.angles[name]
+            for order in (0, 1, 2):
+                symbol = rates_of(name, order)
+                what = Sentence("space.joint_angle", {"name": name})
+                self.context.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
+            if name not in self.context.introduced and name not in self._introduced:
+                entries.append((Symbol(name), Sentence("space.joint_angle", {"name": name}), "rad"))
+                self._introduced.add(name)
+        if entries:
+            self.script.add(Legend(tuple(entries)))
+
+    # -- rates --------------------------------------------------------------------------------
+    def explain(self, names: Iterable[str]) -> tuple[int, ...]:
+        """Lines that tell the rates of angles that are not free; those that only velocities bind are left out."""
+        found: list[int] = []
+        for name in names:
+            if name in self.independent or name in self.bound:
+                continue
+            if name not in self.lines:
+                self.lines[name] = self._explained(name)
+            found += self.lines[name]
+        return tuple(dict.fromkeys(found))
+
+    def value(self, name: str) -> Ratio:
+        """An angle in the coordinates that are left."""
+        return self.frames.express(self.model.angle(name))
+
+    def rate(self, name: str) -> Ratio:
+        """Its rate in independent speeds."""
+        return self.field.lowest_terms(self.model.in_independent_speeds(self.model.rate(self.value(name))))
+
+    def _explained(self, name: str) -> tuple[int, ...]:
+        row = self._row_for(name)
+        if row is None:
+            value = readable(self.rate(name))
+            return (self.script.line(rates_of(name, 1), tidy(value), why="space.rate_known"),)
+        equation = self.model.raw_equation(row)
+        others = [n for n in self._angles_in(equation) if n != name]
+        self.introduce([name, *others])
+        before = self.explain(others)
+        args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
+        place = self.script.line(*balanced(tidy(primitive_part(equation))), why="space.loop", args=args)
+        lines = [place]
+        tangent = self._tangent(equation, name, place)
+        lines += [] if tangent is None else [tangent]
+        raw = self.field.lowest_terms(self.field.rate(equation))
+        sides, value = balanced(tidy(raw.numerator())), readable(self.rate(name))
+        rate_line = self.script.line(*sides, why="space.loop_rate", args={"line": place}, uses=(place,))
+        if sides == (rates_of(name, 1), tidy(value)):
+            return (rate_line,)
+        uses = tuple(dict.fromkeys((rate_line, *lines[1:], *before)))
+        key: dict[str, Argument] = {"line": rate_line, "lines": uses[1:]}
+        why = "space.loop_solved" if len(uses) == 1 else "space.loop_solved_with"
+        left = rates_of(name, 1)
+        return (self.script.line(left, tidy(value), why=why, args=key, uses=uses),)
+
+    def _tangent(self, equation: Ratio, name: str, place: int) -> int | None:
+        """a cos q + b sin q = 0 as tan q = -a/b."""
+        pair = self.field.pair_of(self.field.index(self.model.angle(name)))
+        if pair is None or self.field.index(self.model.angle(name)) in equation.generators():
+            return None
+        numerator = equation.numerator()
+        in_cos = numerator.coefficients(pair[0])
+        if len(in_cos) != 2 or pair[1] in in_cos[1].generators():
+            return None
+        in_sin = in_cos[0].coefficients(pair[1])
+        if len(in_sin) != 2 or not in_sin[0].is_zero():
+            return None
+        value = tidy(self.field.lowest_terms(-in_cos[1] / in_sin[1]))
+        left = Call("tan", Symbol(name))
+        return self.script.line(left, value, why="space.tangent", args={"line": place}, uses=(place,))
+
+    # -- which equation -----------------------------------------------------------------------
+    def _row_for(self, name: str) -> Held | None:
+        """The held row that binds an angle with the fewest others that are bound as well."""
+        best: tuple[tuple[int, int], Held] | None = None
+        for row in self.context.system.held:
+            if isinstance(row.measure, RateMeasure) or row.name in self.model.tree.rows:
+                continue
+            try:
+                equation = self.model.raw_equation(row)
+            except (CannotAnswer, ZeroDivisionError):
+                continue
+            angles = self._angles_in(equation)
+            if name not in angles or not self._only_angles(equation):
+                continue
+            rank = len([a for a in angles if a not in self.independent and a != name]), len(equation.num)
+            if best is None or rank < best[0]:
+                best = rank, row
+        return None if best is None else best[1]
+
+    def _angles_in(self, x: Ratio) -> list[str]:
+        inside = self.field.ingredients(x)
+        return [n for n in self.model.tree.angles if self.field.index(self.model.angle(n)) in inside]
+
+    def _only_angles(self, x: Ratio) -> bool:
+        """Whether nothing else moves in an equation."""
+        own = {self.field.index(self.model.angle(n)) for n in self.model.tree.angles}
+        return all(self.field.generators[g].kind != "coordinate" or g in own for g in self.field.ingredients(x))

@@ -1,0 +1,105 @@
+"""Vectors of space in a derivation: the axes along which they are told, their components, and symbols for these."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from freebody.language.expression import Expr, Symbol
+from freebody.measures.geometry import GROUND
+from freebody.model.question import Basis
+from freebody.model.spins import body_axes
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import component_names
+from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.study.quantities import AXES, components_of, dot
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.spatial.model import SpatialModel
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+
+Vector = tuple[Ratio, ...]
+Reads = Callable[[World], Sequence[float]]  # of a vector, by ground components
+_GROUND: Basis = AXES
+
+
+@dataclass(frozen=True)
+class Axes:
+    """The axes along which vectors are told: those of the ground, or of a body."""
+
+    basis: Basis
+    body: str
+
+    @property
+    def words(self) -> Sentence:
+        if self.body == GROUND:
+            return Sentence("space.axes_ground")
+        return Sentence("space.axes_body", {"body": self.body})
+
+
+def axes_of_body(context: Context, body: str) -> Axes:
+    """The axes of a body; those of the ground for one that is fixed."""
+    if context.system.bodies[body].fixed:
+        return Axes(_GROUND, GROUND)
+    return Axes(body_axes(body), body)
+
+
+def axes_of(basis: Basis | None) -> Axes:
+    """The axes in which a question wants its vector."""
+    return Axes(_GROUND, GROUND) if basis is None else Axes(basis, basis[0].body)
+
+
+class Frames:
+    """Components of vectors, and lines that state them."""
+
+    def __init__(self, context: Context, script: Script) -> None:
+        self.context, self.script = context, script
+        model = context.setup.model
+        assert isinstance(model, SpatialModel)
+        self.model: SpatialModel = model
+        self.field = model.field
+        self.state: SymbolicState = context.setup.state
+
+    def express(self, x: Ratio) -> Ratio:
+        """In the coordinates that are left."""
+        return self.field.lowest_terms(self.model.elimination.express(x))
+
+    def along(self, vector: Sequence[Ratio], axes: Axes) -> Vector:
+        """Ground components as components along axes."""
+        if axes.body == GROUND:
+            return tuple(map(self.field.lowest_terms, vector))
+        return tuple(
+            self.field.lowest_terms(self.field.element(dot(tuple(vector), components_of(a, self.state, 3))))
+            for a in axes.basis
+        )
+
+    def introduce(self, name: str, what: str, body: str, axes: Axes, reads: Reads, unit: str) -> tuple[Symbol, ...]:
+        """Symbols for the components of a vector."""
+        symbols = component_names(name)
+        taken = {*self.context.system.parameters, *self.context.glossary.measures}
+        if any(s.name in taken for s in symbols):
+            symbols = component_names(f"{name}_c")
+
+        known: dict[int, tuple[World, tuple[float, ...]]] = {}
+
+        def vector(world: World) -> tuple[float, ...]:
+            if id(world) not in known:
+                ground = tuple(reads(world))
+                parts = (float(dot(ground, components_of(a, world.snapshot, 3))) for a in axes.basis)
+                known[id(world)] = world, tuple(parts)
+            return known[id(world)][1]
+
+        def read(k: int) -> Callable[[World], float]:
+            return lambda world: vector(world)[k]
+
+        entries: list[tuple[Expr, Sentence, str]] = []
+        for k, symbol in enumerate(symbols):
+            said = Sentence(f"space.{what}", {"body": body, "axis": f"@{'xyz'[k]}", "axes": axes.words})
+            self.context.glossary.redefine(Meaning(symbol, said, read(k), unit))
+            entries.append((symbol, said, unit))
+        self.script.add(Legend(tuple(entries)))
+        return symbols
+
+    def shown(self, vector: Sequence[Ratio]) -> tuple[Expr, ...]:
+        return tuple(tidy(self.field.lowest_terms(x)) for x in vector)

@@ -1,0 +1,284 @@
+"""Velocities in space: angular velocities added up axis by axis, places differentiated, rolling without slip.
+
+    omega = sum over the joints from the ground of (rate of angle) * (axis),        v_P = dr_P/dt,
+    v_contact = v_centre + omega x r = 0    where a body rolls on what is at rest.
+
+Source: Ginsberg, Engineering Dynamics, 2008, sec. 3.3-3.6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from freebody.connections.rolling import Rolling
+from freebody.language.expression import Call, Expr, Symbol, add, number, rate_key
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.model.elements import Plane, RateMeasure, RigidBody
+from freebody.model.question import OfPoint, Turning
+from freebody.model.state import State
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.rates import rate_of
+from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.principles.kinematics import rates_of, scaled
+from freebody.narrative.principles.motion_equations import balanced, readable
+from freebody.narrative.space.spatial_angles import Angles
+from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
+from freebody.study.eom import primitive_part
+from freebody.study.quantities import AXES, ORIGIN, components_of, cross, dot, quantity_value
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+class SpatialKinematics(Frames):
+    """Writes what moves how, each vector once for each set of axes."""
+
+    def __init__(self, context: Context, script: Script) -> None:
+        super().__init__(context, script)
+        self.angles = Angles(self)
+        self.told: dict[tuple[str, ...], tuple[tuple[Expr, ...], int]] = {}  # components and line
+        self.velocity_lines: tuple[int, ...] | None = None  # what binds velocities alone
+
+    # -- turning ------------------------------------------------------------------------------
+    def turning(self, body: str) -> list[tuple[str, Vector]]:
+        """The angles that change between the ground and a body, and their axes by ground components."""
+        found: list[tuple[str, Vector]] = []
+        for name, axis in self.model.turning_axes(body):
+            if not self.model.vanishes(self.angles.rate(name)):
+                self.angles.introduce([name])
+                found.append((name, tuple(map(self.express, axis))))
+        return found
+
+    def rate_element(self, name: str) -> Ratio:
+        """The rate of an angle; of what velocities bind as it is."""
+        return self.field.lowest_terms(self.model.rate(self.angles.value(name)))
+
+    def omega(self, body: str, axes: Axes) -> tuple[tuple[Expr, ...], int]:
+        """Symbols for the angular velocity of a body along axes, and the line that adds it up."""
+        key = "omega", body, axes.body
+        if key not in self.told:
+            angles = [(name, self.along(axis, axes)) for name, axis in self.turning(body)]
+            self._say_axes(angles, axes)
+            terms = [(rates_of(name, 1), axis) for name, axis in angles]
+            if axes.body == body:
+                name = f"omega_{body}"
+            else:
+                name = f"omega_{body}" if axes.body == GROUND else f"omega_{body}_{axes.body}"
+            symbols = self.introduce(name, "omega", body, axes, _turning(self.context, body), "rad/s")
+            sides = tuple(
+                _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
+            )
+            args: dict[str, Argument] = {"body": body, "axes": axes.words}
+            why = "space.added" if len(terms) > 1 else "space.one_axis"
+            self.told[key] = symbols, self.script.line(symbols, sides, why=why, args=args)
+        return self.told[key]
+
+    def omega_rates(self, body: str, axes: Axes) -> tuple[Expr, ...]:
+        """The angular acceleration along axes: rates of the components, and what the turning of the axes adds."""
+        symbols, _line = self.omega(body, axes)
+        rates: list[Expr] = []
+        for symbol in symbols:
+            read = self.context.glossary.meanings[rate_key(symbol)].read
+            assert callable(read)
+            rate, said = Call("rate", symbol), Sentence("space.rate_of", {"name": symbol})
+            self.context.glossary.redefine(Meaning(rate, said, rate_of(read), "rad/s^2"))
+            rates.append(rate)
+        if axes.body in (GROUND, body):
+            return tuple(rates)
+        turning, _line = self.omega(axes.body, axes)
+        return tuple(add(rate, *_cross_terms(turning, symbols, k)) for k, rate in enumerate(rates))
+
+    def _say_axes(self, angles: Sequence[tuple[str, Vector]], axes: Axes) -> None:
+        """Which angle turns about which axis."""
+        for name, axis in angles:
+            shown = Sentence("space.vector", {"x": tidy(axis[0]), "y": tidy(axis[1]), "z": tidy(axis[2])})
+            args: dict[str, Argument] = {"name": Symbol(name), "axis": shown, "axes": axes.words}
+            self.script.say("space.turns_about", **args)
+
+    def component(self, body: str, along: Direction) -> Expr:
+        """The angular velocity of a body along one direction, as a sum over its angles."""
+        e = components_of(along, self.state, 3)
+        angles = self.turning(body)
+        self._say_axes(angles, axes_of(None))
+        parts = [
+            (rates_of(name, 1), self.field.lowest_terms(self.field.element(dot(axis, e)))) for name, axis in angles
+        ]
+        return _sum([scaled(c, rate) for rate, c in parts if not c.is_zero()])
+
+    def bound(self, body: str) -> tuple[int, ...]:
+        """Lines that tell the rates by which a body is turned, where they are not free."""
+        names = [name for name, _axis in self.turning(body)]
+        lines = self.angles.explain(names)
+        if any(n in self.angles.bound for n in names):
+            lines += self.velocities_bound()
+        return lines
+
+    # -- what binds velocities ----------------------------------------------------------------
+    def velocities_bound(self) -> tuple[int, ...]:
+        """Rolling and closed loops, solved for the bound rates."""
+        if self.velocity_lines is None:
+            self.velocity_lines = ()  # what is needed on the way does not ask for them
+            self.velocity_lines = self._bind()
+        return self.velocity_lines
+
+    def _bind(self) -> tuple[int, ...]:
+        lines: list[int] = []
+        for loop in self.model.loops:
+            value = readable(primitive_part(loop.value))
+            closed: dict[str, Argument] = {"connection": loop.name.split(".")[0]}
+            place = self.script.line(*balanced(tidy(value)), why="unclosed.loop", args=closed)
+            rate = readable(primitive_part(self.field.rate(loop.value)))
+            args: dict[str, Argument] = {"line": place}
+            lines.append(self.script.line(*balanced(tidy(rate)), why="space.loop_rate", args=args, uses=(place,)))
+        rolling: dict[str, None] = {}
+        for row in self.context.system.held:
+            if isinstance(row.measure, RateMeasure):
+                rolling[row.connection] = None
+        for connection in rolling:
+            lines += self._rolling(connection)
+        found: list[int] = []
+        for c in self.model.dependent:
+            value = readable(self.field.lowest_terms(self.model.dependent_speed(c)))
+            if value.is_zero():
+                continue
+            given: dict[str, Argument] = {"lines": tuple(lines)}
+            left = rates_of(c.name, 1)
+            found.append(self.script.line(left, tidy(value), why="space.bound_rate", args=given, uses=tuple(lines)))
+        return tuple(found)
+
+    def _rolling(self, connection: str) -> list[int]:
+        found = self.rolling_body(connection)
+        if found is None:
+            return self._rate_rows(connection)
+        body, plane = found
+        axes = axes_of(None) if self.model.coordinates else self._handy_axes(body)
+        r_symbols, r_line = self.contact_arm(body, plane, axes)
+        v_symbols, v_line = self.velocity(body, axes)
+        w_symbols, w_line = self.omega(body.name, axes)
+        omega = [self.field.zero] * 3
+        for name, axis in self.turning(body.name):
+            rate = self.rate_element(name)
+            omega = [w + rate * a for w, a in zip(omega, axis, strict=True)]
+        arm = self.arm(body, plane)
+        velocity = self._raw_velocity(body)
+        slip = tuple(v + x for v, x in zip(velocity, cross(tuple(omega), arm), strict=True))
+        shown = self.shown(self.along(slip, axes))
+        zero = number(0)
+        uses = (r_line, v_line, w_line)
+        args: dict[str, Argument] = {"connection": connection, "lines": uses}
+        formal = tuple(add(v, *_cross_terms(w_symbols, r_symbols, k)) for k, v in enumerate(v_symbols))
+        return [self.script.line((zero, zero, zero), formal, shown, why="space.no_slip", args=args, uses=uses)]
+
+    def _handy_axes(self, body: RigidBody) -> Axes:
+        """The axes of what carries a body: there its velocities are short."""
+        link = next((link for link in self.model.tree.links if link.body == body.name), None)
+        if link is None or link.parent == GROUND:
+            return axes_of(None)
+        x, y, z = (Direction(link.parent, e.components) for e in AXES)
+        return Axes((x, y, z), link.parent)
+
+    def _rate_rows(self, connection: str) -> list[int]:
+        """What a connection says of velocities, row by row."""
+        found: list[int] = []
+        for row in self.context.system.held:
+            if row.connection == connection and isinstance(row.measure, RateMeasure):
+                rate = self.field.lowest_terms(self.state.raw_rate(row.measure))
+                if not rate.is_zero():
+                    args: dict[str, Argument] = {"connection": connection, "component": f"@{row.component}"}
+                    sides = balanced(tidy(primitive_part(rate)))
+                    found.append(self.script.line(*sides, why="space.velocity_row", args=args))
+        return found
+
+    def rolling_body(self, connection: str) -> tuple[RigidBody, Plane] | None:
+        """A disk or a sphere and the fixed plane on which it rolls."""
+        data = self.context.system.connections[connection]
+        if not isinstance(data, Rolling) or data.on is None or data.radius is not None:
+            return None
+        owner, _, name = data.on.rpartition(".")
+        ground = self.context.system.bodies[owner or GROUND]
+        body, plane = self.context.system.bodies[data.body], ground.planes.get(name)
+        if plane is None or not ground.fixed or body.round not in ("disk", "sphere") or body.radius is None:
+            return None
+        return body, plane
+
+    # -- vectors ------------------------------------------------------------------------------
+    def contact_arm(self, body: RigidBody, plane: Plane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
+        """From the centre to the point of contact."""
+
+        def reads(world: World) -> Sequence[float]:
+            return tuple(map(float, _arm_of(body, plane, world.snapshot)))
+
+        arm = self.along(self.arm(body, plane), axes)
+        symbols = self.introduce(f"r_{body.name}", "arm", body.name, axes, reads, "m")
+        args: dict[str, Argument] = {"body": body.name, "axes": axes.words}
+        return symbols, self.script.line(symbols, self.shown(arm), why="space.arm_is", args=args)
+
+    def arm(self, body: RigidBody, plane: Plane) -> Vector:
+        found = _arm_of(body, plane, self.state)
+        return tuple(self.field.lowest_terms(self.field.element(x)) for x in found)
+
+    def velocity(self, body: RigidBody, axes: Axes) -> tuple[tuple[Expr, ...], int]:
+        """The velocity of a centre, its place differentiated."""
+        key = "v", body.name, axes.body
+        if key not in self.told:
+
+            def reads(world: World) -> Sequence[float]:
+                return tuple(quantity_value(OfPoint(body.center, 1), self.context.system, world.snapshot))
+
+            place = self.place(body.center, str(body.name))
+            raw = self.along(self._raw_velocity(body), axes)
+            symbols = self.introduce(f"v_{body.name}", "velocity", body.name, axes, reads, "m/s")
+            args: dict[str, Argument] = {"body": body.name, "line": place, "axes": axes.words}
+            line = self.script.line(symbols, self.shown(raw), why="space.differentiated", args=args, uses=(place,))
+            self.told[key] = symbols, line
+        return self.told[key]
+
+    def place(self, point: Point, name: str) -> int:
+        """Where a point is, by ground components."""
+        key = "place", name
+        if key not in self.told:
+
+            def reads(world: World) -> Sequence[float]:
+                return tuple(quantity_value(OfPoint(point, 0), self.context.system, world.snapshot))
+
+            value = [self.field.lowest_terms(self.state.value(Displacement(point, ORIGIN, a))) for a in AXES]
+            label = name.replace(".", "_")
+            symbols = self.introduce(f"p_{label}", "place", name, axes_of(None), reads, "m")
+            line = self.script.line(symbols, self.shown(value), why="space.place_is", args={"body": name})
+            self.told[key] = symbols, line
+        return self.told[key][1]
+
+    def _raw_velocity(self, body: RigidBody) -> Vector:
+        return tuple(self.state.raw_rate(Displacement(body.center, ORIGIN, a)) for a in AXES)
+
+
+def _turning(context: Context, body: str) -> Callable[[World], Sequence[float]]:
+    def reads(world: World) -> Sequence[float]:
+        return tuple(quantity_value(Turning(body, 1), context.system, world.snapshot))
+
+    return reads
+
+
+def _arm_of(body: RigidBody, plane: Plane, state: State[Any]) -> tuple[Any, ...]:
+    """-R n for a sphere, -R (n - (n.a) a)/|n x a| for a rim."""
+    n = components_of(plane.normal, state, 3)
+    assert body.radius is not None
+    radius = state.scalar(body.radius)
+    if body.round == "sphere":
+        return tuple(-radius * x for x in n)
+    a = components_of(Direction(body.name, body.axis), state, 3)
+    share = dot(n, a)
+    across = tuple(x - share * y for x, y in zip(n, a, strict=True))
+    size = state.sqrt(dot(across, across))
+    return tuple(-radius * x / size for x in across)
+
+
+def _sum(terms: Sequence[Expr]) -> Expr:
+    return add(*terms) if terms else number(0)
+
+
+def _cross_terms(w: Sequence[Expr], r: Sequence[Expr], k: int) -> tuple[Expr, Expr]:
+    i, j = (k + 1) % 3, (k + 2) % 3
+    return w[i] * r[j], -(w[j] * r[i])

@@ -1,0 +1,184 @@
+"""Energies and momenta in space, body by body along the axes of each.
+
+T = m v^2/2 + omega . I omega/2,        H_G = I omega,        H_O = H_G + r x m v
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from freebody.language.expression import Expr, Symbol, add
+from freebody.model.elements import RigidBody
+from freebody.model.question import Energy, Momentum, Spin
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import fresh, named
+from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.questions.state import Parts
+from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
+from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.study.quantities import energy, is_among, quantity_value
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+def parts_of_momentum(
+    context: Context, script: Script, kinematics: SpatialKinematics, q: Energy | Momentum | Spin
+) -> Parts:
+    """Lines for every body that is meant, and their sum."""
+    telling = _Momenta(context, script, kinematics)
+    if isinstance(q, Energy):
+        return telling.energies(q)
+    if isinstance(q, Spin):
+        return telling.spins(q)
+    return telling.momenta(q)
+
+
+class _Momenta:
+    def __init__(self, context: Context, script: Script, kinematics: SpatialKinematics) -> None:
+        self.context, self.script, self.kinematics = context, script, kinematics
+        self.model, self.field = kinematics.model, kinematics.field
+        self.state = context.setup.state
+
+    def bodies(self, group: object) -> list[RigidBody]:
+        return [b for b in self.context.system.moving if is_among(b.name, group)]  # type: ignore[arg-type]
+
+    def omega_of(self, b: RigidBody) -> tuple[int, ...]:
+        """The angular velocity of a body that turns and has inertia, along its own axes."""
+        if not b.turns or all(x.is_zero() for x in self.model.inertias[b.name][3:]):
+            return ()
+        _symbols, line = self.kinematics.omega(b.name, axes_of_body(self.context, b.name))
+        return (line, *self.kinematics.bound(b.name))
+
+    # -- energies -----------------------------------------------------------------------------
+    def energies(self, q: Energy) -> Parts:
+        lines: list[int] = []
+        terms: list[Expr] = []
+        bodies = self.bodies(q.body) if q.what != "potential" else []
+        with self.script.stage("space.rotations", "space.rotations_hint"):
+            spins = {b.name: self.omega_of(b) for b in bodies}
+        with self.script.stage("space.energies", "space.energies_hint"):
+            for b in bodies:
+                value = self._element(energy("kinetic", b.name, self.context.system, self.state))
+                if not value.is_zero():
+                    uses = (*self._velocity(b), *spins[b.name])
+                    lines.append(self._energy_line(b, value, uses, terms))
+            if q.what != "kinetic":
+                lines += self._potentials(q, terms)
+        return Parts(tuple(lines), add(*terms) if terms else None)
+
+    def _velocity(self, b: RigidBody) -> tuple[int, ...]:
+        """The velocity of a mass centre that moves."""
+        if self.model.inertias[b.name][0].is_zero():
+            return ()
+        velocity = [self.model.in_independent_speeds(v) for v in self.model.velocities[b.name][:3]]
+        if all(self.model.vanishes(v) for v in velocity):
+            return ()
+        if b.center != b.mass_center:
+            return (self.kinematics.place(b.mass_center, f"{b.name}.G"),)
+        return (self.kinematics.velocity(b, axes_of(None))[1],)
+
+    def _energy_line(self, b: RigidBody, value: Ratio, uses: tuple[int, ...], terms: list[Expr]) -> int:
+        symbol = Symbol(fresh(self.context, f"T_{b.name}", f"T_{b.name}_k"))
+        what = Sentence("space.kinetic_of", {"body": b.name})
+        named(self.context, self.script, Meaning(symbol, what, Energy("kinetic", b.name), "J"))
+        terms.append(symbol)
+        args: dict[str, Argument] = {"body": b.name, "lines": uses}
+        why = "space.kinetic_is" if uses else "space.kinetic_is_plain"
+        return self.script.line(symbol, tidy(value), why=why, args=args, uses=uses)
+
+    def _potentials(self, q: Energy, terms: list[Expr]) -> list[int]:
+        lines: list[int] = []
+        loads: dict[str, Ratio] = {}
+        for push in self.context.system.pushes:
+            own = q.body is None or q.body in set(push.measure.bodies())
+            if own and self.context.system.loads[push.load].stores_energy:
+                total = loads.get(push.load, self.field.zero) + self.state.potential(push)
+                loads[push.load] = total
+        for load, value in loads.items():
+            symbol = Symbol(fresh(self.context, f"V_{load}", f"V_{load}_p"))
+            what = Sentence("space.potential", {"load": load})
+            named(self.context, self.script, Meaning(symbol, what, self._stored(load, q.body), "J"))
+            terms.append(symbol)
+            shown = tidy(self.field.lowest_terms(value))
+            lines.append(self.script.line(symbol, shown, why="space.potential_is", args={"load": load}))
+        return lines
+
+    def _stored(self, load: str, body: str | None) -> Callable[[World], float]:
+        def read(world: World) -> float:
+            own = [
+                p
+                for p in self.context.system.pushes
+                if p.load == load and (body is None or body in set(p.measure.bodies()))
+            ]
+            return float(sum(world.snapshot.potential(p) for p in own))
+
+        return read
+
+    # -- momenta ------------------------------------------------------------------------------
+    def spins(self, q: Spin) -> Parts:
+        """Angular momenta about mass centres, then what each body contributes."""
+        bodies = self.bodies(q.body)
+        own: dict[str, tuple[int, ...]] = {}
+        with self.script.stage("space.rotations", "space.rotations_hint"):
+            spins = {b.name: self.omega_of(b) for b in bodies}
+        with self.script.stage("space.momenta", "space.momenta_hint"):
+            for b in bodies:
+                own[b.name] = (self._own_spin(b, spins[b.name]),) if spins[b.name] else ()
+            if q.along is None or q.size:
+                lines = [line for b in bodies for line in (*own[b.name], *self._places(b, q))]
+                return Parts(tuple(lines or [x for found in spins.values() for x in found]))
+            return self._shares(q, bodies, own)
+        return Parts(())
+
+    def _own_spin(self, b: RigidBody, uses: tuple[int, ...]) -> int:
+        axes = axes_of_body(self.context, b.name)
+        velocity = tuple(self.model.in_independent_speeds(v) for v in self.model.velocities[b.name])
+        H = self.model.momentum(b.name, velocity)[3:]
+        q = Spin(b.name, None)
+
+        def reads(world: World) -> Sequence[float]:
+            return tuple(quantity_value(q, self.context.system, world.snapshot))
+
+        symbols = self.kinematics.introduce(f"H_{b.name}", "spin", b.name, axes, reads, "kg m^2/s")
+        args: dict[str, Argument] = {"body": b.name, "line": uses[0]}
+        return self.script.line(symbols, self.kinematics.shown(H), why="space.spin_is", args=args, uses=uses)
+
+    def _places(self, b: RigidBody, q: Spin) -> tuple[int, ...]:
+        if q.about is None and isinstance(q.body, str):
+            return ()
+        return self._velocity(b)
+
+    def _shares(self, q: Spin, bodies: Sequence[RigidBody], own: dict[str, tuple[int, ...]]) -> Parts:
+        lines: list[int] = []
+        terms: list[Expr] = []
+        for b in bodies:
+            share = replace(q, body=b.name)
+            value = self._element(quantity_value(share, self.context.system, self.state))
+            if value.is_zero():
+                continue
+            symbol = Symbol(fresh(self.context, f"H_{b.name}_e", f"H_{b.name}_along"))
+            what = Sentence("space.share", {"body": b.name})
+            named(self.context, self.script, Meaning(symbol, what, share, "kg m^2/s"))
+            terms.append(symbol)
+            uses = (*own[b.name], *self._places(b, q))
+            centre = replace(share, about=None)
+            turning = self._element(quantity_value(centre, self.context.system, self.state))
+            sides: list[Expr] = [symbol]
+            if not turning.is_zero() and not (value - turning).is_zero():
+                sides.append(add(tidy(turning), tidy(self.field.lowest_terms(value - turning))))
+            shown = tidy(value)
+            sides += [shown] if sides[-1] != shown else []
+            lines.append(self.script.line(*sides, why="space.share_is", args={"body": b.name}, uses=uses))
+        return Parts(tuple(lines), add(*terms) if terms else None)
+
+    def momenta(self, q: Momentum) -> Parts:
+        lines: list[int] = []
+        with self.script.stage("space.momenta"):
+            for b in self.bodies(q.body):
+                lines += self._velocity(b)
+        return Parts(tuple(lines))
+
+    def _element(self, value: object) -> Ratio:
+        return self.field.lowest_terms(self.field.element(value))  # type: ignore[arg-type]

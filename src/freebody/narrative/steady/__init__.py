@@ -1,0 +1,1 @@
+"""Derivations about motion that goes on evenly."""

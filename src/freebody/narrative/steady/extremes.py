@@ -1,0 +1,141 @@
+"""The least and the largest value over a turn: the slope along the angle, where it vanishes, and the values there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Symbol
+from freebody.model.question import Question
+from freebody.model.steady_questions import Extremes
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import fresh, named
+from freebody.narrative.lines.script import Argument, Script, Sentence, Sheet, Stage
+from freebody.narrative.principles.table import Table
+from freebody.narrative.space.spatial import SpatialTelling, asked
+from freebody.numeric.jets import Array
+from freebody.study.answer import Answer
+from freebody.study.evidence import holds
+from freebody.study.quantities import quantity_value
+from freebody.study.steady.extremes import Extremum, Search, angle_of, at_start_but_for
+from freebody.study.steady.loops import explicit
+from freebody.study.steady.round_turn import Round
+from freebody.study.steady.turning import Turning
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
+from freebody.symbolic.tidy import tidy
+
+N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
+N_SECTIONS = 12
+_GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[Stage]:
+    """The quantity, its slope, the stationary places, the extreme values."""
+    setup, model = context.setup, context.setup.model
+    f = model.field
+    x = explicit(model, f.lowest_terms(f.element(quantity_value(q.of, setup.system, setup.state))))
+    c = angle_of(model, q, x)
+    general = x
+    x = at_start_but_for(setup, question, x, c)
+    turning = Turning(model, c)
+    search = Search(turning)
+    search.must_exist(x)
+    found = search.stationary(x)
+    least, largest = search.ordered(found)
+    script = context.script()
+    uses = _leading_up(context, script, q)
+    with script.stage("steady.turn", "steady.turn_hint"):
+        symbol = Symbol(fresh(context, "y", "y_turn"))
+        named(context, script, Meaning(symbol, Sentence("steady.followed", {"name": Symbol(c.name)}), q.of))
+        args: dict[str, Argument] = {"lines": uses}
+        first = script.line(symbol, tidy(general), why="steady.quantity", args=args, uses=uses)
+        script.say("steady.slope", name=Symbol(c.name), factor=tidy(_slope(turning, x, c)))
+        _table(script, found, c.name)
+    with script.stage("stage.value"):
+        names = tuple(
+            Symbol(fresh(context, f"{symbol.name}_{end}", f"{symbol.name}_{end}_1")) for end in ("min", "max")
+        )
+        sweep = _Sweep(context, q, c, search)
+        meanings = [
+            Meaning(name, Sentence(f"steady.{which}"), sweep.extreme(way))
+            for name, which, way in zip(names, ("least", "largest"), (1, -1), strict=True)
+        ]
+        named(context, script, *meanings)
+        given: dict[str, Argument] = {"line": first}
+        values = (tidy(least.value), tidy(largest.value))
+        script.line(names, values, why="steady.ordered", args=given, uses=(first,), when="never")
+    return script.stages
+
+
+def _leading_up(context: Context, script: Script, q: Extremes) -> tuple[int, ...]:
+    """How the quantity follows from the angles, in space."""
+    if not context.system.space:
+        return ()
+    _parts, unknowns = asked(context, q.of, Table(context.setup.model))
+    return () if unknowns else SpatialTelling(context, script).parts(q.of).lines
+
+
+def _slope(turning: Turning, x: Ratio, c: Coordinate) -> Ratio:
+    """The factors of the slope along the angle that can vanish on the way."""
+    f, varying = x.field, x.field.one
+    for base, _exponent in f.factor(f.lowest_terms(f.derivative(x, c.index)).num)[1]:
+        if turning.occurs_in(base):
+            varying = varying * base
+    return varying
+
+
+def _table(script: Script, found: list[Extremum], name: str) -> None:
+    """Every stationary value with its places."""
+    script.say("steady.places")
+    header = (Sentence("steady.table_place"), Sentence("steady.table_value"))
+    rows: list[tuple[str | Expr, ...]] = []
+    for e in found:
+        places = ", ".join(dict.fromkeys(p.text(name) for p in e.places))
+        rows.append((places, tidy(e.value)))
+    script.add(Sheet(header, tuple(rows)))
+
+
+class _Sweep:
+    """The full system in poses round the turn, once for each draw."""
+
+    def __init__(self, context: Context, q: Extremes, c: Coordinate, search: Search) -> None:
+        self.context, self.q, self.c, self.search = context, q, c, search
+        self._known: dict[int, tuple[World, Round, list[tuple[float, float, Array]]]] = {}
+
+    def extreme(self, way: int) -> Callable[[World], float]:
+        """Reads the least (way 1) or the largest value, by golden sections from the best pose."""
+
+        def read(world: World) -> float:
+            turn, poses = self._round(world)
+            _best, middle, near = min(poses, key=lambda p: way * p[0])
+            low, high = middle - math.tau / N_POSES, middle + math.tau / N_POSES
+
+            def at(away: float) -> float:
+                return way * turn.value(turn.pose(near, away))
+
+            for _ in range(N_SECTIONS):
+                a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+                low, high = (low, b) if at(a) < at(b) else (a, high)
+            return way * at((low + high) / 2)
+
+        return read
+
+    def _round(self, world: World) -> tuple[Round, list[tuple[float, float, Array]]]:
+        """(value, angle from the start, pose) all round the turn."""
+        if id(world) not in self._known:
+            turn = Round(self.context.setup, world.draw, self.c, self.q.of)
+            if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
+                raise CannotAnswer("these numbers do not meet the conditions of the answer")
+            step = math.tau / N_POSES
+            poses: list[tuple[float, float, Array]] = []
+            for sense in (1.0, -1.0):
+                pose = world.draw.q
+                for k in range(N_POSES // 2):
+                    away = sense * (k + 0.5) * step
+                    pose = turn.pose(pose, away)
+                    poses.append((turn.value(pose), away, pose))
+            self._known[id(world)] = world, turn, poses
+        return self._known[id(world)][1:]

@@ -1,0 +1,216 @@
+"""Whether small disturbances grow: Euler's equations beside a spin, and the linearised equations of a steady motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
+from freebody.model.question import Question
+from freebody.model.steady_questions import SpinStability
+from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Sheet, Stage, When
+from freebody.narrative.principles.motion_equations import motion_equations, readable
+from freebody.numeric.jets import Array
+from freebody.study.answer import Answer
+from freebody.study.draws import Draw
+from freebody.study.steady.linearised import About
+from freebody.study.steady.motion import Steady
+from freebody.study.steady.spin import slopes_beside
+from freebody.study.steady.stability import Linear, linear_at_start
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+_ROUND_OFF = 1e-5  # of exponents by differences
+_SPIN = 3.7  # rad/s, at which lines are looked at
+_PRODUCTS: dict[frozenset[int], int] = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
+
+
+def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStability) -> list[Stage]:
+    """Euler's equations with small components beside a spin."""
+    expression = answer.expression
+    assert expression is not None
+    assert not isinstance(expression, tuple)
+    model = context.setup.model
+    k = "xyz".index(q.axis)
+    i, j = (k + 1) % 3, (k + 2) % 3
+    tensor = model.inertias[q.body][3:]
+    if not tensor[_PRODUCTS[frozenset((i, j))]].is_zero():
+        raise CannotAnswer(
+            "the axes across the spin are no principal axes; the answer is that of the general equations"
+        )
+    script = context.script()
+    spin = next(s for s in sorted(free_symbols(expression)) if s not in context.system.parameters)
+    with script.stage("steady.euler", "steady.euler_hint"):
+        line, exponent = _euler(context, script, q, (i, j, k), tensor, Symbol(spin))
+    with script.stage("stage.value"):
+        symbol = asked_as(context, question, context.glossary.meanings[exponent.name].read)  # type: ignore[arg-type]
+        script.add(asked_entry(symbol, question, "1/s^2"))
+        args: dict[str, Argument] = {"line": line}
+        script.line(symbol, expression, why="steady.solved_for", args=args, uses=(line,), when="never")
+        script.say("steady.stable")
+    return script.stages
+
+
+def _euler(
+    context: Context,
+    script: Script,
+    q: SpinStability,
+    axes: tuple[int, int, int],
+    tensor: tuple[Ratio, ...],
+    spin: Symbol,
+) -> tuple[int, Symbol]:
+    """Both linearised equations, and the exponent that solves them; the line of the latter and its symbol."""
+    i, j, k = axes
+    u, w = (Symbol(fresh(context, f"u_{'xyz'[n]}", f"u_{'xyz'[n]}_1")) for n in (i, j))
+    body = q.body
+    slopes = _Slopes(context, body, k)
+    meanings = [
+        Meaning(spin, Sentence("steady.spin_symbol"), lambda _world: _SPIN, "rad/s"),
+        Meaning(u, Sentence("steady.across", {"axis": f"{body}.{'xyz'[i]}"}), lambda _world: 1.0, "rad/s"),
+        Meaning(w, Sentence("steady.across", {"axis": f"{body}.{'xyz'[j]}"}), lambda _world: 0.6, "rad/s"),
+        Meaning(Call("rate", u), Sentence("steady.across_rate"), slopes.rate(0), "rad/s^2"),
+        Meaning(Call("rate", w), Sentence("steady.across_rate"), slopes.rate(1), "rad/s^2"),
+    ]
+    named(context, script, *meanings)
+    a, b, c = tensor[i], tensor[j], tensor[k]
+    f = a.field
+    args: dict[str, Argument] = {"spin": spin, "axis": f"{body}.{'xyz'[k]}", "first": u, "second": w}
+    script.say("steady.small", **args)
+    first = _line(script, tidy(a), Call("rate", u), tidy(f.lowest_terms(c - b)), spin, w)
+    second = _line(script, tidy(b), Call("rate", w), tidy(f.lowest_terms(a - c)), spin, u)
+    square = Symbol(fresh(context, "lambda_2", "exponent_2"))
+    named(context, script, Meaning(square, Sentence("steady.exponent_symbol"), slopes.square, "1/s^2"))
+    given: dict[str, Argument] = {"lines": (first, second)}
+    right = multiply(tidy(f.lowest_terms((c - b) * (a - c))), spin, spin)
+    line = script.line(
+        multiply(tidy(f.lowest_terms(a * b)), square),
+        right,
+        why="steady.exponent",
+        args=given,
+        uses=(first, second),
+        when="never",
+    )
+    return line, square
+
+
+def _line(script: Script, inertia: Expr, rate: Expr, difference: Expr, spin: Symbol, other: Symbol) -> int:
+    left = add(multiply(inertia, rate), multiply(difference, spin, other))
+    return script.line(left, number(0), when="never")
+
+
+class _Slopes:
+    """How the small components change in the full system, by finite differences."""
+
+    def __init__(self, context: Context, body: str, k: int) -> None:
+        self.body, self.k = body, k
+        self._known: dict[int, tuple[Draw, Array]] = {}
+
+    def of(self, draw: Draw) -> Array:
+        if id(draw) not in self._known:
+            self._known[id(draw)] = draw, slopes_beside(draw, self.body, self.k, _SPIN)
+        return self._known[id(draw)][1]
+
+    def rate(self, n: int) -> Callable[[World], float]:
+        return lambda world: float(self.of(world.draw)[n][0] * 1.0 + self.of(world.draw)[n][1] * 0.6)
+
+    def square(self, world: World) -> float:
+        """lambda^2 = -det of the slopes, whose trace vanishes."""
+        s = self.of(world.draw)
+        return float(s[0][1] * s[1][0] - s[0][0] * s[1][1])
+
+
+# -- a steady motion --------------------------------------------------------------------------
+class _Beside(Glossary):
+    """At the "event" symbols have their values in the steady motion of the start."""
+
+    def __init__(self, context: Context, linear: Linear) -> None:
+        super().__init__(context.setup)
+        self.meanings.update(context.glossary.meanings)
+        self.linear = linear
+        self._found: list[tuple[World, list[complex]]] = []
+
+    def worlds(self, when: When) -> Iterator[World]:
+        if when != "event":
+            yield from super().worlds(when)
+            return
+        for world, _squares in self.found():
+            yield world
+
+    def found(self) -> list[tuple[World, list[complex]]]:
+        """Motions, and the squares of the exponents of the full system linearised there in numbers."""
+        for draw in () if self._found else self.setup.draws:
+            with suppress(CannotAnswer):
+                about = About(self.setup, self.linear, draw, 1.0)
+                squares = [complex(x) ** 2 for x in np.linalg.eigvals(about.matrix())]
+                self._found.append((World(self, draw, draw.seen(about.snapshot)), squares))
+        return self._found
+
+
+def tell_stability(context: Context, question: Question, answer: Answer) -> list[Stage]:
+    """The equations of motion, the steady motion, and the squares of the exponents of small disturbances."""
+    expression = answer.expression
+    assert expression is not None
+    if answer.unit == "":
+        raise CannotAnswer("stability is decided here by the signs in Routh's array, which are not told step by step")
+    steady = Steady(context.setup.model)
+    linear = linear_at_start(context.setup, steady)
+    script = context.script()
+    with script.stage("unclosed.equations", "unclosed.equations_hint"):
+        lines = tuple(row.number for row in motion_equations(context, script))
+    glossary = _Beside(context, linear)
+    more = Script(glossary, script.next_number)
+    with more.stage("steady.linear", "steady.linear_hint"):
+        for key, group in (("cyclic", steady.cyclic), ("others", steady.others)):
+            if group:
+                more.say(f"steady.{key}", names=tuple(Symbol(c.name) for c in group))
+        for index, x in linear.rates.items():
+            if not x.is_zero():
+                shown = linear.steady.model.field.generators[index].display
+                more.line(shown, tidy(x), why="steady.needs", args={"lines": lines}, uses=lines, when="event")
+        more.say("steady.linearised")
+        _polynomial(more, linear)
+    values = expression if isinstance(expression, tuple) else (expression,)
+    with more.stage("stage.value"):
+        names = [Symbol(fresh(context, f"lambda2_{k + 1}", f"square_{k + 1}")) for k in range(len(values))]
+        meanings = [
+            Meaning(name, Sentence("steady.exponent_symbol"), _nearest(glossary, value), "1/s^2")
+            for name, value in zip(names, values, strict=True)
+        ]
+        for meaning in meanings:
+            glossary.redefine(meaning)
+        more.add(Legend(tuple((m.symbol, m.what, m.unit) for m in meanings)))
+        left: Expr | tuple[Expr, ...] = tuple(names) if isinstance(expression, tuple) else names[0]
+        args: dict[str, Argument] = {"lines": lines}
+        more.line(left, expression, why="steady.roots_of", args=args, uses=lines, when="event")
+        more.say("steady.stable")
+    return [*script.stages, *more.stages]
+
+
+def _polynomial(script: Script, linear: Linear) -> None:
+    """The coefficients of the characteristic polynomial, a row for each power."""
+    rows: list[tuple[Sentence | Expr | str, ...]] = []
+    for power_, c in enumerate(linear.coefficients):
+        if not c.is_zero():
+            rows.append((str(power_), tidy(readable(c))))
+    header = (Sentence("steady.table_power"), Sentence("conserved.table_coefficient"))
+    script.add(Sheet(header, tuple(reversed(rows))))
+
+
+def _nearest(glossary: _Beside, value: Expr) -> Callable[[World], float]:
+    """The square of an exponent of the full system that is nearest to a claimed one; it must be real."""
+
+    def read(world: World) -> float:
+        squares = next(found for own, found in glossary.found() if own is world)
+        (claimed,) = world.of(value)
+        best = min(squares, key=lambda s: abs(s - claimed))
+        largest = max(map(abs, squares))
+        # by differences, so to fewer digits than a line is held to
+        return claimed if abs(best - claimed) < _ROUND_OFF * max(abs(claimed), largest) else best.real
+
+    return read

@@ -1,0 +1,36 @@
+"""Questions about motion that goes on evenly: steady rates, what a turn brings, whether a disturbance grows."""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.model.question import Question
+from freebody.model.steady_questions import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.script import Stage
+from freebody.study.answer import Answer
+
+
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    """The derivation of a question about steady motion. Raises CannotAnswer where the solver has no formula."""
+    refuse(method, (), "steady motion")
+    if answer.expression is None:
+        raise CannotAnswer(answer.reason or "there is no closed form")
+    match question.quantity:
+        case SteadyValue():
+            from freebody.narrative.steady.steady_motion import tell_steady
+
+            return tell_steady(context, question, answer, question.quantity)
+        case Extremes():
+            from freebody.narrative.steady.extremes import tell_extremes
+
+            return tell_extremes(context, question, answer, question.quantity)
+        case SpinStability():
+            from freebody.narrative.steady.stability import tell_spin
+
+            return tell_spin(context, question, answer, question.quantity)
+        case SteadyStability():
+            from freebody.narrative.steady.stability import tell_stability
+
+            return tell_stability(context, question, answer)
+        case _:
+            raise CannotAnswer("this is no question about steady motion")

@@ -1,0 +1,1 @@
+"""Words: the catalogue of a language, and derivations told as reports."""

@@ -1,0 +1,187 @@
+"""What derivations say, in one language: sentences by key, with places for names, formulas and numbers.
+
+One file per language (`words/en.toml`); a key that a language lacks is said in English. A place {name} is filled with
+what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines}, {given}), a
+word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one member.
+Sentences that the layers below hand over ready-made are looked up among the phrases of the language (`phrases.py`).
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Any, cast
+
+from freebody.errors import InputError
+from freebody.language.expression import Call, Number, Power, Product, Sum, Symbol
+from freebody.model.names import did_you_mean
+from freebody.narrative.lines.script import Argument, Sentence
+from freebody.narrative.telling.phrases import GENERAL, TABLE, phrases_of
+from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
+
+_REFERENCES = ("line", "lines", "given")
+_KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
+_PLACE = re.compile(r"\{(\w+)\}")
+_OF_MODELS = "en"  # the language of model files and of the layers below
+_FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
+_EXPRESSIONS = (Number, Symbol, Sum, Product, Power, Call)
+
+
+def languages() -> tuple[str, ...]:
+    """The languages for which there is a file."""
+    found = [entry.name for entry in files("freebody.narrative.words").iterdir()]
+    return tuple(
+        sorted(name.removesuffix(".toml") for name in found if name.count(".") == 1 and name.endswith(".toml"))
+    )
+
+
+class Catalogue:
+    """The sentences of a language."""
+
+    def __init__(self, language: str = "en") -> None:
+        if language not in languages():
+            raise InputError(
+                f"there are no words for the language {language}.{did_you_mean(language, languages())} There is: "
+                f"{', '.join(languages())}"
+            )
+        self.language = language
+        self._words = _read(language)
+        self._english = _read(_OF_MODELS)
+        self._phrases = phrases_of(language)
+
+    @property
+    def quotes(self) -> bool:
+        """Whether models are written in this language, so that their words are shown as they stand."""
+        return self.language == _OF_MODELS
+
+    def has(self, key: str) -> bool:
+        return key in self._words or key in self._english
+
+    def template(self, key: str) -> str:
+        """The sentence with its places; that of `group.any` where a group has none of its own for a key. Raises
+        KeyError for a key that no language has."""
+        other = f"{key.rpartition('.')[0]}.any"
+        for words in (self._words, self._english):
+            if key in words or other in words:
+                return words.get(key) or words[other]
+        return self._english[key]
+
+    def tell(self, sentence: Sentence) -> Text:
+        """A sentence as text with formulas in it."""
+        key = sentence.key
+        if _is_single(sentence) and self.has(f"{key}_one"):
+            key += "_one"
+        pieces: list[Piece] = []
+        template, end = self.template(key), 0
+        for found in _PLACE.finditer(template):
+            pieces.append(template[end : found.start()])
+            pieces += self._filled(found[1], sentence.args.get(found[1], ""))
+            end = found.end()
+        pieces.append(template[end:])
+        kept = [p for p in pieces if p != ""]
+        if template.startswith("{") and template.endswith(".") and kept and isinstance(kept[0], str):
+            kept[0] = kept[0][:1].upper() + kept[0][1:]
+        return tuple(kept)
+
+    def plain(self, sentence: Sentence) -> str:
+        """A sentence as plain words, for titles and labels."""
+        from freebody.language.notation import to_text
+
+        words: list[str] = []
+        for piece in self.tell(sentence):
+            match piece:
+                case str():
+                    words.append(piece)
+                case Emphasis(text, _look):
+                    words.append(text)
+                case Formula(sides, relations, _unit):
+                    shown = [to_text(s) for s in sides if isinstance(s, _EXPRESSIONS)]
+                    words.append(f" {relations[0] if relations else ''} ".join(shown))
+                case Reference(number, _what):
+                    words.append(f"({number})")
+        return "".join(words)
+
+    def short(self, sentence: Sentence) -> str:
+        """A point or direction as a label has it."""
+        key = f"{sentence.key}_short"
+        return self.plain(Sentence(key, sentence.args) if self.has(key) else sentence)
+
+    def word(self, key: str) -> str:
+        return self.template(key)
+
+    def said(self, text: str, place: str = "") -> str:
+        """A ready-made sentence in this language; itself where there is no phrase for it. A single word is a name,
+        unless its place is that of what a system does."""
+        if place == "title":
+            return text
+        if " " not in text:
+            return self._phrases.said(text, "does") or text if place == "what" else text
+        kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
+        return next((said for kind in kinds if (said := self._phrases.said(text, kind)) is not None), text)
+
+    def option(self, text: str) -> str:
+        """The words of an option, which may be a single one."""
+        return self._phrases.said(text, "answer") or self.said(text)
+
+    def _filled(self, name: str, value: Argument) -> list[Piece]:
+        if isinstance(value, tuple):
+            return self._listed([self._filled(name, v) for v in value])
+        if isinstance(value, Sentence):
+            return list(self.tell(value))
+        if isinstance(value, _EXPRESSIONS):
+            return [Formula((value,))]
+        if isinstance(value, int):
+            return [Reference(value)] if name in _REFERENCES else [str(value)]
+        if value.startswith("@"):
+            return [self._worded(value[1:], name)]
+        said = self.said(value, name)
+        return [said if said != value else Emphasis(value, "code")] if value else []
+
+    def _worded(self, text: str, place: str) -> str:
+        """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
+        is_key = _KEY.fullmatch(text) is not None
+        key = text.replace("_", " ") if is_key else text
+        found = self._words.get(key) or self._english.get(key)
+        if found is not None:
+            return found
+        return text.partition(".")[2] if is_key else self.said(text, place)
+
+    def _listed(self, parts: list[list[Piece]]) -> list[Piece]:
+        """a, b and c"""
+        pieces: list[Piece] = []
+        for k, part in enumerate(parts):
+            if k:
+                pieces.append(self.word("list.and") if k == len(parts) - 1 else ", ")
+            pieces += part
+        return pieces
+
+
+def _is_single(sentence: Sentence) -> bool:
+    """Whether a sentence names one thing where it could name several."""
+    if sentence.args.get("n") == 1:
+        return True
+    lists = [v for v in sentence.args.values() if isinstance(v, tuple)]
+    return bool(lists) and len(lists[0]) == 1
+
+
+@cache
+def _read(language: str) -> dict[str, str]:
+    """All sentences of a language by dotted key."""
+    folder = files("freebody.narrative.words")
+    found: dict[str, str] = {}
+    for entry in folder.iterdir():
+        if entry.name == f"{language}.toml" or (entry.name.startswith(f"{language}.") and entry.name.endswith(".toml")):
+            _flatten(tomllib.loads(entry.read_text("utf-8")), "", found)
+    return found
+
+
+def _flatten(table: dict[str, Any], prefix: str, found: dict[str, str]) -> None:
+    for key, value in table.items():
+        if prefix + key == TABLE:
+            continue  # of phrases
+        if isinstance(value, dict):
+            _flatten(cast("dict[str, Any]", value), f"{prefix}{key}.", found)
+        else:
+            found[prefix + key] = str(value)

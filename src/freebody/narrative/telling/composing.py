@@ -1,0 +1,69 @@
+"""An explanation as a report: the opening, a section for each question, and how the answers were checked."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+from freebody.errors import FreebodyError
+from freebody.narrative.lines.script import Sentence
+from freebody.narrative.sheets.asking import headline
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.telling import Telling
+from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section, Text
+
+if TYPE_CHECKING:
+    from freebody.narrative.explain import Derivation, Explanation
+    from freebody.system.system import System
+
+_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
+
+
+def report_of(explanation: Explanation) -> Report:
+    """The report of an explanation, in its language."""
+    catalogue = Catalogue(explanation.language)
+    system = explanation.system
+
+    @cache
+    def draw(bodies: tuple[str, ...]) -> Picture | None:
+        from freebody.study.picture import free_body, picture
+
+        try:
+            return free_body(system, bodies) if bodies else picture(system)
+        except FreebodyError:  # a derivation without its picture is better than none
+            return None
+
+    telling = Telling(catalogue, draw)
+    blocks: list[Block] = []
+    if system.about:
+        blocks.append(Paragraph((system.about,)))
+    for stage in explanation.opening:
+        blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
+    blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
+    words = {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _WORDS}
+    title = system.title or "freebody"
+    return Report(title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), words)
+
+
+def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:
+    asked: Text = (Emphasis(d.question.text, "code"),)
+    if not catalogue.quotes:
+        asked = catalogue.tell(headline(system, d.question))
+    title: Text = (d.question.id, ": ", *asked)
+    blocks: list[Block] = []
+    if d.compared:
+        names = [(Emphasis(catalogue.word(f"method.{m}"), "strong"),) for m in (d.method, d.compared_method)]
+        ends = [s for s in d.stages if s.title.key.startswith("stage.result") or s.title.key == "stage.options"]
+        left = telling.stages([s for s in d.stages if s not in ends])
+        blocks.append(Columns((Paragraph(names[0]), *left), (Paragraph(names[1]), *telling.stages(d.compared))))
+        blocks.append(Remark(catalogue.tell(Sentence("compare.same"))))
+        blocks += telling.stages(ends)
+    else:
+        blocks += telling.stages(d.stages)
+    if d.reason:
+        blocks.append(Remark(catalogue.tell(Sentence("report.no_derivation", {"reason": f"@{d.reason}"})), "warning"))
+    if d.answer.evidence is not None:
+        e = d.answer.evidence
+        args = {"n": e.draws, "route": f"@{e.route}", "worst": f"@{e.worst_relative_difference:.0e}"}
+        blocks.append(Remark(catalogue.tell(Sentence("report.evidence", args)), "evidence"))
+    return Section(title, tuple(blocks))
