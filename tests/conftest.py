@@ -51,8 +51,8 @@ def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -
 
 @pytest.fixture
 def within() -> Callable[[float, Callable[[], object]], None]:
-    """Asserts that an action takes less than a time [s] of the processor in the quickest of up to five runs: a collection
-    of garbage or a first import make a run longer, never shorter."""
+    """Asserts that an action takes less than a time [s] of the processor in the quickest of up to five runs: a
+    collection of garbage or a first import make a run longer, never shorter."""
 
     def check(seconds: float, action: Callable[[], object]) -> None:
         times: list[float] = []

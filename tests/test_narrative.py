@@ -76,8 +76,8 @@ def principles(derivation: Derivation) -> list[tuple[str, tuple[str, ...], str]]
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.yaml")))
 def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> None:
-    """Each line holds (else it would not be there), names what was introduced, follows from earlier ones; the last one is
-    the answer."""
+    """Each line holds (else it would not be there), names what was introduced, follows from earlier ones; the last one
+    is the answer."""
     found = explain(load(name))
     assert [d.question.id for d in found.derivations] == [q.id for q in found.system.questions]
     for derivation in found.derivations:

@@ -76,7 +76,8 @@ def index(cards: list[Card]) -> str:
 </head>
 <body>
 <header><h1>Worked examples</h1>
-<p>Each was described in a short model file and solved, checked and written by <code>freebody explain</code>.</p></header>
+<p>Each was described in a short model file and solved, checked and written by <code>freebody explain</code>.</p>
+</header>
 <main>
 {"".join(map(card_of, cards))}</main>
 </body>
@@ -98,7 +99,8 @@ def card_of(card: Card) -> str:
 
 
 STYLE = """
-:root { --paper: #fff; --ink: #1f2328; --muted: #59636e; --faint: #d0d5da; --accent: #0072b2; color-scheme: light dark; }
+:root { --paper: #fff; --ink: #1f2328; --muted: #59636e; --faint: #d0d5da; --accent: #0072b2; }
+:root { color-scheme: light dark; }
 @media (prefers-color-scheme: dark) {
   :root { --paper: #14171b; --ink: #e6e9ec; --muted: #98a2ad; --faint: #3a424b; --accent: #56b4e9; }
 }

@@ -1,5 +1,5 @@
-"""The end of every derivation: the result with its conditions, what it says in special cases, its unit, its value at the
-file's numbers, and a verdict on each option."""
+"""The end of every derivation: the result with its conditions, what it says in special cases, its unit, its value at
+the numbers of the file, and a verdict on each option."""
 
 from __future__ import annotations
 
@@ -85,7 +85,9 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
         return Sentence("options.reason_and_mistake", {"reason": f"@{told}", "mistake": mistakes[letter]})
 
     rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), reason(k, v.reason)) for k, v in answer.options.items())
-    marks: tuple[Literal["", "right", "wrong"], ...] = tuple("right" if v.verdict == "right" else "wrong" for v in answer.options.values())
+    marks: tuple[Literal["", "right", "wrong"], ...] = tuple(
+        "right" if v.verdict == "right" else "wrong" for v in answer.options.values()
+    )
     script.add(Sheet(header, rows, marks))
     for note in answer.author_notes:
         script.say("result.note", text=f"@{note}")

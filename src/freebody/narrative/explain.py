@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Derivation:
-    """The worked solution of one question; `reason` where there is none. compared: by a second method, which ends in the
-    same result."""
+    """The worked solution of one question; `reason` where there is none. compared: by a second method, which ends in
+    the same result."""
 
     question: Question
     answer: Answer
@@ -104,9 +104,9 @@ def explain(
 ) -> Explanation:
     """Derives the answers to the questions of a system, or to one: the id of a question of the file, or one in words.
 
-    method: "auto", "newton", "lagrange" or "energy"; compare: a second method, shown beside the first. Raises ModelError
-    for a question that cannot be read, InputError for an unknown method or language. A question without a derivation has
-    a Derivation that says why."""
+    method: "auto", "newton", "lagrange" or "energy"; compare: a second method, shown beside the first. Raises
+    ModelError for a question that cannot be read, InputError for an unknown method or language. A question without a
+    derivation has a Derivation that says why."""
     chosen = _method(method)
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}

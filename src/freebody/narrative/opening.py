@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Sum, Symbol, number
+from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
+from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
@@ -32,20 +33,30 @@ def opening(context: Context) -> list[Stage]:
 def _system(context: Context, script: Script) -> None:
     system = context.system
     script.add(Diagram((), Sentence("figure.system", {"title": system.title})))
-    rows: list[tuple[Sentence | Expr | str, ...]] = []
-    for body in system.moving:
-        inertia: Expr | str = body.inertia if body.turns and not system.space else ""
-        is_massless = body.mass == ZERO and body.inertia == ZERO
-        mass: Sentence | Expr | str = Sentence("system.massless") if is_massless else body.mass
-        mass = "–" if mass == ZERO else mass  # only its inertia matters
-        rows.append((body.name, mass, inertia if inertia != ZERO else ""))
-    header = tuple(Sentence(f"system.table_{name}") for name in ("body", "mass", "inertia"))
+    wanted = ("body", "mass") if system.space else ("body", "mass", "inertia")
+    header = tuple(Sentence(f"system.table_{name}") for name in wanted)
+    rows = tuple((body.name, *_mass(body), *(() if system.space else _inertia(body))) for body in system.moving)
     if rows:
-        script.add(Sheet(header, tuple(rows)))
+        script.add(Sheet(header, rows))
     for text in system.assumptions:
         script.say("system.assumed", text=f"@{text}")
     script.say("system.rigid")
     script.say("report.conventions_space" if system.space else "report.conventions")
+
+
+def _mass(body: RigidBody) -> tuple[Sentence | Expr | str]:
+    if body.mass == ZERO:  # else only its inertia matters
+        return ("–" if body.inertia != ZERO or body.tensor else Sentence("system.massless"),)
+    return (_with_unit(body.mass, "kg"),)
+
+
+def _inertia(body: RigidBody) -> tuple[Expr | str]:
+    return (_with_unit(body.inertia, "kg m²") if body.turns and body.inertia != ZERO else "",)
+
+
+def _with_unit(e: Expr, unit: str) -> Expr | str:
+    """A formula; a plain number with its unit in SI."""
+    return e if free_symbols(e) else f"{float(evaluate(e, {})):.6g} {unit}"
 
 
 def _symbols(context: Context, script: Script) -> None:
@@ -121,7 +132,8 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
     else:
         script.say("freedom.confirmed")
     names = tuple(Symbol(c.name) for c in model.coordinates)
-    script.say("freedom.coordinates" if names else "freedom.coordinates_none", names=names)
+    alone = "freedom.coordinates_driven" if gruebler(context.setup.system).drivers else "freedom.coordinates_none"
+    script.say("freedom.coordinates" if names else alone, names=names)
     if model.dependent:
         script.say("freedom.driven", names=tuple(Symbol(c.name) for c in model.dependent))
     return n

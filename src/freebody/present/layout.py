@@ -161,7 +161,6 @@ class _Settling:
             self.poses[:, members, :2] += gap * n
             self.settled.add(self.group[rack])
 
-
     # -- bodies on one rail -------------------------------------------------------------------
     def spread(self) -> None:
         """Moves bodies apart along their rail that only it places, and that begin in one point."""

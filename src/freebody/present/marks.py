@@ -54,10 +54,7 @@ class Meeting:
 
 @dataclass(frozen=True)
 class ContactTrack:
-    """Where bodies touch along a motion. states: (n_times, n_meetings) if TYPE_CHECKING:
-    from freebody.numeric.engine.course import ContactRecord
-
-OPEN, PRESSES (without friction), STICKS or
+    """Where bodies touch along a motion. states: (n_times, n_meetings) OPEN, PRESSES (without friction), STICKS or
     SLIPS."""
 
     meetings: tuple[Meeting, ...]

@@ -1,6 +1,7 @@
 """Derivatives in numbers, by central differences of formulas that have been checked before.
 
-dT/du is taken with everything else kept; d/dt follows the motion: every symbol changes with its rate, rates with theirs.
+dT/du is taken with everything else kept; d/dt follows the motion: every symbol changes with its rate, rates with
+theirs.
 """
 
 from __future__ import annotations

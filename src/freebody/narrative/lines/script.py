@@ -182,13 +182,13 @@ class Script:
                 for a, b in zip(left, right, strict=True):
                     if not _agrees(a, b, relations[k], scale, room):
                         raise RoutesDisagree(
-                            f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}. The derivation is "
-                            "not shown. This is a defect of freebody; please report the model"
+                            f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}. The derivation "
+                            "is not shown. This is a defect of freebody; please report the model"
                         )
         if n_held < FEWEST:
             raise CannotAnswer(
-                f"the step {_shown(expressions)} could be checked at {n_held} random motions only, so the derivation is "
-                f"not shown{': ' + trouble if trouble else ''}"
+                f"the step {_shown(expressions)} could be checked at {n_held} random motions only, so the derivation "
+                f"is not shown{': ' + trouble if trouble else ''}"
             )
 
 

@@ -50,7 +50,8 @@ def by_energy(context: Context, script: Script, asked: Sequence[int]) -> dict[in
     _check(model, asked, "the rate of energy")
     if model.degrees_of_freedom != 1:
         raise CannotAnswer(
-            f"energy gives one equation, and there are {model.degrees_of_freedom} degrees of freedom; take newton or lagrange"
+            f"energy gives one equation, and there are {model.degrees_of_freedom} degrees of freedom; take newton or "
+            "lagrange"
         )
     f, (c,) = model.field, model.coordinates
     T = kinetic_energy(context)

@@ -1,7 +1,7 @@
 """Linear equations solved one unknown at a time, with every step a line of the derivation.
 
-Reactions are eliminated first, from the equation in which their coefficient is simplest; then accelerations; what is asked
-for comes last, or is put back in from what was found.
+Reactions are eliminated first, from the equation in which their coefficient is simplest; then accelerations; what is
+asked for comes last, or is put back in from what was found.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""The system at a general instant, with accelerations and reactions left as symbols: what a question asks for in terms of
-the unknowns of the table of principles."""
+"""The system at a general instant, with accelerations and reactions left as symbols: what a question asks for in terms
+of the unknowns of the table of principles."""
 
 from __future__ import annotations
 

@@ -14,8 +14,8 @@ from freebody.symbolic.tidy import tidy
 
 
 def loop_lines(context: Context, script: Script, needed: Iterable[Ratio] | None = None) -> tuple[int, ...]:
-    """The loops of a system as lines, differentiated and solved for the bound speeds; nothing without loops, or where what
-    is needed does not contain what they bind. Written once in a derivation."""
+    """The loops of a system as lines, differentiated and solved for the bound speeds; nothing without loops, or where
+    what is needed does not contain what they bind. Written once in a derivation."""
     model = context.setup.model
     if not model.dependent:
         return ()

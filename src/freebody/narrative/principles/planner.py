@@ -1,7 +1,7 @@
 """The cheapest closed set of principles that contains what is asked.
 
-Unknowns are the independent accelerations and the reactions. At a random motion every principle is a row of numbers over
-these; a set is closed if the row of what is asked is a combination of its rows. The search is best first:
+Unknowns are the independent accelerations and the reactions. At a random motion every principle is a row of numbers
+over these; a set is closed if the row of what is asked is a combination of its rows. The search is best first:
 to what is needed it adds an equation that contains one of the unknowns that are still in the way. Costs say what
 a person would count: equations, bodies taken together, reactions nobody asked for.
 """
@@ -133,8 +133,8 @@ class Planner:
         return self._known[among]
 
     def _search(self, entries: Sequence[Entry], target: Array) -> tuple[int, ...] | None:
-        """Best first over sets of entries. A set in which an unknown that is not asked for stands in one row only cannot
-        be closed: that row would have to be left out."""
+        """Best first over sets of entries. A set in which an unknown that is not asked for stands in one row only
+        cannot be closed: that row would have to be left out."""
         wanted = np.abs(target).max(axis=0) > 0
         support = np.array([e.row != 0 for e in entries])
         costs = np.array([e.cost for e in entries])

@@ -1,7 +1,7 @@
 """The table of principles: every equation that may be written for a body or for several together.
 
-Newton-Euler gives one equation for every slot of a body (two forces and a moment about its mass centre; in space six). A
-principle is a combination of these with weights:
+Newton-Euler gives one equation for every slot of a body (two forces and a moment about its mass centre; in space six).
+A principle is a combination of these with weights:
 
     linear momentum along e           weights e on the forces of each body
     angular momentum about O, axis k  weights k x r_OG on the forces, k on the moment of each body
@@ -138,8 +138,8 @@ class Table:
         return found
 
     def centres(self, bodies: tuple[str, ...]) -> list[Centre]:
-        """Points about which moments of some bodies are worth taking: mass centres, and where the lines of action of two
-        reactions from outside meet."""
+        """Points about which moments of some bodies are worth taking: mass centres, and where the lines of action of
+        two reactions from outside meet."""
         f = self.model.field
         found: list[Centre] = []
         if len(bodies) == 1:

@@ -1,7 +1,7 @@
 """Questions about an event: from the acceleration to the motion, and to the instant at which a measure has its value.
 
-Three ways, as the solver goes them: constant acceleration (velocity, place, the root that is meant), an acceleration linear
-in the coordinate (harmonic or exponential), else the energy integral from the start to the event.
+Three ways, as the solver goes them: constant acceleration (velocity, place, the root that is meant), an acceleration
+linear in the coordinate (harmonic or exponential), else the energy integral from the start to the event.
 """
 
 from __future__ import annotations

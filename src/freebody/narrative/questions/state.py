@@ -1,4 +1,4 @@
-"""Questions that a pose and velocities answer without any law of motion: energies, momenta, velocities, ratios, centres."""
+"""Questions that a pose and velocities answer without any law of motion: energies, momenta, velocities, centres."""
 
 from __future__ import annotations
 
