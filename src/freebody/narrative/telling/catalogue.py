@@ -133,6 +133,8 @@ class Catalogue:
         if isinstance(value, _EXPRESSIONS):
             return [Formula((value,))]
         if isinstance(value, int):
+            if name == "figure":
+                return [Reference(value, "figure")]
             return [Reference(value)] if name in _REFERENCES else [str(value)]
         if value.startswith("@"):
             return [self._worded(value[1:], name)]

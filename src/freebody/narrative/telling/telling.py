@@ -33,6 +33,7 @@ class Telling:
         self.catalogue = catalogue
         self.draw = draw
         self.n_figures = 0
+        self.shown: dict[tuple[str, ...], int] = {}  # figures by the bodies that they show
 
     def stages(self, stages: Sequence[Stage]) -> tuple[Block, ...]:
         """Every stage as a step that can be revealed."""
@@ -46,15 +47,26 @@ class Telling:
         """Sentences that follow each other are one paragraph, diagrams stand side by side."""
         words: list[Text] = []
         figures: list[Figure] = []
+        again: list[int] = []
         for item in items:
             if not isinstance(item, Diagram) and figures:
                 yield _side_by_side(figures)
                 figures = []
+            if not isinstance(item, Diagram) and again:
+                words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
+                again = []
             if isinstance(item, Sentence):
                 words.append(self.catalogue.tell(item))
                 continue
             if isinstance(item, Diagram):
-                figures += self._figure(item)
+                found = self._figure(item)
+                if isinstance(found, int):
+                    again.append(found)
+                elif found is not None:
+                    if words and not figures:
+                        yield Paragraph(_joined(words))
+                        words = []
+                    figures.append(found)
                 continue
             if isinstance(item, Line) and item.why is not None:
                 words.append(self.catalogue.tell(item.why))
@@ -62,6 +74,8 @@ class Telling:
                 yield Paragraph(_joined(words))
                 words = []
             yield from self._block(item)
+        if again:
+            words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
         if words:
             yield Paragraph(_joined(words))
         if figures:
@@ -100,12 +114,16 @@ class Telling:
         args = {k: f"@{self.catalogue.short(v)}" if isinstance(v, Sentence) else v for k, v in label.args.items()}
         return self.catalogue.plain(Sentence(label.key, args)) + ":"
 
-    def _figure(self, diagram: Diagram) -> list[Figure]:
+    def _figure(self, diagram: Diagram) -> Figure | int | None:
+        """The figure of a diagram; the number of the one that shows the same already."""
         picture = self.draw(diagram.bodies)
         if picture is None:
-            return []
+            return None
+        if diagram.bodies in self.shown:
+            return self.shown[diagram.bodies]
         self.n_figures += 1
-        return [Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)]
+        self.shown[diagram.bodies] = self.n_figures
+        return Figure(picture, self.catalogue.tell(diagram.caption), self.n_figures)
 
 
 def _side_by_side(figures: list[Figure]) -> Block:
