@@ -16,6 +16,7 @@ from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import Line, Stage
 from freebody.narrative.opening import opening
+from freebody.narrative.telling.catalogue import Catalogue
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
 from freebody.system.system import System
@@ -107,9 +108,12 @@ def explain(
     method: "auto", "newton", "lagrange" or "energy"; compare: a second method, shown beside the first. Raises
     ModelError for a question that cannot be read, InputError for an unknown method or language. A question without a
     derivation has a Derivation that says why."""
+    Catalogue(language)  # refuses one that there is not, before any work
     chosen = _method(method)
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
+    if question is not None and question.isidentifier() and question not in known:
+        raise InputError(f"there is no question with the id {question}.{did_you_mean(question, known)}")
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
     system = system if question is None else replace(system, questions=asked)
     context = Context(system)
@@ -125,7 +129,7 @@ def _method(name: str) -> Method:
     for method in METHODS:
         if name == method:
             return method
-    raise InputError(f"there is no method {name}.{did_you_mean(name, METHODS)} There is: {', '.join(METHODS)}")
+    raise InputError(f"there is no method {name}.{did_you_mean(name, METHODS)}")
 
 
 def _derived(

@@ -42,10 +42,7 @@ class Catalogue:
 
     def __init__(self, language: str = "en") -> None:
         if language not in languages():
-            raise InputError(
-                f"there are no words for the language {language}.{did_you_mean(language, languages())} There is: "
-                f"{', '.join(languages())}"
-            )
+            raise InputError(f"there are no words for the language {language}.{did_you_mean(language, languages())}")
         self.language = language
         self._words = _read(language)
         self._english = _read(_OF_MODELS)
