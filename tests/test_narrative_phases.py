@@ -4,36 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 from freebody import System
-from freebody.language.expression import Expr
 from freebody.language.notation import to_text
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import Legend, Line, Sentence, Stage, names_in
-from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.lines.script import Line, Sentence, Stage
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
-PHASES = (
-    "sphere_launched_down_incline",
-    "ball_with_back_spin",
-    "billiard_ball",
-    "block_on_rough_incline",
-    "particle_leaving_dome",
-    "ball_leaving_cylinder",
-    "bouncing_ball",
-    "stick_slip_oscillator",
-    "sliding_ladder",
-)
-REST = (
-    "block_pushed_on_incline",
-    "block_tips_or_slides",
-    "ladder_against_wall",
-    "ladder_rough_wall",
-    "band_brake",
-    "capstan",
-    "wedge_under_load",
-)
 
 
 def load(name: str) -> System:
@@ -54,59 +30,6 @@ def of(name: str, question: str) -> tuple[Explanation, Derivation]:
     (derivation,) = found.derivations
     assert not derivation.reason, derivation.reason
     return found, derivation
-
-
-def own(derivation: Derivation) -> tuple[Stage, ...]:
-    """The stages before the result."""
-    keys = [stage.title.key for stage in derivation.stages]
-    return derivation.stages[: keys.index("stage.result")] if "stage.result" in keys else derivation.stages
-
-
-@pytest.mark.parametrize("name", [*PHASES, *REST])
-def test_every_line_follows_from_earlier_ones_and_names_what_was_introduced(name: str) -> None:
-    found = explain(load(name))
-    for derivation in found.derivations:
-        assert not derivation.reason, f"{derivation.question.id}: {derivation.reason}"
-        known = _legend(found.opening) | {"t"}
-        earlier = {line.number for line in lines_of(found.opening)}
-        for stage in own(derivation):
-            for item in stage.items:
-                if isinstance(item, Legend):
-                    known |= _legend((Stage(stage.title, None, (item,)),))
-                if isinstance(item, Line):
-                    used = {name for side in item.sides for name in names_in(side)}
-                    assert used <= known, f"({item.number}) uses {used - known} before they are introduced"
-                    assert set(item.uses) <= earlier
-                    earlier.add(item.number)
-
-
-def _legend(stages: tuple[Stage, ...]) -> set[str]:
-    entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
-    return {name for symbol, _what, _unit in entries for name in names_in(symbol)}
-
-
-@pytest.mark.parametrize("name", [*PHASES, *REST])
-def test_the_last_line_contains_the_answer(name: str) -> None:
-    for derivation in explain(load(name)).derivations:
-        expected = derivation.answer.expression
-        assert expected is not None
-        last = lines_of(own(derivation))[-1]
-        parts: tuple[Expr, ...] = expected if isinstance(expected, tuple) else (expected,)
-        sides = [s for side in last.sides for s in (side if isinstance(side, tuple) else (side,))]
-        assert all(part in sides for part in parts), shown(last)
-
-
-@pytest.mark.parametrize("language", ["en", "de"])
-def test_everything_that_is_said_is_in_the_catalogue(language: str) -> None:
-    catalogue = Catalogue(language)
-    for name in ("sphere_launched_down_incline", "ladder_rough_wall", "capstan"):
-        for derivation in explain(load(name), language=language).derivations:
-            for stage in derivation.stages:
-                for sentence in (stage.title, stage.hint, *stage.items):
-                    if isinstance(sentence, Sentence):
-                        assert catalogue.plain(sentence)
-                    if isinstance(sentence, Line) and sentence.why is not None:
-                        assert catalogue.plain(sentence.why)
 
 
 # -- phases -----------------------------------------------------------------------------------

@@ -28,8 +28,7 @@ from freebody.symbolic.model import Coordinate
 from freebody.symbolic.tidy import tidy
 
 N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
-N_SECTIONS = 12
-_GOLDEN = (math.sqrt(5) - 1) / 2
+STEPS = (math.tau / 24, 0.03, 0.003)  # of parabolas through three poses, ever closer to the extreme
 
 
 def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[Stage]:
@@ -106,20 +105,21 @@ class _Sweep:
         self._known: dict[int, tuple[World, Round, list[tuple[float, float, Array]]]] = {}
 
     def extreme(self, way: int) -> Callable[[World], float]:
-        """Reads the least (way 1) or the largest value, by golden sections from the best pose."""
+        """Reads the least (way 1) or the largest value, by the vertices of parabolas from the best pose."""
 
         def read(world: World) -> float:
             turn, poses = self._round(world)
             _best, middle, near = min(poses, key=lambda p: way * p[0])
-            low, high = middle - math.tau / N_POSES, middle + math.tau / N_POSES
 
             def at(away: float) -> float:
                 return way * turn.value(turn.pose(near, away))
 
-            for _ in range(N_SECTIONS):
-                a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-                low, high = (low, b) if at(a) < at(b) else (a, high)
-            return way * at((low + high) / 2)
+            for step in STEPS:
+                before, here, after = at(middle - step), at(middle), at(middle + step)
+                curvature = before - 2 * here + after
+                if curvature > 0:
+                    middle += max(-step, min(step, step * (before - after) / (2 * curvature)))
+            return way * at(middle)
 
         return read
 
