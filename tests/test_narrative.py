@@ -173,7 +173,7 @@ def test_a_symbol_without_a_meaning_is_not_taken() -> None:
 def test_unknown_methods_and_languages_are_told_with_a_suggestion() -> None:
     with pytest.raises(InputError, match=r"no method lagrnge.*lagrange"):
         explain(load("atwood_machine"), method="lagrnge")
-    with pytest.raises(InputError, match="language xx. There is: de, en"):
+    with pytest.raises(InputError, match=r"language xx\. There is: de, en"):
         explain(load("atwood_machine"), "acceleration", language="xx")
     with pytest.raises(InputError, match=r"id tenson\. Did you mean tension"):
         explain(load("atwood_machine"), "tenson")

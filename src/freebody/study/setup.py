@@ -33,14 +33,24 @@ class Setup:
         except CannotAnswer as error:
             raise ModelError([Problem((), str(error))], system.file) from error
 
-    @cached_property
+    @property
     def model(self) -> SymbolicModel:
         """The symbolic route. Raises CannotAnswer where its formulas would be too long."""
+        if isinstance(self._made, CannotAnswer):
+            raise self._made
+        return self._made
+
+    @cached_property
+    def _made(self) -> SymbolicModel | CannotAnswer:
+        """The model, or why there is none: neither is looked for twice."""
         starts = [d.sample() for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
-        model = symbolic_model(self.system, [*starts, *general])
-        if self.system.space:
-            self._check_freedoms(model)
+        try:
+            model = symbolic_model(self.system, [*starts, *general])
+            if self.system.space:
+                self._check_freedoms(model)
+        except CannotAnswer as error:
+            return error
         return model
 
     def _check_freedoms(self, model: SymbolicModel) -> None:

@@ -179,9 +179,10 @@ class Glossary:
     @property
     def start_values(self) -> dict[str, Sentence]:
         """Symbols of start values that follow from the assembly only."""
-        if "model" not in self.setup.__dict__:  # no formulas, no such symbols
+        try:
+            model = self.setup.model
+        except CannotAnswer:  # no formulas, no such symbols
             return {}
-        model = self.setup.model
         found: dict[str, Sentence] = {}
         for row, value in model.constants.items():
             found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})

@@ -73,7 +73,7 @@ class _Given(Setup):
             raise CannotAnswer("the phase cannot be assembled at its start")
         starts = [d.sample() for d in self.draws]
         general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
-        self.model = symbolic_model(system, [*starts, *general])
+        self._made = symbolic_model(system, [*starts, *general])
 
 
 class Phase:
