@@ -117,7 +117,7 @@ a { color: var(--ink); text-decoration: none; }
 h2 a:hover { color: var(--accent); }
 p { margin: 0.25rem 0; color: var(--muted); font-size: 0.95rem; }
 ul { list-style: none; margin: 0.75rem 0 0; padding: 0; font-size: 0.9rem; }
-li { margin: 0.4rem 0; overflow-x: auto; }
+li { margin: 0.4rem 0; overflow: auto hidden; padding: 0.1rem 0; }
 li > span:first-child { color: var(--muted); }
 .formula { display: inline-block; font-size: 1.1em; }
 .more { color: var(--muted); }

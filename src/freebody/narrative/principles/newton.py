@@ -201,13 +201,18 @@ class Newton:
 
     def _say_why(self, script: Script, p: Principle, avoided: Sequence[str]) -> None:
         """Which reactions the principle keeps out, and how."""
-        names = tuple(dict.fromkeys(self.table.symbols[self.merged.get(row, row)].name for row in avoided))
+        forces = [row for row in avoided if p.kind == "angular" or self._is_force(row)]  # couples stay out of momentum
+        names = tuple(dict.fromkeys(self.table.symbols[self.merged.get(row, row)].name for row in forces))
         symbols: tuple[Argument, ...] = tuple(Symbol(n) for n in names)
         if names:
             key = "why.across" if p.kind == "linear" else "why.through"
             script.say(key if len(names) > 1 else f"{key}_one", forces=symbols, **self._where(p))
         if len(p.bodies) > 1:
             script.say("why.internal", bodies=p.bodies)
+
+    def _is_force(self, row: str) -> bool:
+        """Whether a reaction is more than a couple."""
+        return any(slot != "angle" for _body, slot in self.table.directions[row])
 
     def _say_of_moving_point(self, script: Script, p: Principle) -> None:
         """The term v_O x P of a moving centre, or why it is not there."""
