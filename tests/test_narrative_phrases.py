@@ -19,7 +19,7 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.phrases import PLACE, Phrase, phrases_of
 from freebody.present.report.blocks import Block, Report
 from freebody.present.report.terminal import terminal_text
-from test_examples import EXAMPLES, solved
+from test_examples import EXAMPLES, FOLDER, solved
 
 SOURCES = Path(fb.__file__).parent
 ENGLISH = set(
@@ -193,14 +193,14 @@ def test_names_and_formulas_of_an_example_are_unaltered(name: str) -> None:
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_questions_and_measures_of_an_example_are_german(name: str) -> None:
-    system = fb.System.load(SOURCES.parents[1] / "examples" / f"{name}.yaml")
+    system = fb.System.load(FOLDER / f"{name}.yaml")
     for question in system.questions:
         title = german.plain(headline(system, question))
         assert not {"of", "when", "at", "that", "conserved"} & set(title.split()), title
 
 
 def test_an_exercise_is_set_in_german() -> None:
-    system = fb.System.load(SOURCES.parents[1] / "examples" / "atwood_machine.yaml")
+    system = fb.System.load(FOLDER / "atwood_machine.yaml")
     blocks: tuple[Block, ...] = Statement(system, german, 1, 1).blocks()
     text = terminal_text(Report("Aufgabe", "de", "", blocks, {}))
     assert "Tiefe von left unter ground.axle" in text
