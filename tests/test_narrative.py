@@ -195,3 +195,9 @@ def test_a_moving_point_with_a_term_of_its_own_is_explained() -> None:
     assert any(s.key == "moving_point.instant" for s in sentences_of(derivation.stages))
     _found, derivation = the("disk_rolling_down_incline", "acceleration")
     assert any(s.key == "moving_point.parallel" for s in sentences_of(derivation.stages))
+
+
+def test_freedoms_are_confirmed_by_the_rank_and_not_by_the_formulas_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("freebody.narrative.opening.rank_freedom", lambda _setup: 2)
+    with pytest.raises(RoutesDisagree, match="rank leaves 2"):
+        explain(load("atwood_machine"), "acceleration")

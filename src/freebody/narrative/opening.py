@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
@@ -13,6 +13,7 @@ from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Diagram, Legend, Script, Sentence, Sheet, Stage
+from freebody.study.evidence import rank_freedom
 from freebody.study.gruebler import Gruebler, gruebler
 
 
@@ -118,19 +119,24 @@ def count_line(script: Script, found: Gruebler) -> int:
 
 
 def _by_rank(context: Context, script: Script, count: int) -> int:
+    """What the rank of the constraint Jacobian leaves; raises RoutesDisagree where the coordinates are not as many."""
+    n = rank_freedom(context.setup)
     try:
         model = context.setup.model
     except CannotAnswer:
-        from freebody.study.evidence import rank_freedom
-
-        n = rank_freedom(context.setup)
         script.say("freedom.rank_only", n=n)
         return n
-    n = model.degrees_of_freedom
-    if model.redundant and n != count:
+    if n != model.degrees_of_freedom:
+        raise RoutesDisagree(
+            f"the formulas have {model.degrees_of_freedom} independent coordinates, the rank leaves {n}. This is a "
+            "defect of freebody; please report the model"
+        )
+    if n == count:
+        script.say("freedom.confirmed")
+    elif model.redundant:
         script.say("freedom.redundant", rows=tuple(model.redundant), n=n)
     else:
-        script.say("freedom.confirmed")
+        script.say("freedom.rank_only", n=n)
     names = tuple(Symbol(c.name) for c in model.coordinates)
     alone = "freedom.coordinates_driven" if gruebler(context.setup.system).drivers else "freedom.coordinates_none"
     script.say("freedom.coordinates" if names else alone, names=names)
