@@ -88,6 +88,7 @@ class Way:
         glossary, course = Glossary(node.phase.setup), CourseGlossary(node.phase, self.runs, place)
         course.meanings = glossary.meanings
         made = Leg(number, node, first, time, glossary, course, ContactNewton(node.phase, glossary), self.tree.closed)
+        made.newton.is_drawn = node.phase.mode.closed == self.tree.closed
         if number > 1:
             what = Sentence("symbol.since", {"phase": f"@{number}"})
             glossary.introduce(Meaning(made.clock, what, _since, "s"))

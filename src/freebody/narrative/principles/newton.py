@@ -55,6 +55,7 @@ class Newton:
         self.constraint_lines: dict[str, int] = {}
         self.introduced: set[str] = set()
         self.loop_lines: tuple[int, ...] | None = None
+        self.is_drawn = True  # diagrams show the start: not what touches only later
 
     def begin(self) -> None:
         """A derivation begins: nothing has been explained in it yet."""
@@ -131,7 +132,7 @@ class Newton:
         for group in self.copies:
             if group.bodies[0] in self._bodies(plan):
                 script.say("symmetry.said", bodies=group.bodies, first=group.bodies[0])
-        for bodies in dict.fromkeys(p.bodies for p in plan.principles):
+        for bodies in dict.fromkeys(p.bodies for p in plan.principles) if self.is_drawn else ():
             key = "figure.free_body" if len(bodies) == 1 else "figure.free_bodies"
             script.add(Diagram(bodies, Sentence(key, {"bodies": bodies})))
         acting = [row for body in self._bodies(plan) for row in self.table.acting_on(body)]
