@@ -187,11 +187,13 @@ class Field:
         self._relations: dict[int, Poly] = {}
         self._atoms: dict[Any, int] = {}
         self.acute_angles: set[int] = set()
+        self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
         self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
+        self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
         self._open(capacity)
         self.one = self.element(1)
         self.zero = self.element(0)

@@ -126,6 +126,8 @@ class SymbolicModel:
             g = self.field.parameter(p.name, positive=p.sign == "positive")
             if p.acute:
                 self.field.acute_angles.add(self.field.index(g))
+            if p.sign == "nonnegative":
+                self.field.nonnegative.add(self.field.index(g))
             names[p.name] = g
         names["t"] = self.field.time
         return names
