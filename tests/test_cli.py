@@ -48,7 +48,7 @@ def test_json_document_has_the_documented_content() -> None:
     assert len(wrong) == 12
     assert all(v["verdict"] == "wrong" and v["reason"] for v in wrong)
     assert answers["tension"]["unit"] == "N"
-    assert answers["tension"]["conditions"] == ["for all positive parameters"]
+    assert [c["text"] for c in answers["tension"]["conditions"]] == ["for all positive parameters"]
     assert answers["tension"]["evidence"]["draws"] >= 5
     assert answers["tension"]["evidence"]["worst_relative_difference"] < 1e-9
 

@@ -362,7 +362,7 @@ def test_the_command_prints_the_documented_json() -> None:
     (entry,) = json.loads(result.stdout)["quantities"]
     assert entry["question"] == ABOUT
     assert entry["conserved"] is None
-    assert entry["conditions"] == ["d = 0"]
+    assert entry["conditions"] == [{"text": "d = 0", "expression": "d == 0"}]
     assert entry["choice"] == "d"
     assert {k: v["verdict"] for k, v in entry["options"].items()} == dict.fromkeys("abce", "wrong") | {"d": "right"}
     assert all(v["reason"] for v in entry["options"].values())

@@ -7,12 +7,15 @@ import json
 import math
 import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import freebody as fb
+from conftest import formula
+from freebody.language.parser import parse
 
 FOLDER = Path(__file__).parents[1] / "examples"
 EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
@@ -84,8 +87,48 @@ def test_json_document_has_the_documented_keys(name: str) -> None:
         assert (entry["id"], entry["question"]) == (question.id, question.text)
         assert isinstance(entry["latex"], str)
         assert isinstance(entry["unit"], str)
-        assert all(isinstance(c, str) for c in entry["conditions"])
         assert {"draws", "worst_relative_difference", "route"} <= set(entry["evidence"])
+
+
+STATEMENTS = ("conditions", "notes", "requires", "happens_if", "between")
+
+
+def _statements(document: object) -> Iterator[dict[str, Any]]:
+    """Every statement in a document, however deep."""
+    if isinstance(document, list):
+        for entry in document:
+            yield from _statements(entry)
+    elif isinstance(document, dict):
+        for key, value in document.items():
+            yield from value if key in STATEMENTS else _statements(value)
+
+
+@example
+def test_every_statement_of_the_json_document_is_for_people_and_for_machines(name: str) -> None:
+    document = solved(name).to_plain()
+    for statement in _statements(document):
+        assert set(statement) == {"text", "expression"}
+        text, machine = statement["text"], statement["expression"]
+        if any(sign in text for sign in "<>≤≥≠="):
+            assert machine is not None, text
+        if machine is not None:
+            assert machine.isascii()
+            formula(machine)  # Python reads it, and SymPy
+    for entry in document["answers"]:
+        assert (entry["value"] is None) <= bool(entry["reason"])
+
+
+@example
+def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
+    """The words of a comparison are read by the parser of model files, which knows no Python."""
+    for condition in (c for a in solved(name).to_plain()["answers"] for c in a["conditions"]):
+        found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", condition["text"].partition(" (")[0])
+        if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "for all")):
+            continue
+        left, sign, right = found.groups()
+        a, operator, b = re.split(" (<|>|<=|>=|!=|==) ", condition["expression"])
+        assert operator == {"≤": "<=", "≥": ">=", "≠": "!=", "=": "=="}.get(sign, sign)
+        assert (parse(left), parse(right)) == (parse(a), parse(b))
 
 
 @example

@@ -476,7 +476,7 @@ def test_what_never_happens_is_said_so() -> None:
 def test_json_of_a_solution_holds_its_phases() -> None:
     document = json.loads(json.dumps(fb.solve(sphere(), "time when rolling begins").to_plain(), allow_nan=False))
     first = document["phases"]["cases"][0]
-    assert first["conditions"] == ["μ > 2·tan(θ)/7"]
+    assert first["conditions"] == [{"text": "μ > 2·tan(θ)/7", "expression": "mu > 2*tan(theta)/7"}]
     assert [p["event"] for p in first["phases"]] == ["rolling begins", None]
     assert first["phases"][0]["duration"] == "2*v0/(g*(7*mu*cos(theta) - 2*sin(theta)))"
 

@@ -7,8 +7,8 @@ import textwrap
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Expr, Number
-from freebody.language.notation import to_pretty, to_text
+from freebody.language.expression import Expr
+from freebody.language.notation import to_pretty_lines, to_text
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -114,20 +114,10 @@ def answer_lines(answer: Answer) -> Iterator[str]:
 
 
 def _displayed(e: Expr, prefix: str) -> str:
-    lines = to_pretty(e).splitlines()
-    if len(lines) <= 1 or isinstance(e, Number):
-        return prefix + (lines[0] if lines else "0")
-    middle = _axis(lines)
+    """The formula with `prefix` before the line on which it stands."""
+    lines, baseline = to_pretty_lines(e)
     pad = " " * len(prefix)
-    return "\n".join((prefix if k == middle else pad) + line for k, line in enumerate(lines))
-
-
-def _axis(lines: list[str]) -> int:
-    """The line of the first fraction bar, which is the axis of the layout."""
-    for k, line in enumerate(lines):
-        if "──" in line or line.strip().startswith("─"):
-            return k
-    return len(lines) // 2
+    return "\n".join((prefix if k == baseline else pad) + line.rstrip() for k, line in enumerate(lines))
 
 
 def _value_text(answer: Answer) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 from freebody.assess.options import Verdict
 from freebody.language.expression import Expr
-from freebody.language.notation import to_latex, to_python
+from freebody.language.notation import stated_plain, to_latex, to_python
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class AnswerCase:
     def to_plain(self) -> dict[str, Any]:
         parts = self.expression if isinstance(self.expression, tuple) else None
         shown: Any = [to_python(e) for e in parts] if parts is not None else to_python(self.expression)  # type: ignore[arg-type]
-        return {"expression": shown, "conditions": list(self.conditions), "what": self.what}
+        return {"expression": shown, "conditions": list(map(stated_plain, self.conditions)), "what": self.what}
 
 
 @dataclass(frozen=True)
@@ -55,6 +55,7 @@ class Answer:
     evidence: Evidence | None = None
     symbol: str = ""
     cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
+    why_no_value: str = ""  # of an answer with an expression
 
     @property
     def is_answered(self) -> bool:
@@ -83,10 +84,10 @@ class Answer:
             "latex": self.latex,
             "unit": self.unit,
             "value": list(self.value) if isinstance(self.value, tuple) else self.value,
-            "conditions": list(self.conditions),
+            "conditions": list(map(stated_plain, self.conditions)),
             "cases": [c.to_plain() for c in self.cases],
-            "notes": list(self.notes),
-            "reason": self.reason or None,
+            "notes": list(map(stated_plain, self.notes)),
+            "reason": self.reason or self.why_no_value or None,
             "choice": self.choice,
             "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
             "author_notes": list(self.author_notes),

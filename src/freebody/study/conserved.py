@@ -20,7 +20,7 @@ from typing import Any
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, free_symbols
-from freebody.language.notation import to_python, to_text
+from freebody.language.notation import joined, reworded, to_python, to_text
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Point
 from freebody.model.question import (
@@ -157,18 +157,7 @@ class Judge:
             claim = replace(claims[open_], coefficients=coefficients, cases=cases, rates=rates, is_exact=exact)
             judgement = judge_statements(question, claim, self.model, self.system)
         is_conserved = True if any(not c.equalities for c in cases) else None if cases else False
-        notes = [
-            f"along {axis}: "
-            + (
-                "conserved"
-                if v.is_conserved
-                else f"if {' or '.join(v.conditions)}"
-                if v.conditions
-                else "not conserved"
-            )
-            + ("" if v.is_conserved or v.rate is None else f", rate {to_text(v.rate)}")
-            for v, axis in zip(verdicts, labels, strict=True)
-        ]
+        notes = [_along(axis, v) for v, axis in zip(verdicts, labels, strict=True)]
         return replace(
             verdicts[open_],
             question=name,
@@ -460,7 +449,17 @@ class Judge:
             with suppress(CannotAnswer):
                 if case.equalities and all(case.put_in(x).is_zero() for x in apart):
                     means = f"means that the mass centre of {bodies[0].name} coincides with {q.about}"
-                    yield f"{texts_of([case])[0]} {means}"
+                    where = texts_of([case])[0]
+                    yield reworded(f"{where} {means}", where)
+
+
+def _along(axis: str, v: Verdicts) -> str:
+    """The verdict on one component."""
+    if v.is_conserved:
+        return f"along {axis}: conserved"
+    when = joined(v.conditions, " or ")
+    rate = "" if v.rate is None else f", rate {to_text(v.rate)}"
+    return reworded(f"along {axis}: {f'if {when}' if when else 'not conserved'}{rate}", when)
 
 
 # -- the search -------------------------------------------------------------------------------

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from freebody.assess.options import judge
 from freebody.errors import CannotAnswer, ModelError, Problem, RoutesDisagree
-from freebody.language.expression import Expr, number
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO, Expr, Symbol, number
+from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.contact_questions import Change, EnergyLost, Turns
@@ -97,7 +98,28 @@ def solve(system: System, question: str | None = None, *, setup: Setup | None = 
 
     Raises ModelError if the system cannot be assembled or the question cannot be read. A question without a closed
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
-    questions = system.questions if question is None else (system.question(question),)
+    found = _solved(system, system.questions if question is None else (system.question(question),), setup)
+    return replace(found, answers=tuple(_without_gaps(system, a) for a in found.answers))
+
+
+def _without_gaps(system: System, answer: Answer) -> Answer:
+    """An answer without a value says why; infinity and what is no number are no values."""
+    parts = answer.value if isinstance(answer.value, tuple) else (answer.value,)
+    if not all(x is None or isfinite(x) for x in parts):
+        answer = replace(answer, value=None)
+    if answer.value is not None or answer.reason or answer.why_no_value:
+        return answer
+    if answer.expression is None:
+        return replace(answer, reason="there is no closed form and no number for it")
+    missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
+    if missing:
+        why = f"no value is given for {', '.join(missing)}"
+    else:
+        why = "the formula has no value at the given numbers; see the conditions and notes"
+    return replace(answer, why_no_value=why)
+
+
+def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
         return _at_rest(system, questions)
     if system.bounds or system.rubs or any(q.transition is not None for q in questions):
@@ -242,7 +264,7 @@ class _Solver:
         found = Judge(self.setup).answer(q)
         answer = "conserved for every motion" if found.is_conserved else "not conserved"
         if found.is_conserved is None:
-            answer = f"conserved {found.when}"
+            answer = reworded(f"conserved {found.when}", found.when)
         c = found.confirmation
         return Answer(
             q.id,
@@ -257,6 +279,7 @@ class _Solver:
             options=found.options,
             author_notes=found.author_notes,
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
+            why_no_value="the rate depends on the motion",
         )
 
     def _number_instead(self) -> float | tuple[float, ...] | None:
@@ -477,7 +500,8 @@ class _Solver:
         parts = element if isinstance(element, tuple) else (element,)
         if not any(self.model.field.ingredients(part) & bound for part in parts):
             return []
-        return [f"with 0 = {to_text(tidy(primitive_part(loop.value)))}" for loop in self.model.loops]
+        zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
+        return [reworded(f"with {zero}", zero) for zero in zeros]
 
     def _conditions(self, found: _Found, element: Elements) -> list[str]:
         conditions = [*found.conditions]
@@ -501,7 +525,10 @@ class _Solver:
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 if not proof.holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
                     broken.append(c)
-        return [f"NOT SO at the model's own values: {text}; the answer is not true there" for text in merged(broken)]
+        return [
+            reworded(f"NOT SO at the model's own values: {text}; the answer is not true there", text)
+            for text in merged(broken)
+        ]
 
     def _judge(self, found: _Found) -> Any:
         element: Any = found.element
@@ -540,13 +567,8 @@ class _Solver:
 def for_all(system: System) -> str:
     """The scope of an answer without conditions."""
     acute = [p.name for p in system.parameters.values() if p.acute]
-    return ", ".join([FOR_ALL, *(f"0 < {to_text(_symbol(a))} < 90°" for a in acute)])
-
-
-def _symbol(name: str) -> Expr:
-    from freebody.language.expression import Symbol
-
-    return Symbol(name)
+    ranges = [Stated(f"0 < {to_text(Symbol(a))} < 90°", f"(0 < {a}) & ({a} < pi/2)") for a in acute]
+    return reworded(", ".join([FOR_ALL, *ranges]), joined(ranges))
 
 
 def _has_potential(q: Quantity) -> bool:

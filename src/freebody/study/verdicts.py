@@ -7,7 +7,7 @@ from typing import Any
 
 from freebody.assess.verdict import Verdict
 from freebody.language.expression import Expr
-from freebody.language.notation import to_python
+from freebody.language.notation import joined, reworded, stated_plain, to_python
 from freebody.study.constancy import Confirmation, CounterMotion
 from freebody.system.system import System
 
@@ -43,7 +43,8 @@ class Verdicts:
         """Under which conditions it is conserved, in words: whether only then is said where it is known."""
         word = "if and only if" if self.is_exact else "if"
         given = f" (for {', '.join(self.provided)} ≠ 0)" if self.provided else ""
-        return f"{word} {' or '.join(self.conditions)}{given}"
+        conditions = joined(self.conditions, " or ")
+        return reworded(f"{word} {conditions}{given}", conditions)
 
     @property
     def is_answered(self) -> bool:
@@ -58,10 +59,10 @@ class Verdicts:
             "conserved": self.is_conserved,
             "value": None if self.value is None else to_python(self.value),
             "rate": None if self.rate is None else to_python(self.rate),
-            "conditions": list(self.conditions),
+            "conditions": list(map(stated_plain, self.conditions)),
             "conditions_are_all": self.is_exact,
             "provided": list(self.provided),
-            "notes": list(self.notes),
+            "notes": list(map(stated_plain, self.notes)),
             "principle": self.principle or None,
             "parts": {name: to_python(part) for name, part in self.parts},
             "reason": self.reason or None,

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.language.expression import Expr, Number, Product, Sum, add, multiply, negate
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO, Expr, Number, Product, Sum, add, multiply, negate
+from freebody.language.notation import Stated, compared, reworded
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
@@ -25,15 +25,14 @@ class Condition:
 
     def text(self) -> str:
         shown = relation_text(tidy(self.element), self.relation)
-        return f"{shown} ({self.purpose})" if self.purpose else shown
+        return reworded(f"{shown} ({self.purpose})", shown) if self.purpose else shown
 
 
 _FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
-_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "<": "<", "<=": "≤", "=": "="}
 
 
-def relation_text(e: Expr, relation: str) -> str:
-    """a - b > 0 as a > b, without a number in front."""
+def relation_text(e: Expr, relation: str) -> Stated:
+    """a - b > 0 as a > b, without a number in front; for people and for machines."""
     if isinstance(e, Product) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
         if e.factors[0].value < 0:
             relation = _FLIPPED[relation]
@@ -42,12 +41,12 @@ def relation_text(e: Expr, relation: str) -> str:
         left = [t for t in e.terms if not _is_negative(t)]
         right = [negate(t) for t in e.terms if _is_negative(t)]
         if not left:
-            return f"{to_text(add(*right))} {_SIGNS[_FLIPPED[relation]]} 0"
+            return compared(add(*right), _FLIPPED[relation], ZERO)
         if len(right) == 1 or (left and right):
-            return f"{to_text(add(*left))} {_SIGNS[relation]} {to_text(add(*right))}"
+            return compared(add(*left), relation, add(*right))
     if _is_negative(e):
-        return f"{to_text(negate(e))} {_SIGNS[_FLIPPED[relation]]} 0"
-    return f"{to_text(e)} {_SIGNS[relation]} 0"
+        return compared(negate(e), _FLIPPED[relation], ZERO)
+    return compared(e, relation, ZERO)
 
 
 def _is_negative(e: Expr) -> bool:
@@ -125,4 +124,4 @@ def merged(conditions: Sequence[Condition]) -> list[str]:
         known = purposes.setdefault(text, [])
         if c.purpose and c.purpose not in known:
             known.append(c.purpose)
-    return [f"{text} ({', '.join(why)})" if why else text for text, why in purposes.items()]
+    return [reworded(f"{text} ({', '.join(why)})", text) if why else text for text, why in purposes.items()]

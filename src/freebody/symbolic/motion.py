@@ -15,8 +15,8 @@ import math
 from dataclasses import dataclass, field
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
-from freebody.language.notation import to_text
+from freebody.language.expression import Expr, Symbol
+from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.measures.geometry import Pose
 from freebody.model.elements import RateMeasure
 from freebody.model.question import Event
@@ -255,9 +255,10 @@ class Motion:
         other_values = self.model.at_samples(other)
         shown = to_text(tidy(other))
         if all(v < 0 for v in other_values):
-            notes.append(f"rejected root: t = {shown} is negative, a time before the start")
+            words = f"rejected root: t = {shown} is negative, a time before the start"
         else:
-            notes.append(f"other root: t = {shown} is later, when {c.name} passes again on the way back")
+            words = f"other root: t = {shown} is later, when {c.name} passes again on the way back"
+        notes.append(Stated(words, to_python(tidy(other))))
         # the product of the roots is -2 d/a: opposite signs need d/a > 0
         conditions = [square]
         if sign_of(distance / a) is not Sign.POSITIVE:
@@ -468,8 +469,8 @@ def find_equilibrium(
         raise CannotAnswer("no equilibrium could be found in closed form; start the model at one")
     stable = [s for s in solutions if _is_stable(model, s)]
     chosen = min(stable or solutions, key=lambda s: _distance(model, s, at_start))
-    shown = ", ".join(f"{c.name} = {to_text(tidy(chosen[c.index]))}" for c in model.coordinates)
-    notes = [f"about the equilibrium {shown}"]
+    shown = joined((compared(Symbol(c.name), "=", tidy(chosen[c.index])) for c in model.coordinates), ", ")
+    notes = [reworded(f"about the equilibrium {shown}", shown)]
     if not stable:
         notes.append("this equilibrium is not stable")
     return chosen, notes

@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Symbol
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO, Call, Symbol
+from freebody.language.notation import Stated, compared, joined, to_python, to_text
 from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
@@ -41,7 +41,7 @@ class Case:
         try:
             return x.field.follow(x, self.values) if self.values else x
         except ZeroDivisionError:
-            raise CannotAnswer(f"it has no value for {' and '.join(self.texts())}") from None
+            raise CannotAnswer(f"it has no value for {joined(self.texts())}") from None
 
     def with_more(self, more: Case) -> Case:
         """Both cases together."""
@@ -55,25 +55,26 @@ class Case:
             return put.is_zero()
         return any(_divides(e, put.numerator()) for e in self.equalities)
 
-    def texts(self) -> tuple[str, ...]:
+    def texts(self) -> tuple[Stated, ...]:
         return tuple(equality_text(e) for e in self.equalities)
 
 
 ALWAYS = Case((), {})
 
 
-def equality_text(x: Ratio) -> str:
+def equality_text(x: Ratio) -> Stated:
     """x = 0 as people write it: d = 0, m1 = m2, an angle instead of its sine, a rate that is zero as a constant."""
     shown = tidy(x)
     angle = _angle_of(x)
     if angle is not None:
         return angle
     if isinstance(shown, Call) and shown.function == "rate":
-        return f"{to_text(shown)} = 0 ({to_text(shown.argument)} is constant)"
+        zero = compared(shown, "=", ZERO)
+        return Stated(f"{zero} ({to_text(shown.argument)} is constant)", zero.expression)
     return relation_text(shown, "=")
 
 
-def _angle_of(x: Ratio) -> str | None:
+def _angle_of(x: Ratio) -> Stated | None:
     """sin(alpha) = 0 as alpha = 0."""
     field = x.field
     if x.den is not None or len(x.generators()) != 1:
@@ -82,8 +83,10 @@ def _angle_of(x: Ratio) -> str | None:
     kind = field.generators[index].kind
     if kind not in ("cos", "sin") or x != field.variable(index):
         return None
-    angle = field.angles[index if kind == "cos" else index - 1]
-    return f"{to_text(tidy(angle))} = {'0' if kind == 'sin' else '90°'}"
+    angle = tidy(field.angles[index if kind == "cos" else index - 1])
+    if kind == "sin":
+        return compared(angle, "=", ZERO)
+    return Stated(f"{to_text(angle)} = 90°", f"{to_python(angle)} == pi/2")
 
 
 def motion_coefficients(x: Ratio, is_parameter: Callable[[int], bool]) -> list[Ratio]:
@@ -298,4 +301,4 @@ def _with_rates(field: Field, index: int, value: Ratio) -> Iterable[tuple[int, R
 
 def texts_of(cases: Sequence[Case]) -> tuple[str, ...]:
     """One text for every case, its equalities joined."""
-    return tuple(" and ".join(case.texts()) for case in cases)
+    return tuple(joined(case.texts()) for case in cases)

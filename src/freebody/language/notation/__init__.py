@@ -4,6 +4,7 @@ All writers see an expression the same way: a sum is signed terms, a product is 
 (`Quotient`), and a number is written as a decimal only where that is exact and reads better than p/q.
 
 parts      what the writers share
+stated     statements in words that carry the same for machines
 one_line   for Python, and for reading
 latex      for LaTeX
 mathml     for browsers
@@ -15,6 +16,22 @@ from __future__ import annotations
 
 from freebody.language.expression import Expr
 from freebody.language.notation.one_line import PYTHON, TEXT
+from freebody.language.notation.stated import Stated, compared, joined, reworded, stated_plain
+
+__all__ = [
+    "Stated",
+    "compared",
+    "joined",
+    "reworded",
+    "stated_plain",
+    "to_latex",
+    "to_mathml",
+    "to_pretty",
+    "to_pretty_lines",
+    "to_python",
+    "to_text",
+    "to_typst",
+]
 
 
 def to_python(expr: Expr) -> str:
@@ -50,7 +67,12 @@ def to_typst(expr: Expr) -> str:
 
 def to_pretty(expr: Expr, width: int = 100) -> str:
     """Several lines with fractions over a bar; the one line of `to_text` when more than `width` columns."""
+    return "\n".join(line.rstrip() for line in to_pretty_lines(expr, width)[0])
+
+
+def to_pretty_lines(expr: Expr, width: int = 100) -> tuple[tuple[str, ...], int]:
+    """The lines of `to_pretty`, and which of them stands beside other text: the one of the outermost bar, say."""
     from freebody.language.notation.stacked import stacked
 
     box = stacked(expr)[0]
-    return "\n".join(line.rstrip() for line in box.lines) if box.width <= width else to_text(expr)
+    return (box.lines, box.baseline) if box.width <= width else ((to_text(expr),), 0)

@@ -10,7 +10,7 @@ from functools import lru_cache
 from freebody.assess.options import Judgement, judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Symbol
-from freebody.language.notation import to_text
+from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit, RestQuantity
 from freebody.model.question import Question
 from freebody.numeric.friction_limits import ROUND_OFF
@@ -21,7 +21,7 @@ from freebody.study.friction.ends import ParameterEnds, ReactionEnds
 from freebody.study.friction.touching import Touching, touching
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure
-from freebody.symbolic.conditions import merged
+from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
@@ -146,7 +146,12 @@ class _Answerer:
         subject = f"{end} limit" if name == "it" else f"{end} limit {to_text(Symbol(name))}"
         for case in limit.cases:
             if case is not limit.main and (limit.main is None or case.element != limit.main.element):
-                yield f"{subject} = {to_text(tidy(case.element))} where {_where(case)}: {case.words}"
+                words = f"{subject} = {to_text(tidy(case.element))} where {_where(case)}: {case.words}"
+                if name == "it":
+                    yield reworded(words, _where(case))
+                    continue
+                here = [compared(Symbol(name), "=", tidy(case.element)), *_conditions(case)]
+                yield reworded(words, joined(here))
 
     def _finished(
         self,
@@ -229,9 +234,7 @@ def _cases(limits: Sequence[Limit]) -> tuple[AnswerCase, ...]:
     if len(limits) != 1 or len(limits[0].cases) < 2:
         return ()
     cases = sorted(limits[0].cases, key=lambda case: case is not limits[0].main)
-    return tuple(
-        AnswerCase(tidy(c.element), tuple(x.text().partition(" (")[0] for x in c.conditions), c.words) for c in cases
-    )
+    return tuple(AnswerCase(tidy(c.element), _conditions(c), c.words) for c in cases)
 
 
 def _is_free(limit: Limit, ends: Ends) -> bool:
@@ -244,7 +247,12 @@ def _unlimited(c: Compared, ends: Ends) -> bool:
 
 def _where(case: Case) -> str:
     """The conditions of a case in one line."""
-    return " and ".join(c.text().partition(" (")[0] for c in case.conditions) or "nothing else fails before"
+    return joined(_conditions(case)) or "nothing else fails before"
+
+
+def _conditions(case: Case) -> tuple[str, ...]:
+    """Each without what it is for."""
+    return tuple(Condition(c.element, c.relation).text() for c in case.conditions)
 
 
 def _evidence(question: str, limits: Sequence[Limit]) -> Evidence:
@@ -262,9 +270,9 @@ def _evidence(question: str, limits: Sequence[Limit]) -> Evidence:
 
 def scope(system: System) -> str:
     """For which parameters an answer without conditions holds."""
-    acute = [p.name for p in system.parameters.values() if p.acute]
-    text = "for all positive parameters"
-    return text + "".join(f", 0 < {to_text(Symbol(name))} < 90°" for name in acute)
+    from freebody.study.solve import for_all
+
+    return for_all(system)
 
 
 def _unit(system: System, q: object) -> str:

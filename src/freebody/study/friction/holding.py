@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 from freebody.assess.options import judge
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO
+from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.model.question import Question
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
@@ -25,7 +27,7 @@ from freebody.study.friction.touching import Touching
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.angle_factors import open_parts
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
@@ -47,9 +49,20 @@ class Barrier:
     def text(self) -> str:
         """The inequality, and where it is asked for."""
         assert self.condition is not None
-        plain = Condition(self.condition.element, ">=").text()
-        where = " and ".join(Condition(c.element, c.relation).text() for c in self.where)
-        return f"{plain}{f' where {where}' if where else ''} (else {self.words})"
+        plain = relation_text(tidy(self.condition.element), ">=")
+        if not self.where:
+            return Stated(f"{plain} (else {self.words})", plain.expression)
+        where = joined(Condition(c.element, c.relation).text() for c in self.where)
+        # a failure that cannot happen need not be prevented: not `where`, or `plain`
+        never = joined([_opposite(c) for c in self.where], " or ")
+        either = joined([never, plain], " or ")
+        return reworded(f"{plain} where {where} (else {self.words})", either)
+
+
+def _opposite(c: Condition) -> Stated:
+    """That a condition does not hold."""
+    flipped = {">": "<=", ">=": "<", "!=": "="}[c.relation]
+    return compared(tidy(c.element), flipped, ZERO)
 
 
 class Holding(Ends):
@@ -171,8 +184,6 @@ def _answer(study: Holding, question: Question, barriers: Sequence[Barrier], loo
 
 def _reserves(study: Holding, first: Looked) -> list[str]:
     """The share of what friction can carry that is used, where the reactions are unique."""
-    from freebody.language.notation import to_text
-
     eq = study.equations
     reduced = eq.reactions(Failure())
     found: list[str] = []
@@ -191,5 +202,6 @@ def _reserves(study: Holding, first: Looked) -> list[str]:
             if not load.is_zero():
                 ratio = study.field.lowest_terms(force / load)
                 where = rub.row.ends[0] if rub.row.ends else rub.row.connection
-                found.append(f"{where}: friction force / normal force = {to_text(tidy(ratio))}")
+                shown = tidy(ratio)
+                found.append(Stated(f"{where}: friction force / normal force = {to_text(shown)}", to_python(shown)))
     return found

@@ -10,6 +10,7 @@ import numpy as np
 from freebody.assess.options import judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
+from freebody.language.notation import reworded
 from freebody.model.question import Conserved, Energy, Equilibrium, Freedom, Question, Small
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.phases.evidence import compare
@@ -65,7 +66,8 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
     value = _value(tree, main) if tree.system.has_values else None
     notes = [*main.notes, f"while the system {summary(main.phase)}"] if main.first is None else list(main.notes)
     if tree.system.has_values and not any(0 in p.sets for p in parts[0]):
-        notes.append(f"NOT SO at the model's own values: {_broken(tree, parts[0])}")
+        broken = _broken(tree, parts[0])
+        notes.append(reworded(f"NOT SO at the model's own values: {broken}", broken))
         value = None
     cases = tuple(AnswerCase(_shown(group[0]), _conditions(tree, group), summary(group[0].phase)) for group in parts)
     judgement: Any = None
@@ -117,7 +119,7 @@ def _broken(tree: Tree, group: list[Piece]) -> str:
     for r in relations(tree, group[0].conditions):
         value = float(tree.numbers(r.element)[0])
         if not (value > 0 or (r.relation == ">=" and value >= 0)):
-            return f"{r.text()} is not true there"
+            return reworded(f"{r.text()} is not true there", r.text())
     return "the model takes another way there"
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
-from freebody.language.notation import to_python
+from freebody.language.notation import reworded, stated_plain, to_python
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.regions import Regions, regions
@@ -43,14 +43,14 @@ class PhaseResult:
         return {
             "what": self.what,
             "states": self.states,
-            "requires": list(self.requires),
+            "requires": list(map(stated_plain, self.requires)),
             "equations": {to_python(a): to_python(b) for a, b in self.equations},
             "motion": {to_python(a): to_python(b) for a, b in self.motion},
             "forces": {name: to_python(e) for name, e in self.forces},
             "event": self.event or None,
             "duration": None if self.duration is None else to_python(self.duration),
             "place": None if self.place is None else {to_python(self.place[0]): to_python(self.place[1])},
-            "happens_if": list(self.happens_if),
+            "happens_if": list(map(stated_plain, self.happens_if)),
             "reason": self.reason or None,
         }
 
@@ -69,7 +69,7 @@ class Case:
     def to_plain(self) -> dict[str, Any]:
         return {
             "what": self.what,
-            "conditions": list(self.conditions),
+            "conditions": list(map(stated_plain, self.conditions)),
             "is_own": self.is_own,
             "sets": self.n_sets,
             "phases": [p.to_plain() for p in self.phases],
@@ -92,7 +92,7 @@ class Phases:
             "cases": [c.to_plain() for c in self.cases],
             "parameter_sets": self.n_sets,
             "left_out": list(self.reasons),
-            "between": list(self.between),
+            "between": list(map(stated_plain, self.between)),
         }
 
     @property
@@ -215,7 +215,7 @@ def _phase(tree: Tree, node: Node, edge: Edge | None, following: Node | None) ->
 
 
 def _with_purpose(r: Relation) -> str:
-    return f"{r.text()} ({', '.join(r.purposes)})" if r.purposes else r.text()
+    return reworded(f"{r.text()} ({', '.join(r.purposes)})", r.text()) if r.purposes else r.text()
 
 
 def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tuple[tuple[Expr, Expr], ...]]:

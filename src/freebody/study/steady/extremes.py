@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
-from freebody.language.notation import to_text
+from freebody.language.notation import joined, reworded, to_text
 from freebody.model.question import Question
 from freebody.model.steady_questions import Extremes
 from freebody.study.quantities import quantity_value
@@ -92,7 +92,8 @@ def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) 
 
 
 def _where(which: str, e: Extremum, c: Coordinate) -> str:
-    return f"{which} at " + " and ".join(dict.fromkeys(p.text(c.name) for p in e.places))
+    places = list(dict.fromkeys(p.text(c.name) for p in e.places))
+    return reworded(f"{which} at {' and '.join(places)}", joined(places, " or "))
 
 
 class Search:

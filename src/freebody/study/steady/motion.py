@@ -15,7 +15,8 @@ from functools import cached_property
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO
+from freebody.language.notation import compared, reworded, to_text
 from freebody.model.question import OfMeasure, Question
 from freebody.model.steady_questions import SteadyValue
 from freebody.study.eom import primitive_part
@@ -113,7 +114,7 @@ class Steady:
         return [base for base in factors if not f.ingredients(base) & speeds] if len(forces) == 1 else []
 
     def texts(self) -> list[str]:
-        return [f"0 = {to_text(tidy(x))}" for x in self.equations]
+        return [compared(ZERO, "=", tidy(x)) for x in self.equations]
 
     # -- solving ------------------------------------------------------------------------------
     def solved_for(self, speed: int) -> Solutions:
@@ -263,7 +264,8 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     if not solutions.roots:
         raise CannotAnswer("; ".join(solutions.notes) or "there is no such motion")
     evidence = in_steady_motion(setup, question.text, steady, solutions)
-    notes = solutions.notes + [f"every rate is steady where 0 = {to_text(tidy(x))}" for x in steady.always]
+    always = [compared(ZERO, "=", tidy(x)) for x in steady.always]
+    notes = solutions.notes + [reworded(f"every rate is steady where {zero}", zero) for zero in always]
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
     conditions = [c for x in roots for c in _ranges(x)] + setup.holding(steady.state)
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)

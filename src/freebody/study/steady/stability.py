@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.language.notation import to_text
+from freebody.language.notation import compared, reworded, to_text
 from freebody.model.question import Question
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
@@ -137,11 +137,8 @@ def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
 
 def _rates_shown(linear: Linear) -> list[str]:
     generators = linear.steady.model.field.generators
-    return [
-        f"with {to_text(generators[index].display)} = {to_text(tidy(x))}"
-        for index, x in linear.rates.items()
-        if not x.is_zero()
-    ]
+    shown = [compared(generators[index].display, "=", tidy(x)) for index, x in linear.rates.items() if not x.is_zero()]
+    return [reworded(f"with {rate}", rate) for rate in shown]
 
 
 def _given(setup: Setup, linear: Linear) -> dict[int, Ratio]:

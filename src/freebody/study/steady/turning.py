@@ -20,7 +20,8 @@ from typing import Any
 import flint
 
 from freebody.errors import CannotAnswer
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO, Call
+from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.study.steady.finding import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -31,7 +32,7 @@ from freebody.symbolic.tidy import tidy
 _SMALL = 1e-9
 _DEEPEST = 14  # halvings of a sixteenth of a turn
 _flint: Any = flint
-_QUARTERS = {(1, 0): "0", (0, 1): "90°", (-1, 0): "180°", (0, -1): "-90°"}
+_QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
 
 
 @dataclass(frozen=True)
@@ -45,9 +46,11 @@ class Place:
     def text(self, name: str) -> str:
         both = self.cos.fraction(), self.sin.fraction()
         if None not in both and both in _QUARTERS:
-            return f"{to_text(tidy_name(name))} = {_QUARTERS[both]}"  # type: ignore[index]
-        shown = to_text(tidy_name(name))
-        return f"cos({shown}) = {to_text(tidy(self.cos))}, sin({shown}) = {to_text(tidy(self.sin))}"
+            quarter, machine = _QUARTERS[both]  # type: ignore[index]
+            return Stated(f"{to_text(tidy_name(name))} = {quarter}", f"{name} == {machine}")
+        angle = tidy_name(name)
+        cos, sin = Call("cos", angle), Call("sin", angle)
+        return joined((compared(cos, "=", tidy(self.cos)), compared(sin, "=", tidy(self.sin))), ", ")
 
 
 def tidy_name(name: str) -> Any:
@@ -220,9 +223,10 @@ class Turning:
         for sample in starts:
             if not self._keeps_its_sign(base, self.model.numbers(sample)):
                 raise CannotAnswer(f"where {shown} = 0 has no closed form")
-        self.notes.append(
+        words = (
             f"{shown} does not vanish on the way: shown in ball arithmetic for {len(starts)} sets of parameter values"
         )
+        self.notes.append(reworded(words, compared(tidy(base), "!=", ZERO)))
 
     def _keeps_its_sign(self, base: Ratio, values: dict[int, Any]) -> bool:
         arb = _flint.arb

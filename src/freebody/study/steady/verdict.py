@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from freebody.language.notation import joined, reworded
 from freebody.study.steady.finding import odd_part
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
@@ -25,4 +26,5 @@ def stable_if(elements: Sequence[Ratio]) -> str:
     left = without_implied(open_)
     if not left:
         return "stable for all admissible values"
-    return "stable if " + " and ".join(Condition(x, ">").text() for x in left)
+    where = joined(Condition(x, ">").text() for x in left)
+    return reworded(f"stable if {where}", where)

@@ -17,13 +17,12 @@ from freebody.language.expression import (
     number,
     power,
 )
-from freebody.language.notation import to_text
+from freebody.language.notation import Stated, compared
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 
-_SIGNS = {">": ">", ">=": "≥", "<": "<", "<=": "≤"}
 _FLIPPED = {">": "<", ">=": "<="}
 
 
@@ -37,12 +36,11 @@ class Relation:
     bound: Ratio | None = None
     purposes: tuple[str, ...] = ()
 
-    def text(self) -> str:
+    def text(self) -> Stated:
         if self.unknown is None or self.bound is None:
             return relation_text(readable(self.element), self.relation)
         field = self.element.field
-        left = to_text(field.generators[self.unknown].display)
-        return f"{left} {_SIGNS[self.relation]} {to_text(readable(self.bound))}"
+        return compared(field.generators[self.unknown].display, self.relation, readable(self.bound))
 
 
 def readable(x: Ratio) -> Expr:

@@ -1,0 +1,59 @@
+"""Statements for people that machines can read as well.
+
+A condition is printed as `μ > 2·tan(θ)/7`; beside these words it carries `mu > 2*tan(theta)/7`, which Python and SymPy
+read. Comparisons are Python's; several at once are joined by `&` and `|`, each in brackets, since `a < x < b` and `and`
+are no expressions of SymPy's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from freebody.language.expression import Expr
+from freebody.language.notation.one_line import PYTHON, TEXT
+
+_SHOWN = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
+
+
+class Stated(str):
+    """A text with the same statement as an `expression` in parameter names and Python's operators."""
+
+    expression: str
+
+    def __new__(cls, text: str, expression: str) -> Stated:
+        stated = super().__new__(cls, text)
+        stated.expression = expression
+        return stated
+
+    def __reduce__(self) -> tuple[type[Stated], tuple[str, str]]:
+        return Stated, (str(self), self.expression)
+
+
+def compared(left: Expr, relation: str, right: Expr) -> Stated:
+    """`left relation right`; relation: >, >=, <, <=, != or =."""
+    operator = "==" if relation == "=" else relation
+    machine = f"{PYTHON.write(left)[0]} {operator} {PYTHON.write(right)[0]}"
+    return Stated(f"{TEXT.write(left)[0]} {_SHOWN[relation]} {TEXT.write(right)[0]}", machine)
+
+
+def reworded(text: str, of: str) -> str:
+    """Other words for the same statement: `of` with a purpose behind it, say."""
+    return Stated(text, of.expression) if isinstance(of, Stated) else text
+
+
+def joined(statements: Iterable[str], between: str = " and ") -> str:
+    """Statements that hold together, or one of them where `between` is " or "; for machines too, if all of them are."""
+    texts = list(statements)
+    if len(texts) == 1:
+        return texts[0]
+    text = between.join(texts)
+    if not texts or not all(isinstance(t, Stated) for t in texts):
+        return text
+    sign = " | " if between == " or " else " & "
+    return Stated(text, sign.join(f"({t.expression})" for t in texts if isinstance(t, Stated)))
+
+
+def stated_plain(text: str) -> dict[str, Any]:
+    """As it stands in a JSON document; `expression` is null for words that no formula says."""
+    return {"text": str(text), "expression": text.expression if isinstance(text, Stated) else None}
