@@ -145,7 +145,7 @@ def test_a_connection_that_cannot_hold_by_itself() -> None:
 
 
 def test_a_search_that_is_cut_short_says_so() -> None:
-    found = conflict(fb.System.from_text(TRIANGLE), time_limit=0.0)
+    found = conflict(fb.System.from_text(TRIANGLE), most_evaluations=0)
     assert found is not None
     assert not found.is_minimal
     assert {"AB", "BC", "CA"} <= set(found.names)

@@ -22,6 +22,21 @@ app = typer.Typer(
 )
 
 ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
+
+
+def _raise_effort(factor: float) -> float:
+    from freebody.effort import raise_effort
+
+    raise_effort(factor)
+    return factor
+
+
+Effort = Annotated[
+    float,
+    typer.Option(
+        "--effort", callback=_raise_effort, help="Searches may do so many times the ordinary work before giving up."
+    ),
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document.")]
 
 
@@ -36,6 +51,7 @@ def solve(
     question: Annotated[
         str | None, typer.Option("--find", help="Answer this question instead of those in the file.")
     ] = None,
+    effort: Effort = 1.0,
 ) -> None:
     """Answer the questions of a model in closed form."""
     from importlib import import_module
@@ -73,6 +89,7 @@ def explain(
         str | None, typer.Option("--compare", metavar="METHOD", help="A second method beside the first.")
     ] = None,
     language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+    effort: Effort = 1.0,
 ) -> None:
     """Derive the answers step by step, with pictures."""
     from importlib import import_module
@@ -105,6 +122,7 @@ def sheet(
     variants: Annotated[int, typer.Option("--variants", help="How many sheets, each with numbers of its own.")] = 1,
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same sheets.")] = 0,
     language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+    effort: Effort = 1.0,
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""
     from freebody.narrative.sheets.sheet import load_systems
@@ -343,6 +361,7 @@ def equilibrium(
         list[str] | None,
         typer.Option("--guess", metavar="NAME=VALUE", help="Search from here; 'theta=20 deg, x=0.1 m'. Repeatable."),
     ] = None,
+    effort: Effort = 1.0,
 ) -> None:
     """Find the equilibria of a model, their stability and the reactions."""
     from freebody.study.equilibrium import equilibria
@@ -385,7 +404,7 @@ def modes(
 
 
 @app.command()
-def statics(file: ModelFile, as_json: Json = False) -> None:
+def statics(file: ModelFile, as_json: Json = False, effort: Effort = 1.0) -> None:
     """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
     from freebody.study.friction.report import statics as study
     from freebody.system.system import System
@@ -408,6 +427,7 @@ def mobility(
         typer.Option("--along", metavar="NAME", help="Follow the motion along a driver or measure to its limits."),
     ] = None,
     modes: Annotated[bool, typer.Option("--modes", help="List assembly modes, however many bodies.")] = False,
+    effort: Effort = 1.0,
 ) -> None:
     """Count degrees of freedom, name redundant constraints, singular poses and limits."""
     from freebody.study.mobility import mobility as examine
@@ -430,6 +450,7 @@ def conserved(
         str | None,
         typer.Option("--find", help="Judge this quantity, as 'angular momentum of body about roller'."),
     ] = None,
+    effort: Effort = 1.0,
 ) -> None:
     """Tell what is conserved, and under which conditions; without a question in the file, search."""
     from importlib import import_module

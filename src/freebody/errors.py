@@ -6,6 +6,7 @@ FreebodyError
 |   +-- UnitError         a unit is unknown or does not fit
 |   +-- ModelError        a model file or System: all its problems, each with its place
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
+|   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
 """
 
@@ -62,6 +63,10 @@ class ModelError(InputError):
 
 class CannotAnswer(FreebodyError):
     """The question has no answer here; the message says why and what to do instead."""
+
+
+class BudgetExhausted(CannotAnswer):
+    """A search that has done all the work it was allowed; what it looked for may still be there."""
 
 
 class RoutesDisagree(FreebodyError):

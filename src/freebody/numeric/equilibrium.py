@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.effort import allowed
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import RateMeasure
@@ -281,12 +282,13 @@ class Statics:
         n_free = len(self.balance(self.start).residual)
         if self.is_single and found:
             return found
+        most = allowed(_N_LOOKS)
         waiting, known = [self.start], 0
-        while waiting and self._n_looks < _N_LOOKS:
+        while waiting and self._n_looks < most:
             pose = waiting.pop(0)
             for k in range(n_free):
                 for start in toured(self, pose, k):
-                    if n_free == 1 or self._n_looks < _N_LOOKS:
+                    if n_free == 1 or self._n_looks < most:
                         self._keep(found, self.rest_near(start))
             if n_free == 1:
                 return found  # the tour has seen the whole branch
@@ -294,7 +296,7 @@ class Statics:
             known = len(found)
         for seed in range(6):
             start = self._wandered(seed)
-            if start is not None and self._n_looks < _N_LOOKS:
+            if start is not None and self._n_looks < most:
                 self._keep(found, self.rest_near(start))
                 self._keep(found, self.lowest_near(start))
         return found

@@ -14,24 +14,24 @@ Source: Chinneck & Dravnieks, ORSA Journal on Computing 3, 1991, 157-168.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from freebody.effort import allowed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
-from freebody.numeric.jets import Array, Jet
+from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.mobility.described import attitude, described
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
 from freebody.numeric.reference import Reference
 from freebody.numeric.start import N_STARTS, axes_of
 from freebody.system.system import System
 
-TIME_LIMIT = 5.0  # [s]
+MOST_EVALUATIONS = 40_000  # of a single condition; half of it again once it is clear that there is a contradiction
 QUICK_STARTS = 5  # of a trial within the filters
 SHARES = (0.1, 1e-2, 1e-3, 1e-4)  # of the largest gap, below which a condition has no part in the balance
 
@@ -65,16 +65,18 @@ class Conflict:
         }
 
 
-def conflict(system: System, time_limit: float = TIME_LIMIT) -> Conflict | None:
+def conflict(system: System, most_evaluations: int = MOST_EVALUATIONS) -> Conflict | None:
     """A smallest set of conditions of a model that contradict each other, or None if the start can be assembled.
-    The set may not be the smallest where the search takes longer than about `time_limit` [s], or half of it after the
-    assembly itself. Positions only: rates are not looked at. Raises CannotAnswer if parameters have no value."""
-    search = _Search(system, time_limit)
+    The set may not be the smallest where the search needs more than about `most_evaluations` of a condition, or half of
+    it after the assembly itself. Positions only: rates are not looked at. Raises CannotAnswer if parameters have no
+    value."""
+    budget = allowed(most_evaluations) if most_evaluations else 0
+    search = _Search(system, _Work(budget))
     everything = tuple(search.equations)
     fit = search.try_all(everything, to_the_end=True)
     if fit is None:
         return None
-    search.grant(time_limit / 2)
+    search.work.grant(budget // 2)
     alone = tuple(dict.fromkeys(row.connection for row in system.held if row.connection in search.equations))
     geometric = search.try_some(alone, fit) if len(alone) < len(everything) else fit
     suspects, fit = (everything, fit) if geometric is None else (alone, geometric)
@@ -104,23 +106,47 @@ class _Miss:
         return {id(e): float(x) / largest for e, x in zip(self.fit.equations, sizes, strict=True)}
 
 
+@dataclass
+class _Work:
+    """What a search has done, counted in evaluations of single conditions."""
+
+    most: int
+    done: int = 0
+
+    def grant(self, more: int) -> None:
+        """At least so much from now on."""
+        self.most = max(self.most, self.done + more)
+
+    @property
+    def is_exhausted(self) -> bool:
+        return self.done >= self.most
+
+    def counted(self, equation: Equation) -> Equation:
+        """The equation, which counts how often it is looked at."""
+
+        def gap(g: JetGeometry) -> Jet:
+            self.done += 1
+            return equation.gap(g)
+
+        return replace(equation, gap=gap)
+
+
 class _Search:
     """Assembles a system under some of its conditions."""
 
-    def __init__(self, system: System, time_limit: float) -> None:
+    def __init__(self, system: System, work: _Work) -> None:
         self.reference = Reference(system)
-        self.equations = _conditions(self.reference)
+        self.work = work
+        self.equations = {
+            name: [work.counted(equation) for equation in equations]
+            for name, equations in _conditions(self.reference).items()
+        }
         self.is_complete = True
-        self._until = time.monotonic() + time_limit
         self._guess = described(self.reference)
-
-    def grant(self, seconds: float) -> None:
-        """At least so much time from now on."""
-        self._until = max(self._until, time.monotonic() + seconds)
 
     def try_all(self, names: Sequence[str], *, to_the_end: bool = False) -> _Miss | None:
         """None if the conditions can be fulfilled; from as many starts as the assembly of a model, but for the first
-        trial only as long as there is time."""
+        trial only as long as the budget lasts."""
         return self._miss(names, self._starts(range(N_STARTS)), to_the_end=to_the_end)
 
     def try_some(self, names: Sequence[str], near: _Miss) -> _Miss | None:
@@ -140,7 +166,7 @@ class _Search:
         equations = [equation for name in names for equation in self.equations[name]]
         best: Fit | None = None
         for k, q in enumerate(starts):
-            if k >= QUICK_STARTS and not to_the_end and time.monotonic() > self._until:
+            if k >= QUICK_STARTS and not to_the_end and self.work.is_exhausted:
                 self.is_complete = False
                 break
             fit = self.reference.placing.fit(q, equations, 0.0, {})
@@ -162,7 +188,7 @@ class _Search:
         if len(bodies) == len(system.bodies):
             return self, miss
         smaller = replace(system, bodies=bodies, held=tuple(rows), pushes=(), offered=())
-        search = _Search(smaller, self._until - time.monotonic())
+        search = _Search(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete
         left = search.try_some(names, _Miss(None))
@@ -191,7 +217,7 @@ class _Search:
         while chunks:
             chunk = chunks.pop()
             rest = tuple(n for n in left[0] if n not in chunk)
-            if time.monotonic() > self._until:
+            if self.work.is_exhausted:
                 self.is_complete = False
                 break
             without = self.try_some(rest, left[1]) if rest else None

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from freebody.effort import allowed
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
@@ -38,7 +39,7 @@ N_MOTIONS = 5
 N_IN_SEARCH = 3
 _STEP_TOLERANCE = 1e-12
 _SLOW = 1e-3
-_MAX_SECONDS = 0.3  # by the clock, for one motion; what has been computed by then counts
+_MOST_STEPS = 2000  # of one motion; what has been computed by then counts
 
 
 @dataclass(frozen=True)
@@ -256,7 +257,7 @@ def _run(draw: Draw, seed: int) -> list[Run]:
     engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, start.t + _DURATION, _N_TIMES)
     course = engine.run(
-        y, float(outputs[-1]), start=start.t, tolerance=_STEP_TOLERANCE, outputs=outputs, max_seconds=_MAX_SECONDS
+        y, float(outputs[-1]), start=start.t, tolerance=_STEP_TOLERANCE, outputs=outputs, max_steps=allowed(_MOST_STEPS)
     )
     if len(course.times) < 3:
         return []

@@ -10,7 +10,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from freebody.assess.options import judge
-from freebody.errors import CannotAnswer, ModelError, Problem, RoutesDisagree
+from freebody.errors import BudgetExhausted, CannotAnswer, ModelError, Problem, RoutesDisagree
 from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
@@ -251,7 +251,8 @@ class _Solver:
             found = self._find()
         except (CannotAnswer, ZeroDivisionError) as error:
             reason = str(error) if isinstance(error, CannotAnswer) else "the closed form divides by zero"
-            return Answer(q.id, q.text, None, self._unit(), self._number_instead(), reason=reason)
+            value, unfinished = self._number_instead()
+            return Answer(q.id, q.text, None, self._unit(), value, reason="; ".join((reason, *unfinished)))
         except RoutesDisagree as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
         return self._finish(found)
@@ -282,14 +283,18 @@ class _Solver:
             why_no_value="the rate depends on the motion",
         )
 
-    def _number_instead(self) -> float | tuple[float, ...] | None:
-        """The value of the numeric route where there is no closed form; at the start, or at the event."""
+    def _number_instead(self) -> tuple[float | tuple[float, ...] | None, tuple[str, ...]]:
+        """The value of the numeric route where there is no closed form, at the start or at the event; and what is to be
+        said where a budget was exhausted on the way."""
         q = self.question
         if not self.setup.has_values or isinstance(q.quantity, SteadyQuantity):
-            return None
-        with suppress(CannotAnswer, ArithmeticError, ValueError):
-            return proof.number(self.setup, q.quantity, q.event)
-        return None
+            return None, ()
+        try:
+            return proof.number(self.setup, q.quantity, q.event), ()
+        except BudgetExhausted as error:
+            return None, (str(error),)
+        except (CannotAnswer, ArithmeticError, ValueError):
+            return None, ()
 
     def _find(self) -> _Found:
         q = self.question.quantity

@@ -11,7 +11,8 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.effort import allowed, exhausted
+from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.model.elements import Held
 from freebody.model.question import Event
 from freebody.numeric.engine import dynamics
@@ -20,6 +21,7 @@ from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 
+MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
 
@@ -72,7 +74,8 @@ class Found:
 
 def motion_to(reference: Reference, start: Snapshot, until: float, event: Event, times: Array | None = None) -> Found:
     """The motion from a start to the first time at which a measure, or its rate, has the value of the event. times:
-    where states are wanted before. Raises CannotAnswer if the event does not happen until `until`."""
+    where states are wanted before. Raises CannotAnswer if the event does not happen until `until`, BudgetExhausted if
+    it was not reached within the budget of steps."""
     target = reference.number(event.value)
     size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
     watch = Watch("event", event.measure, event.order, target, is_terminal=True, size=size)
@@ -80,7 +83,9 @@ def motion_to(reference: Reference, start: Snapshot, until: float, event: Event,
     y = engine.state(*reference.by_body(start.q, start.v))
     engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
-    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_seconds=60.0)
+    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_steps=allowed(MOST_STEPS))
+    if course.status is Status.TOO_LONG:
+        raise BudgetExhausted(f"the event was {exhausted(MOST_STEPS, 'steps')} (t = {course.t_end:.6g} s is reached)")
     if course.status is not Status.EVENT:
         why = course.message if course.status is not Status.FINISHED else ""
         raise CannotAnswer(f"the event does not happen until t = {until:.6g} s" + (f": {why}" if why else ""))

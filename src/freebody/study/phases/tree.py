@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from freebody.effort import allowed
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.home import Home
@@ -106,7 +107,7 @@ class Tree(Home):
         found: list[Node] = []
         failed: list[list[tuple[Ratio, str, Mask]]] = []  # the checks of the modes tried before, where they fail
         for mode in self._candidates(closed, slips, before, excluded, left):
-            if not len(left) or self.n_nodes >= MAX_NODES:
+            if not len(left) or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
                 phase = self._phase(mode, placed, left)
@@ -177,7 +178,7 @@ class Tree(Home):
                 if np.any(numbers == 0):
                     signs.append(0)
             choices.append([(name, s) for s in signs])
-        tried = itertools.islice(itertools.product(*choices), 4 * MAX_CANDIDATES)
+        tried = itertools.islice(itertools.product(*choices), 4 * allowed(MAX_CANDIDATES))
         seen: set[Mode] = set()
         modes: list[tuple[int, int, Mode]] = []
         for k, combination in enumerate(tried):
@@ -190,7 +191,7 @@ class Tree(Home):
                 n_changes = sum(before.get(n, s) != s for n, s in rubs.items()) + 3 * (len(closed) - len(still))
                 modes.append((n_changes, k, mode))
         modes.sort(key=lambda item: item[:2])
-        yield from (mode for _n, _k, mode in modes[:MAX_CANDIDATES])
+        yield from (mode for _n, _k, mode in modes[: allowed(MAX_CANDIDATES)])
 
     def _touches(self, rub: str, closed: set[str]) -> bool:
         of = next(r.of for r in self.system.rubs if r.name == rub)
@@ -259,8 +260,8 @@ class Tree(Home):
                 f"{watch.connection} touches: an impact, at which the formulas end; simulate the motion for more"
             )
             return
-        if node.depth + 1 >= MAX_DEPTH or self.n_nodes >= MAX_NODES:
-            edge.stops = f"after {node.depth + 1} phases the search ends"
+        if node.depth + 1 >= allowed(MAX_DEPTH) or self.n_nodes >= allowed(MAX_NODES):
+            edge.stops = f"after {node.depth + 1} phases the search ends; raise the effort (--effort) to go on"
             return
         phase = node.phase
         try:
