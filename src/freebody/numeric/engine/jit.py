@@ -2,7 +2,8 @@
 
 Kernels own no memory and return none, so they are compiled without reference counting: that alone is a third of
 the compile time, and microseconds in every call. What is kept on disk is filed under the digest of all kernel
-sources, since a change in one of them changes every entry that contains it.
+sources, since a change in one of them changes every entry that contains it; where they lie does not matter
+(`kernel_files`).
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from pathlib import Path
 from typing import Any
 
 import numba
+
+from freebody.numeric.engine.kernel_files import SUFFIX, KernelFiles
 
 Function = Callable[..., Any]
 _numba: Any = numba
@@ -56,20 +59,18 @@ def entry(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], F
     def compiled(function: Function) -> Function:
         if _numba.config.DISABLE_JIT:
             return function
-        signature = tuple(_numba.typeof(a) for a in arguments)
-        config = _numba.config
-        before, config.CACHE_DIR = config.CACHE_DIR, str(_folder(more))
-        try:
-            return _numba.njit(signature, cache=True, **_OPTIONS)(function)
-        finally:
-            config.CACHE_DIR = before
+        dispatcher: Any = _numba.njit(**_OPTIONS)(function)
+        dispatcher._cache = KernelFiles(function, _folder(more))
+        dispatcher.compile(tuple(_numba.typeof(a) for a in arguments))
+        dispatcher.disable_compile()
+        return dispatcher
 
     return compiled
 
 
 def is_compiled(*, space: bool = False) -> bool:
     """True if the kernels, of the plane or of space, have been compiled before (or are not compiled at all)."""
-    return bool(_numba.config.DISABLE_JIT) or any(_folder(OF_SPACE if space else ()).rglob("*.nbc"))
+    return bool(_numba.config.DISABLE_JIT) or any(_folder(OF_SPACE if space else ()).glob(f"*{SUFFIX}"))
 
 
 @cache

@@ -1,0 +1,101 @@
+"""Compiled kernels on disk: found wherever the sources lie, healed where they are damaged."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+import pytest
+
+from freebody.numeric.engine import jit
+from freebody.numeric.engine.kernel_files import KernelFiles
+from freebody.numeric.timestepping import compiled as compiled_for_stepping
+
+
+def twice(x: float) -> float:
+    return 2.0 * x
+
+
+def compiled(folder: Path) -> Any:
+    """A kernel that is taken from a folder, or compiled into it."""
+    dispatcher: Any = numba.njit(_nrt=False)(twice)
+    dispatcher._cache = KernelFiles(twice, folder)
+    dispatcher.compile((numba.float64,))
+    assert dispatcher(1.5) == 3.0
+    return dispatcher
+
+
+def is_taken(dispatcher: Any) -> bool:
+    return sum(dispatcher.stats.cache_hits.values()) == 1
+
+
+def the_file(folder: Path) -> Path:
+    (path,) = folder.iterdir()
+    return path
+
+
+def test_a_kernel_is_compiled_once(tmp_path: Path) -> None:
+    assert not is_taken(compiled(tmp_path))
+    assert is_taken(compiled(tmp_path))
+
+
+DAMAGES: dict[str, Callable[[bytes], bytes]] = {
+    "empty": lambda content: b"",
+    "cut short": lambda content: content[: len(content) // 2],
+    "one byte of the machine code changed": lambda content: content[:-99] + bytes([content[-99] ^ 1]) + content[-98:],
+    "of another making": lambda content: b"\x80\x05K\x01." * 40,
+    "longer": lambda content: content + b"\0",
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_damaged_file_is_compiled_anew_and_then_whole(damage: str, tmp_path: Path) -> None:
+    compiled(tmp_path)
+    whole = the_file(tmp_path).read_bytes()
+    the_file(tmp_path).write_bytes(DAMAGES[damage](whole))
+    assert not is_taken(compiled(tmp_path))
+    assert is_taken(compiled(tmp_path))
+
+
+def test_a_file_that_cannot_be_read_back_is_compiled_anew(tmp_path: Path) -> None:
+    import hashlib
+
+    compiled(tmp_path)
+    body = b"no pickle"
+    the_file(tmp_path).write_bytes(hashlib.sha256(body).digest() + body)
+    assert not is_taken(compiled(tmp_path))
+    assert is_taken(compiled(tmp_path))
+
+
+def test_a_folder_that_cannot_be_written_costs_the_compiling_alone(tmp_path: Path, monkeypatch: Any) -> None:
+    def refused(*_arguments: Any) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", refused)
+    assert not is_taken(compiled(tmp_path))
+    assert list(tmp_path.iterdir()) == []
+    assert not is_taken(compiled(tmp_path / "not there"))
+
+
+def test_a_file_is_not_executable_and_its_name_says_what_it_is(tmp_path: Path) -> None:
+    compiled(tmp_path)
+    path = the_file(tmp_path)
+    assert path.name.startswith(f"{twice.__module__}.twice-")
+    assert not path.stat().st_mode & stat.S_IXUSR
+
+
+def test_the_digest_covers_every_file_with_kernels() -> None:
+    """A source that is left out would leave old kernels in use."""
+    folder = Path(jit.__file__).parent
+    named = {
+        (folder / f"{name}.py").resolve() for name in (*jit._SOURCES, *jit.OF_SPACE, *compiled_for_stepping.SOURCES)
+    }
+    marks = ("@kernel", "@part", "@leaf", "@entry", "@of_either")
+    for path in folder.parent.rglob("*.py"):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        if any(line.startswith(marks) for line in lines):
+            assert path.resolve() in named, f"{path.name} is compiled, and not in the digest"
