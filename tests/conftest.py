@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import random
 import re
-import time
+import sys
 from collections.abc import Callable, Mapping
+from types import FrameType
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ import sympy
 import freebody as fb
 
 Agree = Callable[..., None]
+Within = Callable[[int, Callable[[], object]], None]
 _FUNCTIONS = ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "pi"]
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][+-]?\d+)?")
 _SEED = 20
@@ -50,17 +52,26 @@ def assert_same_function(found: str, expected: str, near: Mapping[str, float]) -
 
 
 @pytest.fixture
-def within() -> Callable[[float, Callable[[], object]], None]:
-    """Asserts that an action takes less than a time [s] of the processor in the quickest of up to five runs: a
-    collection of garbage or a first import make a run longer, never shorter."""
+def within() -> Within:
+    """Asserts that an action takes at most so many calls of functions: a measure of its work that is the same on every
+    machine. On an ordinary one a million calls take about half a second."""
 
-    def check(seconds: float, action: Callable[[], object]) -> None:
-        times: list[float] = []
-        while len(times) < 5 and min(times, default=seconds) >= seconds:
-            started = time.process_time()
+    def check(most: int, action: Callable[[], object]) -> None:
+        calls = 0
+
+        def count(_frame: FrameType, event: str, _argument: object) -> None:
+            nonlocal calls
+            if event == "call" or event == "c_call":
+                calls += 1
+
+        before = sys.getprofile()
+        sys.setprofile(count)
+        try:
             action()
-            times.append(time.process_time() - started)
-        assert min(times) < seconds
+        finally:
+            sys.setprofile(before)
+        print(f"{calls} calls")
+        assert calls <= most, f"{calls} calls, {most} are allowed"
 
     return check
 

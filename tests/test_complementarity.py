@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from itertools import product
 
 import numpy as np
@@ -122,12 +121,11 @@ def test_units_of_the_rows_do_not_matter():
     np.testing.assert_allclose(D * scaled.z, plain.z, rtol=1e-9, atol=1e-12)
 
 
-def test_three_hundred_rows_are_solved_in_reasonable_time():
+def test_three_hundred_rows_take_at_most_two_pivots_a_row():
     rng = np.random.default_rng(3)
     J = rng.normal(size=(300, 200))
     M, q = J @ J.T / 200.0, J @ rng.normal(size=200)
-    started = time.perf_counter()
     found = lemke(M, q)
     assert found.is_solved
     assert_complementary(M, q, found)
-    assert time.perf_counter() - started < 20.0
+    assert found.n_pivots <= 600

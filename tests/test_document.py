@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import MAX_DEPTH, Document
 
-Within = Callable[[float, Callable[[], object]], None]
+Within = Callable[[int, Callable[[], object]], None]
 
 CRANK = """\
 # A slider-crank.
@@ -380,7 +380,7 @@ HOSTILE = {
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_hostile_file_is_refused_at_once(name: str, within: Within):
-    within(1.0, lambda: refusal(HOSTILE[name]))
+    within(6_000_000, lambda: refusal(HOSTILE[name]))
 
 
 def test_hostile_files_stay_under_100_megabytes():
@@ -458,7 +458,7 @@ def test_a_file_larger_than_1_mb_is_refused_unread(tmp_path: Path, within: Withi
     with path.open("wb") as stream:
         stream.truncate(3_000_000_000)
     assert "larger than 1 MB" in loading(path)
-    within(1.0, lambda: loading(path))
+    within(1000, lambda: loading(path))
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes here")
@@ -660,12 +660,13 @@ def test_any_value_can_be_written_into_a_file(value: dict[str, Any]):
 
 
 # -- speed ----------------------------------------------------------------------------------------
-def test_a_file_of_60_lines_is_read_in_less_than_25_ms(within: Within):
+def test_a_file_of_60_lines_is_read_in_fifty_thousand_calls(within: Within):
     text = "bodies:\n" + "".join(f"  part{i}: {{mass: 3 kg, at: [1, 2], rod of x}} # c\n" for i in range(60))
-    within(0.025, lambda: Document.read(text))
+    within(50_000, lambda: Document.read(text))
 
 
-def test_the_module_is_imported_in_less_than_100_ms():
-    code = "import time; t = time.perf_counter(); import freebody.language.document; print(time.perf_counter() - t)"
-    runs = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True) for _ in range(4)]
-    assert min(float(run.stdout) for run in runs) < 0.100
+def test_the_module_needs_nothing_heavy():
+    code = "import sys, freebody.language.document; print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = {name.partition(".")[0] for name in run.stdout.split()}
+    assert not loaded & {"numpy", "scipy", "numba", "pydantic", "pint", "matplotlib", "xarray", "flint", "rich"}

@@ -6,7 +6,6 @@ import functools
 import json
 import math
 import re
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -19,23 +18,14 @@ from freebody.language.parser import parse
 
 FOLDER = Path(__file__).parents[1] / "examples"
 EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
-SECONDS = 5.0
 
-Within = Callable[[float, Callable[[], object]], None]
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 example = pytest.mark.parametrize("name", EXAMPLES)
 
 
 @functools.cache
-def timed(name: str) -> tuple[fb.Solution, float]:
-    """The solution of an example, and how long the processor took [s]."""
-    started = time.process_time()
-    solution = fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
-    return solution, time.process_time() - started
-
-
 def solved(name: str) -> fb.Solution:
-    return timed(name)[0]
+    return fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
 
 
 @example
@@ -44,14 +34,6 @@ def test_example_is_solved_completely(name: str) -> None:
     assert solution.answers
     assert {a.id: a.reason for a in solution.answers if a.expression is None} == {}
     assert solution.is_complete
-
-
-@example
-def test_example_takes_less_than_five_seconds(name: str, within: Within) -> None:
-    """Of the processor; the first run is the one that all tests of the example share."""
-    _solution, seconds = timed(name)
-    if seconds >= SECONDS:  # kernels may have been compiled
-        within(SECONDS, lambda: fb.solve(fb.System.load(FOLDER / f"{name}.yaml")))
 
 
 @example

@@ -21,7 +21,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.mobility import Mobility, mobility
 from mechanisms import ladder
 
-Within = Callable[[float, Callable[[], object]], None]
+Within = Callable[[int, Callable[[], object]], None]
 FOLDER = Path(__file__).parents[1] / "examples"
 EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
 
@@ -251,7 +251,7 @@ measures: {{theta: angle of crank}}
 start: {{theta: 60 deg}}
 """
     )
-    within(4.0, lambda: mobility(system).to_plain())
+    within(10_000_000, lambda: mobility(system).to_plain())
 
 
 # -- what the pose is -------------------------------------------------------------------------
@@ -457,11 +457,12 @@ def test_the_rank_of_random_mechanisms_leaves_as_many_motions_as_the_engine_find
 
 
 # -- speed ------------------------------------------------------------------------------------
-def test_a_linkage_of_two_hundred_bars_takes_less_than_a_second(within: Within) -> None:
+def test_a_linkage_of_two_hundred_bars_takes_three_million_calls(within: Within) -> None:
     system = ladder(100)
     assert len(system.moving) >= 200
-    within(1.0, lambda: mobility(system))
-    assert mobility(system).gruebler.count == mobility(system).degrees_of_freedom
+    found: list[fb.Mobility] = []
+    within(3_000_000, lambda: found.append(mobility(system)))
+    assert found[0].gruebler.count == found[0].degrees_of_freedom
 
 
 # -- bad input --------------------------------------------------------------------------------

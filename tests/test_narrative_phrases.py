@@ -143,8 +143,8 @@ def test_english_says_what_it_is_given() -> None:
     assert all(english.said(p.english, place) == p.english for p in PHRASES for place in ("", "text", "what"))
 
 
-def test_a_thousand_sentences_take_less_than_half_a_second(
-    within: Callable[[float, Callable[[], object]], None],
+def test_a_thousand_sentences_take_at_most_a_million_calls(
+    within: Callable[[int, Callable[[], object]], None],
 ) -> None:
     numbers = count()
 
@@ -152,7 +152,7 @@ def test_a_thousand_sentences_take_less_than_half_a_second(
         for k in islice(numbers, 1000):
             german.said(f"for m = {k} the answer is {k}·g, this option gives {k}·m·g/(m + {k}·M)")
 
-    within(0.5, say)
+    within(1_000_000, say)
 
 
 # -- examples ---------------------------------------------------------------------------------

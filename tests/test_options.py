@@ -27,7 +27,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.sample import Sample
 from freebody.system.system import System
 
-Within = Callable[[float, Callable[[], object]], None]
+Within = Callable[[int, Callable[[], object]], None]
 
 ATWOOD = """
 parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2}
@@ -471,7 +471,7 @@ def test_the_size_of_a_constant_is_taken_with_the_sign_that_the_model_gives_it(a
 def test_a_power_of_a_sum_too_long_to_multiply_out_is_decided_by_numbers(atwood: Bench, within: Within) -> None:
     factors = "((m1 + m2 + M)/M)^40*((m1 + M)/(m1 + m2 + M))^40*(M/(m1 + M))^40"
     assert atwood.reason(f"g*{factors}", "g", ACCELERATION) == "equal to 40 digits at 12 random points"
-    within(0.5, lambda: atwood.reason(f"g*{factors}", "g", ACCELERATION))
+    within(1_000_000, lambda: atwood.reason(f"g*{factors}", "g", ACCELERATION))
 
 
 def test_named_measures_and_their_rates_mean_what_the_constraints_make_of_them(atwood: Bench) -> None:
@@ -562,5 +562,5 @@ def test_reasons_are_the_same_in_every_run() -> None:
     assert first == second
 
 
-def test_a_textbook_option_takes_milliseconds(atwood: Bench, within: Within) -> None:
-    within(0.25, lambda: atwood.judge(ATWOOD_TENSION, ATWOOD_TENSION["e"], FORCE))
+def test_a_textbook_option_takes_half_a_million_calls(atwood: Bench, within: Within) -> None:
+    within(500_000, lambda: atwood.judge(ATWOOD_TENSION, ATWOOD_TENSION["e"], FORCE))

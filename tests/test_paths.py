@@ -6,7 +6,6 @@ Every expected value is derived here from triangles.
 from __future__ import annotations
 
 import math
-import time
 from typing import Any
 
 import numpy as np
@@ -497,15 +496,11 @@ def test_a_misspelt_connection_to_release_is_an_input_error() -> None:
         path_of(parallelogram(with_motor=True), released=("moter",))
 
 
-def test_a_four_bar_takes_a_fraction_of_a_second() -> None:
+def test_a_four_bar_takes_few_poses() -> None:
     reference, q = started(four_bar(0.2, 0.5, 0.4, 0.5))
     measures = reference.system.measures
-    took: list[float] = []
-    for _ in range(3):
-        before = time.perf_counter()
-        trace(reference, q, measures["theta"], outputs={"psi": measures["psi"]})
-        took.append(time.perf_counter() - before)
-    assert min(took) < 0.5
+    found = trace(reference, q, measures["theta"], outputs={"psi": measures["psi"]})
+    assert len(found.inputs) < 400
 
 
 # -- the pose itself --------------------------------------------------------------------------

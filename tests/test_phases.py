@@ -169,10 +169,6 @@ def test_energy_lost_is_the_friction_force_times_the_way_that_slipped(agrees_tex
     agrees_text(shown(found, 1), f"mu*m*g*cos(theta)*v0*({shown(found, 2)})/2")
 
 
-def test_the_sphere_is_solved_in_less_than_three_seconds(within: Callable[..., None]) -> None:
-    within(3.0, lambda: fb.solve(fb.System.load(FOLDER / "sphere_launched_down_incline.yaml")))
-
-
 # -- holding and slipping ---------------------------------------------------------------------
 def test_block_holds_up_to_the_static_friction() -> None:
     found = titles(phases(fb.System.from_text(BLOCK)))
