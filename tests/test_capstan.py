@@ -145,3 +145,92 @@ def test_a_string_without_friction_is_as_it_was() -> None:
     plain = fb.System.from_text(HALF_TURN.replace(", friction: {drum: mu}", ""))
     assert plain.rubs == ()
     assert [row.name for row in plain.held] == [row.name for row in fb.System.from_text(HALF_TURN).held]
+
+
+# over a pulley that the rope grips, then over a rough peg: three stretches
+PULLEY_AND_PEG = """
+parameters: {M: 50 kg, J: 0.2 kg m^2, R: 0.1 m, mu: 0.3, F: 400 N, g: 9.81 m/s^2}
+ground: {points: {axle: [0, 0], peg: [1 m, 0.1 m]}}
+bodies:
+  wheel: {disk: {radius: R, inertia: J}}
+  load: {particle: {mass: M}}
+  hand: {particle: {}}
+connections:
+  axle: {pin: [ground.axle, wheel]}
+  rope:
+    string: {path: [load, over wheel, ground.peg, hand], friction: {ground.peg: mu}, leads: [up, right, down]}
+loads: {weight: {gravity: g}, pull: {force: {at: hand, along: down, magnitude: F}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "place", "expected"),
+    [
+        (HALF_TURN, "at hand", "F"),
+        (HALF_TURN, "between hand and drum", "F"),
+        (HALF_TURN, "at load", "M*g"),
+        (HALF_TURN.replace("from: hand, over: [drum], to: load", "from: load, over: [drum], to: hand"), "at hand", "F"),
+        (
+            HALF_TURN.replace("from: hand, over: [drum], to: load", "from: load, over: [drum], to: hand"),
+            "at load",
+            "M*g",
+        ),
+        # what is anchored has the band force of the lever less the torque by the radius
+        (BAND, "at ground", "F*L/a - T/R"),
+        (BAND, "at ground.anchor", "F*L/a - T/R"),
+        (BAND, "at lever", "F*L/a"),
+        (PULLEY_AND_PEG, "at load", "M*g"),
+        (PULLEY_AND_PEG, "between wheel and ground.peg", "M*g"),
+        (PULLEY_AND_PEG, "at hand", "F"),
+    ],
+)
+def test_the_tension_at_a_place_is_that_of_the_stretch_that_ends_there(
+    model: str, place: str, expected: str, agrees: Agree
+) -> None:
+    name = "band" if model == BAND else "rope"
+    agrees(asked(model, f"tension of {name} {place}"), "q1", expected)
+
+
+def test_a_rope_that_slides_is_tighter_by_the_factor_of_euler() -> None:
+    # the load is so heavy that the rope slides: F at the hand, F e^(mu pi) at the load
+    solution = fb.solve(fb.System.from_text(HALF_TURN.replace("F: 250 N", "F: 100 N")), "tension of rope at load")
+    assert solution["q1"].value == pytest.approx(100 * math.exp(0.3 * math.pi))
+    assert solution.phases is not None
+    forces = {name for case in solution.phases.cases for phase in case.phases for name, _force in phase.forces}
+    assert {"tension of rope between hand and drum", "tension of rope between drum and load"} <= forces
+
+
+@pytest.mark.parametrize("place", ["", " at drum"])
+def test_a_tension_that_is_not_one_is_asked_for_by_its_place(place: str) -> None:
+    with pytest.raises(fb.ModelError, match=r"several values of tension.*hand - drum; drum - load"):
+        asked(HALF_TURN, f"tension of rope{place}")
+
+
+MASSLESS = BAND.replace("disk: {mass: m, radius: R}", "disk: {radius: R}")
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("range of T that keeps it at rest", ["-R*F*L/a*(exp(mu*pi) - 1)", "R*F*L/a*(1 - exp(-mu*pi))"]),
+        ("least F so that it stays at rest", "T*a/(R*L*(1 - exp(-mu*pi)))"),
+    ],
+)
+def test_the_mass_of_the_drum_does_not_matter_at_rest(question: str, expected: str | list[str], agrees: Agree) -> None:
+    agrees(asked(MASSLESS, question), "q1", expected)
+
+
+def test_a_massless_drum_without_friction_resists_no_torque() -> None:
+    smooth = MASSLESS.replace(", friction: {drum: mu}", ", grips: []")
+    found = fb.statics(fb.System.from_text(smooth))
+    assert not found.holds
+    assert "drum" in found.fails
+
+
+def test_a_massless_drum_passes_on_no_more_than_its_brake_holds() -> None:
+    # a drum without a brake turns: both tensions are the same, F = M g
+    free = BRAKED.replace("disk: {radius: R, inertia: I}", "disk: {radius: R}").replace(
+        "  brake: {brake: {between: [drum, ground], torque: B}}\n", ""
+    )
+    assert not fb.statics(fb.System.from_text(free)).holds
+    assert fb.statics(fb.System.from_text(free.replace("F: 150 N", "F: 196.2 N"))).holds

@@ -90,7 +90,7 @@ def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connectio
     if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
         terms = (*terms, (passage.arm, Angle(body.name)))
     row = Held(
-        f"slip on {label}", "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
+        slip_of(passage.node), "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
     )
 
     def forward(mu: Expr) -> Expr:
@@ -107,6 +107,20 @@ def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connectio
         static_back=backward(friction.static),
         kinetic_back=backward(friction.kinetic),
     )
+
+
+def rough_drums(given: Any, passed: list[str]) -> set[str]:
+    """Those of the drums that have friction."""
+    if given in (0, None):
+        return set()
+    if isinstance(given, dict) and not set(cast("dict[str, Any]", given)) <= {"static", "kinetic"}:
+        return set(cast("dict[str, Any]", given)) & set(passed)
+    return set(passed)
+
+
+def slip_of(node: Node) -> str:
+    """The component of the friction on a drum."""
+    return f"slip on {drum_name(node)}"
 
 
 def drum_name(node: Node) -> str:
@@ -130,7 +144,9 @@ def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None
                 "friction",
             )
             return None
-        beta = multiply(number(passage.turn), direction_angle(out) - direction_angle(into))
+        change = direction_angle(out) - direction_angle(into)
+        turn = passage.turn or (1 if math.sin(_number(names, change)) >= 0.0 else -1)  # at a point the smaller angle
+        beta = multiply(number(turn), change)
         value = _number(names, beta)
         beta = beta + number(-2 * math.floor(value / (2 * math.pi) + _NO_WRAP)) * Symbol("pi")
     value = names.numeric(beta)

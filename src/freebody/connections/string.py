@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
-from freebody.connections.capstan import Passage, drum_name, frictions, rub
+from freebody.connections.capstan import Passage, drum_name, frictions, rough_drums, rub, slip_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
@@ -22,7 +22,8 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.lead import Lead
-from freebody.model.elements import Bound, Held, Rub
+from freebody.measures.turned import turned_in
+from freebody.model.elements import Bound, Held, Rub, Stretch
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -53,22 +54,51 @@ class Node:
     def body(self) -> str:
         return self.point.body
 
+    @property
+    def called(self) -> tuple[str, ...]:
+        """Names by which people ask for the tension there: the body, the point where it is one of several."""
+        return tuple(dict.fromkeys((str(self.point), self.body)))
+
 
 @dataclass(frozen=True)
 class Section:
     """The string between two marks: its length, the bodies along it, and what it slides over."""
 
     terms: tuple[tuple[Expr, Measure], ...]
-    ends: tuple[str, ...]
+    nodes: tuple[Node, ...]
     passages: tuple[Passage, ...]
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(node.body for node in self.nodes))
 
     def component(self, n_sections: int) -> str:
         return "length" if n_sections == 1 else f"{self.ends[0]} to {self.ends[-1]}"
 
-    def row(self, n_sections: int) -> Held:
-        """The row that keeps its length; the multiplier is its tension."""
+    def row(self, n_sections: int, rough: set[str]) -> Held:
+        """The row that keeps its length; the multiplier is its tension, after the rough drum if there is one."""
         measure = Combination(self.terms, LENGTH)
-        return Held(self.component(n_sections), "tension", measure, sign=-1, ends=self.ends, unilateral=True)
+        return Held(
+            self.component(n_sections),
+            "tension",
+            measure,
+            sign=-1,
+            ends=self.ends,
+            unilateral=True,
+            stretches=self._stretches(rough),
+        )
+
+    def _stretches(self, rough: set[str]) -> tuple[Stretch, ...]:
+        """The string from one rough drum to the next. With tau the multiplier of the slip on a drum, the tension
+        before it is that after it less tau (see `capstan`)."""
+        drums = [k for k, node in enumerate(self.nodes[1:-1], 1) if drum_name(node) in rough]
+        marks = [0, *drums, len(self.nodes) - 1]
+        found: list[Stretch] = []
+        for n, (a, b) in enumerate(itertools.pairwise(marks)):
+            places = (name for node in self.nodes[a : b + 1] for name in node.called)
+            behind = tuple(slip_of(self.nodes[k]) for k in drums[n:])
+            found.append(Stretch(tuple(dict.fromkeys(places)), behind))
+        return tuple(found)
 
 
 @dataclass(frozen=True)
@@ -97,7 +127,7 @@ class String(Connection, kind="string"):
     also for hanging bodies).
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
-    `wrap: {drum: 3*pi}`; the tension asked for is then that after the drum."""
+    `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
 
     start: str | None = Field(default=None, alias="from")
     to: str | None = None
@@ -130,10 +160,11 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if laid is None:
             return []
         sections = laid.sections
+        rough = rough_drums(self.friction, [drum_name(node) for node in laid.slid_over])
         return [
-            *(section.row(len(sections)) for section in sections),
+            *(section.row(len(sections), rough) for section in sections),
             *self._hanging(laid.way),
-            *self._idle(names, laid.way, laid.grips),
+            *self._idle(names, laid.way, laid.grips, rough),
         ]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
@@ -311,13 +342,16 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                 rows[node.body] = Held(f"{node.body} hangs", "sideways force", held, ends=(node.body,), if_needed=True)
         return list(rows.values())
 
-    def _idle(self, names: Names, way: list[Node], grips: set[str]) -> list[Held]:
-        """A pulley without inertia, over which the string slides and which nothing else turns, is taken not to
-        turn: its rotation is no motion that anything decides."""
+    def _idle(self, names: Names, way: list[Node], grips: set[str], rough: set[str]) -> list[Held]:
+        """A pulley without inertia, over which the string slides without friction and which no connection or load
+        turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
         rows: list[Held] = []
+        turned = {name for push in names.pushes for name in turned_in(push.measure)}
         for node in way[1:-1]:
             body = names.known(node.body)
             if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:
+                continue
+            if node.body in turned or drum_name(node) in rough:
                 continue
             others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
             if all(isinstance(c, (Pin, Planar)) for c in others):
@@ -351,8 +385,7 @@ def _sections(way: list[Node], leads: list[Direction | None], turns: list[int], 
         if marked:
             terms.append((arms[k + 1], Angle(b.body)))
         if marked or last:
-            ends = tuple(dict.fromkeys(node.body for node in way[begin : k + 2]))
-            sections.append(Section(tuple(terms), ends, tuple(passages)))
+            sections.append(Section(tuple(terms), tuple(way[begin : k + 2]), tuple(passages)))
             terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
             begin, passages = k + 1, []
         else:

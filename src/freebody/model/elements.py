@@ -176,6 +176,18 @@ class RateMeasure:
 
 
 @dataclass(frozen=True)
+class Stretch:
+    """A part of a string with one tension: the bodies and points along it, and what its tension is less than the
+    reaction of the whole row by: components of the connection, the dry friction of the drums between both."""
+
+    places: tuple[str, ...]
+    less: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return f"between {self.places[0]} and {self.places[-1]}"
+
+
+@dataclass(frozen=True)
 class Held:
     """A measure held at a target: one row of the constraint Jacobian, and its reaction."""
 
@@ -190,6 +202,7 @@ class Held:
     needs: str = ""  # the component of the same connection without which it is not held: no grip where nothing touches
     connection: str = ""
     general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
+    stretches: tuple[Stretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
 
     @property
     def in_symbols(self) -> Expr | None:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TORQUE, Dimension
+from freebody.model.elements import Held
 from freebody.model.names import Names, did_you_mean
 
 if TYPE_CHECKING:
@@ -120,13 +121,25 @@ def _reaction_range(names: Names, found: dict[str, Any], path: Path) -> Quantity
     if what not in kinds:
         names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)}", None, *path)
         return None
-    matching = [row for row in rows if row.reaction == what and (at is None or _is_at(row.ends, at))]
+    matching = [row for row in rows if row.reaction == what and (at is None or _is_at(_ends(row), at))]
     if not matching:
-        places = ", ".join(dict.fromkeys(row.ends[0] for row in rows if row.reaction == what and row.ends))
-        names.problem(f"{of} has no {what} at {at}; there is one at {places}", None, *path)
+        known = [row for row in rows if row.reaction == what and row.ends]
+        places = ", ".join(dict.fromkeys(_ends(row)[-1 if row.stretches else 0] for row in known))
+        is_before = any(_is_at(stretch.places, at or "") for row in known for stretch in row.stretches)
+        why = (
+            f"the range of {what} before a drum is not looked for, only"
+            if is_before
+            else f"{of} has no {what} at {at}; there is one"
+        )
+        names.problem(f"{why} at {places}", None, *path)
         return None
     dimension = FORCE if matching[0].measure.dimension == LENGTH else TORQUE
     return ReactionRange(tuple(row.name for row in matching), what, dimension)
+
+
+def _ends(row: Held) -> tuple[str, ...]:
+    """The places of a row's own reaction: of a string with friction those behind the last drum."""
+    return row.stretches[-1].places if row.stretches else row.ends
 
 
 def _is_at(ends: tuple[str, ...], at: str) -> bool:

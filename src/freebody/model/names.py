@@ -20,7 +20,7 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, RIGHT, Components, Direction, Point
-from freebody.model.elements import Held, Line, Parameter, Plane, RigidBody
+from freebody.model.elements import Held, Line, Parameter, Plane, Push, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
 
@@ -63,6 +63,7 @@ class Names:
         self.broken: set[str] = set()  # parameters and measures that could not be read
         self.held: list[Held] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
+        self.pushes: list[Push] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.space = False
         self.up: Components = (ZERO, ONE)

@@ -39,7 +39,7 @@ from freebody.model.contact_questions import (
     as_condition,
     read_transition,
 )
-from freebody.model.elements import Held
+from freebody.model.elements import Held, Stretch
 from freebody.model.friction_questions import FRICTION_FORMS, RestQuantity
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
@@ -112,7 +112,9 @@ class Multiplier:
 
     connection: str
     reaction: str
+    row: str
     at: tuple[str, ...] = ()
+    less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
 
     dimension: Dimension = FORCE
 
@@ -340,6 +342,7 @@ class Form:
 FORMS: list[Form] = []
 _POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
 _NAME = r"[A-Za-z_]\w*"
+_PLACE = rf"{_NAME}(?:\.\w+)?"
 _GROUP = rf"{_NAME}(?:(?:, | and ){_NAME})*"
 _OPENINGS = (
     "position",
@@ -669,7 +672,7 @@ def _equilibrium(names: Names, found: dict[str, str | None], path: Path) -> Quan
 @_form(
     "tension | normal force | friction force | tooth force | ... of CONNECTION [at BODY | between BODY and BODY]",
     rf"(?P<what>[a-z][a-z ]*?) (?:of|in) (?P<of>{_NAME})"
-    rf"(?: (?:at|on) (?P<at>{_NAME})| between (?P<a>{_NAME}) and (?P<b>{_NAME}))?",
+    rf"(?: (?:at|on) (?P<at>{_PLACE})| between (?P<a>{_PLACE}) and (?P<b>{_PLACE}))?",
 )
 def _multiplier(names: Names, found: dict[str, str | None], path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
@@ -689,10 +692,11 @@ def _multiplier(names: Names, found: dict[str, str | None], path: Path) -> Quant
     if what not in kinds:
         names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)} Or ask for: reaction of {of}", None, *path)
         return None
-    at = tuple(names.body(str(found[k]), *path).name for k in ("at", "a", "b") if found[k] is not None)
-    matching = [row for row in rows if row.reaction == what and set(at) <= set(_bodies(row))]
+    at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
+    places = [place for row in rows if row.reaction == what for place in _places(row)]
+    matching = [place for place in places if set(at) <= set(place[1].places)]
     if len(matching) != 1:
-        ends = "; ".join(" - ".join(_bodies(row)) for row in rows if row.reaction == what)
+        ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
         names.problem(
             f"{of} has {'several values' if matching else 'no value'} of {what}"
             f"{' at ' + ' and '.join(at) if at else ''}; say which: at BODY, or between BODY and BODY ({ends})",
@@ -700,14 +704,25 @@ def _multiplier(names: Names, found: dict[str, str | None], path: Path) -> Quant
             *path,
         )
         return None
-    dimension = TORQUE / matching[0].measure.dimension * DIMENSIONLESS
-    if matching[0].measure.dimension == LENGTH:
-        dimension = FORCE
-    return Multiplier(of, what, at, dimension)
+    row, stretch = matching[0]
+    dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension * DIMENSIONLESS
+    return Multiplier(of, what, row.name, at, tuple(f"{of}.{component}" for component in stretch.less), dimension)
 
 
-def _bodies(row: Held) -> tuple[str, ...]:
-    return row.ends or tuple(dict.fromkeys(row.measure.bodies()))
+def _listed(places: tuple[str, ...]) -> list[str]:
+    """The places of a stretch, a body that is there by a point of its own as that point."""
+    return [p for p in places if not any(other.startswith(f"{p}.") for other in places)]
+
+
+def _place(names: Names, text: str, path: Path) -> str:
+    """A body, or a point as `rod.end`, by the name that rows have for it."""
+    return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
+
+
+def _places(row: Held) -> list[tuple[Held, Stretch]]:
+    """The row with each of its stretches; one that is no string is one of its own."""
+    bodies = row.ends or tuple(dict.fromkeys(row.measure.bodies()))
+    return [(row, stretch) for stretch in row.stretches or (Stretch(bodies),)]
 
 
 def _has_connection(names: Names, name: str, path: Path) -> bool:

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from freebody.errors import CannotAnswer
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
-from freebody.model.elements import Held, RigidBody
+from freebody.model.elements import RigidBody
 from freebody.model.question import (
     SYSTEM_CENTER,
     Basis,
@@ -54,8 +54,7 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
         case InstantCentre(body, other):
             return _instant_centre(body, other, system, state)
         case Multiplier():
-            row = multiplier_row(quantity, system)
-            return row.sign * state.multiplier(row)
+            return multiplier(quantity, system, state)
         case Wrench():
             return _wrench(quantity, system, state)
         case LoadForce(load):
@@ -77,15 +76,13 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
             raise CannotAnswer(f"{type(quantity).__name__} is no property of one instant")
 
 
-def multiplier_row(quantity: Multiplier, system: System) -> Held:
-    """The held row whose multiplier is asked for."""
-    return next(
-        row
-        for row in system.rows
-        if row.connection == quantity.connection
-        and row.reaction == quantity.reaction
-        and set(quantity.at) <= set(row.ends or row.measure.bodies())
-    )
+def multiplier(quantity: Multiplier, system: System, state: State[Any]) -> Any:
+    """What the row transmits, less the dry friction on the way to the place that is asked for."""
+    rows = {row.name: row for row in system.rows}
+    total = rows[quantity.row].sign * state.multiplier(rows[quantity.row])
+    for name in quantity.less:
+        total = total - rows[name].sign * state.multiplier(rows[name])
+    return total
 
 
 Vector = tuple[Any, ...]

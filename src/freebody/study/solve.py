@@ -189,7 +189,12 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
     except CannotAnswer as error:
-        raise ModelError([Problem((), str(error))], system.file) from error
+        rests = [q for q in questions if isinstance(q.quantity, RestQuantity)]
+        if not rests:
+            raise ModelError([Problem((), str(error))], system.file) from error
+        found = {a.id: a for a in _at_rest(system, rests).answers}  # rest asks for no motion
+        answers = (found.get(q.id) or _without_form(q, str(error)) for q in questions)
+        return replace(_at_rest(system, ()), answers=tuple(answers))
     phases = phases_of(tree)
     model = phases.first_model
     return Solution(
@@ -203,6 +208,11 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
     )
 
 
+def _without_form(question: Question, reason: str) -> Answer:
+    """The answer to a question that nothing can be said to but why."""
+    return Answer(question.id, question.text, None, unit_text(question.quantity), None, reason=reason)
+
+
 def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
     """No formulas for a crowd: the questions are answered with the reason."""
     reason = (
@@ -210,7 +220,7 @@ def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
         "nobody could read; freebody simulate follows the motion"
     )
     model = Setup(system, 2).model
-    answers = tuple(Answer(q.id, q.text, None, unit_text(q.quantity), None, reason=reason) for q in questions)
+    answers = tuple(_without_form(q, reason) for q in questions)
     coordinates = tuple(c.name for c in model.coordinates)
     return Solution(system, model.degrees_of_freedom, coordinates, (), tuple(model.redundant), answers)
 

@@ -119,9 +119,9 @@ class Reader:
         self.names.connections = connections
         loads = self._specs("loads", Load.kinds)
         measures = self._measures()
+        pushes = self.names.pushes = self._pushes(loads)
         held, offered = self._held(connections)
         contacts, limits, brakes = self._bounds(connections)
-        pushes = self._pushes(loads)
         start, rates = self._start(measures)
         mode = self._mode()
         self.names.held = [*held, *_rows_to_ask_for(contacts, limits, brakes)]

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.turned import carriers
 from freebody.model.elements import Bound, Held, RateMeasure
 from freebody.model.elements import Rub as RubElement
 from freebody.numeric.contact.problem import ContactProblem, Rub
@@ -194,7 +193,7 @@ class Bounded:
     @cached_property
     def turning(self) -> tuple[int, ...]:
         """The bodies whose turning moves a gap: those with a point beside the mass centre or a direction in one."""
-        names = {name for barrier in self.barriers for name in _carriers(barrier.bound.row.measure)}
+        names = {name for barrier in self.barriers for name in carriers(barrier.bound.row.measure)}
         return tuple(k for k, body in enumerate(self.numbers.system.moving) if body.name in names)
 
     # -- engines ------------------------------------------------------------------------------
@@ -372,21 +371,6 @@ class Bounded:
     def keep(self, drag: int, now: Instant) -> None:
         """The slip of a drag is kept from now on where it is."""
         self.written.keep(drag, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
-
-
-def _carriers(part: Any) -> Iterator[str]:
-    """Bodies that carry points beside their mass centre, or directions, in a measure or a part of one."""
-    if isinstance(part, Point):
-        if part.offset != (ZERO, ZERO):
-            yield part.body
-    elif isinstance(part, Direction):
-        yield part.body
-    elif isinstance(part, tuple):
-        for item in cast("tuple[Any, ...]", part):
-            yield from _carriers(item)
-    elif is_dataclass(part):
-        for field in fields(part):
-            yield from _carriers(getattr(part, field.name))
 
 
 @dataclass(frozen=True)

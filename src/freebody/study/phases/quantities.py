@@ -3,7 +3,10 @@ it slides, and nothing where its contact is open."""
 
 from __future__ import annotations
 
+import operator
+from collections.abc import Iterable
 from dataclasses import replace
+from functools import reduce
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -21,7 +24,7 @@ def value_in_mode(quantity: Quantity, base: System, system: System, state: State
         case RatioOf(top, bottom):
             return value_in_mode(top, base, system, state) / value_in_mode(bottom, base, system, state)
         case Multiplier():
-            return _reaction(quantity, base, system, state)
+            return reaction(quantity.row, quantity.less, base, system, state)
         case Wrench() if _is_contact(quantity.connection, base):
             return _force(quantity, base, system, state)
         case Power(of) if _is_contact(of, base):
@@ -43,14 +46,14 @@ def _frictions(connection: str, system: System) -> list[Push]:
     return [p for p in system.pushes if p.load not in system.loads and p.load.partition(".")[0] == connection]
 
 
-def _reaction(quantity: Multiplier, base: System, system: System, state: State[Any]) -> Any:
-    row = next(
-        row
-        for row in base.rows
-        if row.connection == quantity.connection
-        and row.reaction == quantity.reaction
-        and set(quantity.at) <= set(row.ends or row.measure.bodies())
-    )
+def reaction(row: str, less: Iterable[str], base: System, system: System, state: State[Any]) -> Any:
+    """The reaction of a row, less those of others."""
+    parts = (_reaction(name, base, system, state) for name in less)
+    return reduce(operator.sub, parts, _reaction(row, base, system, state))
+
+
+def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any:
+    row = next(row for row in base.rows if row.name == name)
     for held in system.held:
         if held.name == row.name:
             return row.sign * state.multiplier(held)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
@@ -9,8 +10,10 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.notation import reworded, stated_plain, to_python
+from freebody.model.elements import Held
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.study.phases.phase import Phase
+from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import Regions, regions
 from freebody.study.phases.tree import Edge, Node, Tree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
@@ -261,22 +264,28 @@ def _forces(tree: Tree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     """Reactions of bounds and frictions in this mode."""
     found: list[tuple[str, Expr]] = []
     state = SymbolicState(phase.model)
-    held = {row.name: row for row in phase.system.held}
-    pushes = {p.load: p for p in phase.system.pushes}
+    acting = {row.name for row in phase.system.held} | {p.load for p in phase.system.pushes}
     special = {b.name for b in phase.base.bounds} | {r.name for r in phase.base.rubs}
     for row in phase.base.rows:
         if row.name not in special and not row.unilateral:
             continue
-        try:
-            if row.name in held:
-                force = row.sign * state.multiplier(held[row.name])
-            elif row.name in pushes:
-                force = row.sign * state.law(pushes[row.name])
-            else:
-                continue
-        except CannotAnswer:
+        if row.name not in acting:
             continue
         course = _course(phase)
-        force = phase.model.field.lowest_terms(force) if course is None else course.plain(force)
-        found.append((f"{row.reaction} of {label(row.name)}", _shown(tree, phase, force)))
+        for where, less in _stretches(row):
+            try:
+                force = reaction(row.name, less, phase.base, phase.system, state)
+            except CannotAnswer:
+                continue
+            force = phase.model.field.lowest_terms(force) if course is None else course.plain(force)
+            found.append((f"{row.reaction} of {label(row.name)}{where}", _shown(tree, phase, force)))
     return tuple(found)
+
+
+def _stretches(row: Held) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Where the reaction of a row has a value of its own, in words, and the rows that it is less by there."""
+    if len(row.stretches) < 2:
+        yield "", ()
+        return
+    for stretch in row.stretches:
+        yield f" {stretch}", tuple(f"{row.connection}.{component}" for component in stretch.less)
