@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -14,6 +14,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.elements import Bound, RateMeasure
+from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
@@ -160,6 +161,38 @@ def gap_of(reference: Reference, g: JetGeometry, bound: Bound) -> float:
     if bound.row.target is None and not isinstance(bound.row.measure, RateMeasure):
         target = reference.start_value(bound.row.measure)
     return bound.row.sign * (value - target)
+
+
+def far_sides(reference: Reference, q: Array, bounds: Sequence[Bound]) -> set[str]:
+    """Of the two sides of a rod that a corner or a circle touches, that on which it is not: one thing is touched once.
+    It is on the side that it would pass through: with the narrower gap, then where it approaches, then where the loads
+    drive it; where nothing tells, the side whose name comes last is the far one."""
+    facing = [bound for bound in bounds if bound.obstacle]
+    found: set[str] = set()
+    if len(facing) < 2:
+        return found
+    v = reference.velocities(q)
+    g = reference.geometry(q, v, 0.0)
+    driven = forces(reference, g) / np.where(reference.masses > 0.0, reference.masses, np.inf)
+    jets = {b.name: reference.jet(g, b.row.measure, b.name) for b in facing}
+    slopes = {b.name: b.row.sign * jets[b.name].row(len(q)) for b in facing}
+    size, fastest = reference.sizes.length, float(np.abs(v / reference.sizes.unit_moves).max(initial=0.0))
+    hardest = float(np.abs(driven / reference.sizes.unit_moves).max(initial=0.0))
+
+    def depth(bound: Bound) -> tuple[int, int, int, str]:
+        """What is least for the side that is touched, in parts of what is round-off."""
+        slope, bias = slopes[bound.name], bound.row.sign * jets[bound.name].bias
+        tells = gap_of(reference, g, bound) / size, float(slope @ v) / fastest if fastest else 0.0
+        falls = (float(slope @ driven) + bias) / hardest if hardest else bias
+        gap, rate, fall = (round(x / PENETRATION) for x in (*tells, falls))
+        return gap, rate, fall, bound.name
+
+    for n, one in enumerate(facing):
+        for other in facing[n + 1 :]:
+            a, b = slopes[one.name], slopes[other.name]
+            if one.obstacle == other.obstacle and np.abs(a + b).max() <= PENETRATION * np.abs(a).max():
+                found.add(max(one, other, key=depth).name)
+    return found
 
 
 def _exists(reference: Reference, g: JetGeometry, bound: Bound) -> bool:

@@ -16,6 +16,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import Bound, Held, Rub
+from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, draw_parameters
@@ -66,6 +67,10 @@ def touching(system: System) -> Touching:
         if not found:
             break
         closed |= found
+    closed -= far_sides(reference, q, [bound for bound in system.bounds if bound.name in closed])
+    held = in_mode(system, Mode.of(closed, {}))[0]
+    reference = Reference(held, values)
+    q = reference.assemble(guess=q)
     v = reference.velocities(q)
     if float(np.abs(v).max(initial=0.0)) > 0.0:
         raise CannotAnswer(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 from typing import Any
 
@@ -14,7 +14,7 @@ from freebody.language.expression import ZERO, Expr, Symbol, n_operations
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
 from freebody.model.elements import Bound, Held, Start
-from freebody.numeric.contact.start import assembled_touching, gap_of
+from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, draw_parameters
@@ -199,7 +199,16 @@ def closed_at_start(system: System) -> frozenset[str]:
                 draw = setup.draws[0]
                 if _exists(draw.reference, draw.q, bound, _TOUCHES * draw.reference.sizes.length):
                     closed.add(bound.name)
-    return frozenset(closed)
+    return frozenset(closed - _far_sides(system, closed))
+
+
+def _far_sides(system: System, closed: Set[str]) -> set[str]:
+    """The sides of rods that are touched from the other side, at the model's own values."""
+    touched = [bound for bound in system.bounds if bound.name in closed and bound.obstacle]
+    if len(touched) < 2:
+        return set()
+    reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
+    return far_sides(reference, assembled_touching(reference), touched)
 
 
 def _exists(reference: Reference, q: Array, bound: Bound, slack: float) -> bool:
