@@ -10,6 +10,7 @@ right-handed. A pose is that of the body's mass centre.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
@@ -185,9 +186,21 @@ def components(g: Geometry[S], exprs: Components) -> Vector[S]:
 
 def position(g: Geometry[S], point: Point) -> Vector[S]:
     """Ground position of a body point."""
-    return g.pose(point.body).place(components(g, point.offset))
+    return _remembered(g, point, lambda: g.pose(point.body).place(components(g, point.offset)))
 
 
 def unit(g: Geometry[S], direction: Direction) -> Vector[S]:
     """Ground components of a direction."""
-    return g.pose(direction.body).turn(components(g, direction.components))
+    return _remembered(g, direction, lambda: g.pose(direction.body).turn(components(g, direction.components)))
+
+
+def _remembered(g: Geometry[S], what: Point | Direction, made: Callable[[], Vector[S]]) -> Vector[S]:
+    """The rows of a connection ask for the same points: a geometry of one instant keeps them in its `memory`, if it has
+    one."""
+    memory: dict[int, tuple[object, Vector[S]]] | None = getattr(g, "memory", None)
+    if memory is None:
+        return made()
+    known = memory.get(id(what))
+    if known is None:
+        known = memory[id(what)] = what, made()  # kept with what it belongs to, so that the number stays its own
+    return known[1]

@@ -292,6 +292,7 @@ class JetGeometry:
         self._q, self._v = q.tolist(), v.tolist()
         self._unit_rows = np.eye(len(self._q))
         self._poses: dict[str, Pose[Jet] | SpatialPose[Jet]] = {}
+        self.memory: dict[int, tuple[object, Vector[Jet]]] = {}  # of points and directions
         self._measure, self._n_tangents = -1, 0
 
     def of(self, measure: Measure | RateMeasure | Component) -> Jet:

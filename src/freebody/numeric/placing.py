@@ -28,6 +28,9 @@ from freebody.numeric.split import Split
 
 TOLERANCE = 4e-13  # at which a pose is good enough to stop, by the size of the system
 ACCEPTED = 1e-11  # up to which it is accepted where rounding stops the improvement
+# the slope of the gaps, by their size and steepness, at which they are taken to be stationary; where a singular pose
+# fulfils everything the slope is as small as its square root of the gaps, 1e-3 at the least where this is asked
+STATIONARY = 1e-6
 N_STEPS = 200
 
 
@@ -118,7 +121,7 @@ class Placing:
             if is_close:
                 step = -Split(here.rows, self.sizes.small_moves).least(here.gaps)
             else:
-                if np.linalg.norm(A.T @ F) <= 1e-9 * np.linalg.norm(F) * np.linalg.norm(A):
+                if np.linalg.norm(A.T @ F) <= STATIONARY * np.linalg.norm(F) * np.linalg.norm(A):
                     break  # a stationary point of the gaps: nearer than this it does not get from here
                 mu = damping * float(F @ F)
                 step = -D * (A.T @ _damped(A @ A.T, mu, F))

@@ -33,7 +33,7 @@ from freebody.numeric.rotation import matrix
 from freebody.numeric.sizes import Sizes, typical_length
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
-from freebody.numeric.start import assembled, start_pose, start_velocities
+from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
 from freebody.numeric.trajectory import Trajectory, integrate
 from freebody.system.system import System
 
@@ -99,14 +99,20 @@ class Reference:
         own = list(self.columns(body)[3:]) if body in self.frame.columns else []
         return matrix(q[own]) @ v[own] if own else np.zeros(3)
 
-    def assemble(self, extra: Sequence[tuple[Measure | RateMeasure, float]] = (), guess: Array | None = None) -> Array:
+    def assemble(
+        self,
+        extra: Sequence[tuple[Measure | RateMeasure, float]] = (),
+        guess: Array | None = None,
+        n_starts: int = N_STARTS,
+    ) -> Array:
         """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
         measures have the given values (which replace those of the model's start). What is left free moves as
         little as possible from zero, or from the `guess`. From here on measures of which only changes mean
-        something count from this pose.
+        something count from this pose. n_starts: disturbed guesses that are tried after the guess itself, the first of
+        them near it.
 
         Returns q. Raises CannotAnswer naming the row with the largest gap if this is contradictory."""
-        fit = assembled(self, extra, guess)
+        fit = assembled(self, extra, guess, n_starts)
         if self.system.mode is not None and guess is None and not extra:
             from freebody.numeric.mobility.modes import chosen
 

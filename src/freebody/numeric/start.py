@@ -85,13 +85,18 @@ def _start_axes(
     return frame @ spatial.turned_by(body.chain, guess, number)
 
 
-def assembled(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]], guess: Array | None) -> Fit:
+def assembled(
+    reference: Reference,
+    extra: Sequence[tuple[Measure | RateMeasure, float]],
+    guess: Array | None,
+    n_starts: int = N_STARTS,
+) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
     guess = _guess(reference) if guess is None else guess
     best: Fit | None = None
-    for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved):
+    for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {})
         if fit is not None and (best is None or fit.error < best.error):
             best = fit
@@ -120,11 +125,11 @@ def _guess(reference: Reference) -> Array:
     return q
 
 
-def _starts(guess: Array, unit_moves: Array, moved: Callable[[Array, Array], Array]) -> Iterator[Array]:
+def _starts(guess: Array, unit_moves: Array, moved: Callable[[Array, Array], Array], n_starts: int) -> Iterator[Array]:
     """The guess, then disturbed ones: first a little, later by the size of the system."""
     yield guess
     n = len(guess)
-    for k in range(N_STARTS):
+    for k in range(n_starts):
         disturbance = np.random.default_rng(k).standard_normal(n)
         yield moved(guess, min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance)
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 SEED = 7
 _TRIES = 12
+_NEARBY = 2  # disturbed guesses near the pose of the file, for a draw that shall be on its branch
 
 
 @dataclass
@@ -138,9 +139,9 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
             values = draw_parameters(system, rng, 0.0 if k == 0 and near is None else spread, lengths=lengths)
             try:
                 reference = Reference(system, values)
-                # on the same branch as the file's own numbers
+                # on the same branch as the file's own numbers: near its pose, or not at all
                 branch = near or (found[0] if found else None)
-                q = reference.assemble(guess=None if branch is None else branch.q)
+                q = reference.assemble() if branch is None else reference.assemble(guess=branch.q, n_starts=_NEARBY)
                 found.append(Draw(values, reference, q))
                 break
             except CannotAnswer as error:
