@@ -7,6 +7,7 @@ FreebodyError
 |   +-- ModelError        a model file or System: all its problems, each with its place
 +-- CannotAnswer          the model is fine, the question has no answer here (exit code 1)
 |   +-- BudgetExhausted   a search did all the work it was allowed: more effort may find it
+|   +-- NeverHappens      an event that is proved never to happen after the start
 +-- RoutesDisagree        the two routes give different numbers: a defect, never an answer
 """
 
@@ -67,6 +68,10 @@ class CannotAnswer(FreebodyError):
 
 class BudgetExhausted(CannotAnswer):
     """A search that has done all the work it was allowed; what it looked for may still be there."""
+
+
+class NeverHappens(CannotAnswer):
+    """The event that a question is about does not happen after the start, and that is proved."""
 
 
 class RoutesDisagree(FreebodyError):

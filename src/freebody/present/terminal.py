@@ -84,7 +84,7 @@ def answer_lines(answer: Answer) -> Iterator[str]:
     """One answer."""
     yield f"{answer.id}  {answer.question}"
     if answer.expression is None:
-        yield from _indented(f"no closed form: {answer.reason}", 4)
+        yield from _indented(f"{'never' if answer.never else 'no closed form'}: {answer.reason}", 4)
         if answer.value is not None:
             yield f"    by numbers  {_value_text(answer)}"
         return

@@ -56,6 +56,7 @@ class Answer:
     symbol: str = ""
     cases: tuple[AnswerCase, ...] = ()  # all of them, where there are several
     why_no_value: str = ""  # of an answer with an expression
+    never: bool = False  # it is proved that the event does not happen after the start; `reason` says why
 
     @property
     def is_answered(self) -> bool:
@@ -88,6 +89,7 @@ class Answer:
             "cases": [c.to_plain() for c in self.cases],
             "notes": list(map(stated_plain, self.notes)),
             "reason": self.reason or self.why_no_value or None,
+            "never": self.never,
             "choice": self.choice,
             "options": {k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.options.items()},
             "author_notes": list(self.author_notes),

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.language.expression import free_symbols
 from freebody.model.question import Event, Power, Quantity, When, Work
 from freebody.numeric.reference import Snapshot
 from freebody.study.answer import Evidence
@@ -15,13 +16,14 @@ from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
-from freebody.symbolic.conditions import Condition
+from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 
 INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
 MIN_DRAWS = 5
 N_PANELS = 16
+ROUND_OFF = 1e-10  # an acceleration [m/s^2, rad/s^2] that counts as none
 SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
 
@@ -138,7 +140,23 @@ def along_motion(
                 continue
             until = 1.5 * expected
         witness.compare(draw, numbers, _at_event(setup, quantity, draw, start, until, event))
+    broken = [] if len(witness.pairs) >= MIN_DRAWS or not setup.has_values else _broken(setup, conditions)
+    if broken:
+        raise CannotAnswer(f"'{event.text}' does not come at the model's own values: that needs {', '.join(broken)}")
     return witness.evidence()
+
+
+def _broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
+    """The conditions that do not hold at the model's own values."""
+    draw = setup.draws[0]
+    found: list[Condition] = []
+    for c in conditions:
+        try:
+            if not holds(setup, c, draw, draw.start()):
+                found.append(c)
+        except NotReal:
+            continue
+    return merged([Condition(c.element, c.relation) for c in found])
 
 
 def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: Event) -> object:
@@ -172,9 +190,23 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     start = draw.start()
     if event is None:
         values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
+    elif _is_still(draw, start):
+        raise CannotAnswer("it starts at rest, and only round-off accelerates it: numbers would follow that")
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
     return values[0] if len(values) == 1 else values
+
+
+def _is_still(draw: Draw, start: Snapshot) -> bool:
+    """Whether a system stands in an equilibrium as far as floating-point numbers tell, and nothing depends on time."""
+    system = draw.reference.system
+    laws = [row.target for row in system.held if row.target is not None] + [push.law for push in system.pushes]
+    if start.v.any() or any("t" in free_symbols(law) for law in laws):
+        return False
+    if any(row.general is not None for row in system.held) or any(push.general is not None for push in system.pushes):
+        return False
+    accelerations = draw.seen(start).accelerations
+    return float(np.abs(accelerations).max(initial=0.0)) <= ROUND_OFF * max(1.0, draw.reference.sizes.length)
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:

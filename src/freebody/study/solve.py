@@ -10,7 +10,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from freebody.assess.options import judge
-from freebody.errors import BudgetExhausted, CannotAnswer, ModelError, Problem, RoutesDisagree
+from freebody.errors import BudgetExhausted, CannotAnswer, ModelError, NeverHappens, Problem, RoutesDisagree
 from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
@@ -259,6 +259,8 @@ class _Solver:
             return answer(self.system, q)
         try:
             found = self._find()
+        except NeverHappens as error:
+            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error), never=True)
         except (CannotAnswer, ZeroDivisionError) as error:
             reason = str(error) if isinstance(error, CannotAnswer) else "the closed form divides by zero"
             value, unfinished = self._number_instead()
@@ -356,10 +358,10 @@ class _Solver:
         assert event is not None
         reached = self.setup.motion.reach(event)
         conditions: list[Condition] = []
-        for x in reached.conditions:
-            condition, possible = require(x, ">", f"{event.text} is reached")
+        for x, relation in reached.conditions:
+            condition, possible = require(x, relation, f"{event.text} is reached")
             if not possible:
-                raise CannotAnswer(f"{event.text} is never reached after the start")
+                raise NeverHappens(f"{event.text} is never reached after the start")
             if condition is not None:
                 conditions.append(condition)
         if isinstance(q, When):
@@ -370,6 +372,7 @@ class _Solver:
             x = self._work(q, reached)
         else:
             x = self._there(q, reached)
+        self._check_is_told(x)
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
@@ -379,31 +382,31 @@ class _Solver:
             reached.time,
             [*conditions, *self._root_conditions(x)],
         )
-        return _Found(x, evidence, conditions, reached.notes, at_start=True)
+        return _Found(x, evidence, conditions, reached.notes, at_start=True, says=reached.says)
+
+    def _check_is_told(self, x: Ratio) -> None:
+        """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
+        model = self.model
+        everything = (*model.coordinates, *model.dependent)
+        left = [c for c in everything if model.field.ingredients(x) & {c.index, c.speed}]
+        if left:
+            raise CannotAnswer(
+                f"the quantity depends on {', '.join(c.name for c in left)} as well, for whose values at the event no "
+                "closed form was found"
+            )
 
     def _there(self, q: Quantity, reached: Reached) -> Ratio:
         """The quantity in the state at the event."""
-        f = self.model.field
-        values = {reached.coordinate.index: reached.at}
-        if reached.speed is not None:
-            values[reached.coordinate.speed] = reached.speed
-        if reached.time is not None:
-            values[f.index(f.time)] = reached.time
-        x = self._elements(q, SymbolicState(self.model, values))
+        x = self._elements(q, SymbolicState(self.model, self.setup.motion.known_at(reached)))
         if isinstance(x, tuple):
             raise CannotAnswer("ask for one component of the vector at an event")
-        rest = {c.index for c in self.model.coordinates} | {c.speed for c in self.model.coordinates}
-        if f.ingredients(x) & rest:
-            raise CannotAnswer(
-                "the quantity depends on other coordinates as well, whose values at the event have no closed form"
-            )
         return x
 
     def _work(self, q: Work, reached: Reached) -> Ratio:
         """Work of a load that is a function of its own measure: minus the change of its potential."""
         f = self.model.field
         before = self.setup.start_instant
-        after = SymbolicState(self.model, {reached.coordinate.index: reached.at})
+        after = SymbolicState(self.model, self.setup.motion.known_at(reached))
         total = f.zero
         pushes = [p for p in self.system.pushes if p.load == q.of]
         if not pushes:

@@ -6,6 +6,7 @@ Where rows depend on each other, the dense solution of the reference route says 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,7 +17,7 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.model.elements import Held
 from freebody.model.question import Event
 from freebody.numeric.engine import dynamics
-from freebody.numeric.engine.course import Status
+from freebody.numeric.engine.course import Course, Status
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -24,6 +25,8 @@ from freebody.numeric.reference import Reference, Snapshot
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
 TOLERANCE = 1e-11
+_TURN = "turn"
+TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
 
 
 class Seen(Snapshot):
@@ -73,26 +76,61 @@ class Found:
 
 
 def motion_to(reference: Reference, start: Snapshot, until: float, event: Event, times: Array | None = None) -> Found:
-    """The motion from a start to the first time at which a measure, or its rate, has the value of the event. times:
-    where states are wanted before. Raises CannotAnswer if the event does not happen until `until`, BudgetExhausted if
-    it was not reached within the budget of steps."""
+    """The motion from a start to the first time after it at which a measure, or its rate, has the value of the event;
+    a value that is only touched is reached where the measure turns. times: where states are wanted before. Raises
+    CannotAnswer if the event does not happen until `until`, BudgetExhausted if it was not reached within the budget of
+    steps."""
     target = reference.number(event.value)
     size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
-    watch = Watch("event", event.measure, event.order, target, is_terminal=True, size=size)
-    engine = Engine(reference.numbers(), [watch])
-    y = engine.state(*reference.by_body(start.q, start.v))
-    engine.align(y, start.t, start.value)
-    outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
-    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_steps=allowed(MOST_STEPS))
+    crossing = Watch("event", event.measure, event.order, target, is_terminal=True, size=size)
+    watches = [crossing] if event.order else [crossing, Watch(_TURN, event.measure, 1, size=1e-3)]
+    course, links = _followed(reference, start, until, watches, times)
+    turn = _turn_at(course, links, event, target, size)
+    if turn is not None:
+        return turn
     if course.status is Status.TOO_LONG:
         raise BudgetExhausted(f"the event was {exhausted(MOST_STEPS, 'steps')} (t = {course.t_end:.6g} s is reached)")
     if course.status is not Status.EVENT:
         why = course.message if course.status is not Status.FINISHED else ""
         raise CannotAnswer(f"the event does not happen until t = {until:.6g} s" + (f": {why}" if why else ""))
+    found = Found(course.happenings[-1].time, links[-1], links)
+    soon = _until_turn(found.event, event, size)
+    if soon is not None:  # crossed just before it turns, by no more than round-off: the turn itself is meant
+        course, links = _followed(reference, start, found.time + soon, watches[1:], times)
+        return _turn_at(course, links, event, target, size) or found
+    return found
+
+
+def _followed(
+    reference: Reference, start: Snapshot, until: float, watches: Sequence[Watch], times: Array | None
+) -> tuple[Course, tuple[Seen, ...]]:
+    """A motion, and its states at the wanted times and at what is watched."""
+    engine = Engine(reference.numbers(), watches)
+    y = engine.state(*reference.by_body(start.q, start.v))
+    engine.align(y, start.t, start.value)
+    outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
+    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_steps=allowed(MOST_STEPS))
     links: list[Seen] = []
     near = start
     for k, t in enumerate(course.times):
         q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         near = Seen(reference.snapshot(q, v, float(t), near), engine)
         links.append(near)
-    return Found(course.happenings[-1].time, links[-1], tuple(links))
+    return course, tuple(links)
+
+
+def _turn_at(course: Course, links: Sequence[Seen], event: Event, target: float, size: float) -> Found | None:
+    """The first instant after the start at which the measure of an event turns at its value."""
+    turns = {h.time for h in course.happenings if h.name == _TURN and h.time > links[0].t}
+    for k, link in enumerate(links):
+        if link.t in turns and abs(link.value(event.measure) - target) <= TOUCH * size:
+            return Found(link.t, link, tuple(links[: k + 1]))
+    return None
+
+
+def _until_turn(here: Seen, event: Event, size: float) -> float | None:
+    """How long at most until a measure turns that has passed a value by less than counts; None if it does not."""
+    if event.order:
+        return None
+    rate, acceleration = abs(here.rate(event.measure)), abs(here.acceleration(event.measure))
+    return 4.0 * rate / acceleration if rate * rate < 2.0 * TOUCH * size * acceleration else None

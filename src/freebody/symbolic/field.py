@@ -188,6 +188,8 @@ class Field:
         self._atoms: dict[Any, int] = {}
         self.acute_angles: set[int] = set()
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
+        self.no_angles: set[int] = set()  # what moves and is a length or a time
+        self.angle_units: dict[Any, list[Fraction]] = {}  # terms that are no multiples of angles, by what they share
         self.arguments: dict[int, tuple[str, Ratio]] = {}  # name and argument of every function atom
         self.waves: dict[Any, Any] = {}  # products of sines and cosines as sums, kept by `tidy`
         self.angles: dict[int, Ratio] = {}  # the angle of every cosine generator
@@ -253,7 +255,9 @@ class Field:
 
     @property
     def time(self) -> Ratio:
-        return self.generator(Generator(Symbol("t"), "time"), self.one, key="time")
+        time = self.generator(Generator(Symbol("t"), "time"), self.one, key="time")
+        self.no_angles.add(self.index(time))
+        return time
 
     def acute(self, index: int) -> bool:
         """True for a parameter that is an angle between 0 and 90 degrees."""

@@ -1,8 +1,11 @@
 """Sines, cosines and the other elementary functions over the field.
 
-An angle is a sum of terms k g + constants. Each distinct term (up to an integer multiple) is one atom with its
-own cosine and sine generators; sums and multiples are expanded by the addition theorems, multiples of
+An angle is a sum of terms k g + constants. Each distinct term (up to a small integer multiple) is one atom with its
+own cosine and sine generators; sums and small multiples are expanded by the addition theorems, multiples of
 15 degrees are exact. So cos(theta - pi/2) is sin(theta), and two ways to write an angle give one element.
+
+A term k x in which x is no angle (a wheel of 0.035 m that rolls by x turns by 200 x/7) is an atom as it stands: no
+formula wants the cosine of a length. A later term is expanded if it is a small multiple of one that is known.
 """
 
 from __future__ import annotations
@@ -12,13 +15,12 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, Literal
 
-from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, evaluate
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
 IsNegative = Callable[[Ratio], bool]
-_MOST_OF_A_CONSTANT = 12  # larger multiples of an angle that does not move are not expanded
+MOST_MULTIPLE = 12  # larger multiples of an angle are angles of their own
 
 
 def _times(a: Complex, b: Complex) -> Complex:
@@ -40,13 +42,11 @@ def cos_sin(field: Field, angle: Ratio) -> Complex:
         if base.generators() == frozenset({field.index(field.pi)}):
             # a part of a turn: one atom, since multiples expand to long sums that cancel badly in numbers
             base, multiple = base * multiple, 1
-        elif abs(multiple) > _MOST_OF_A_CONSTANT and base.is_constant():
-            base, multiple = base * multiple, 1  # a start angle with long numbers in it is one angle
+        else:
+            base, multiple = _in_known_angles(field, base, multiple)
         pair = _atom(field, base)
         if multiple < 0:
             pair = pair[0], -pair[1]
-        if abs(multiple) > 64:
-            raise CannotAnswer(f"an angle is multiplied by {multiple}; that expands to too many terms")
         result = _times(result, _power(pair, abs(multiple)))
     return result
 
@@ -65,6 +65,23 @@ def _angle_terms(field: Field, angle: Ratio) -> list[tuple[Ratio, int]]:
     if -1 in groups or any(g in moving for g in den.generators()):
         return [(angle, 1)]  # not linear in what moves: one opaque angle
     return [_standard(field, field.polynomial(terms) / den) for terms in groups.values()]
+
+
+def _in_known_angles(field: Field, base: Ratio, multiple: int) -> tuple[Ratio, int]:
+    """multiple * base as a small multiple of an atom: of `base` itself where that is an angle (or a constant), else of
+    the largest such term that is an atom already, else it is one from now on."""
+    if not base.generators() & field.no_angles:
+        most = MOST_MULTIPLE if base.generators() else 2  # cos 3 rad is a number as good as cos 1 rad
+        return (base, multiple) if abs(multiple) <= most else (base * abs(multiple), 1 if multiple > 0 else -1)
+    below = math.gcd(*field.terms(base.denominator().num).values())
+    share, direction = Fraction(abs(multiple), below), base * below
+    known = field.angle_units.setdefault(direction.key(), [])
+    units = [u for u in known if (share / u).denominator == 1 and share / u <= MOST_MULTIPLE]
+    if not units:
+        known.append(share)
+        units = [share]
+    unit = max(units)
+    return direction * field.element(unit), int(share / unit) * (1 if multiple > 0 else -1)
 
 
 def _standard(field: Field, term: Ratio) -> tuple[Ratio, int]:

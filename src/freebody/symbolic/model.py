@@ -162,6 +162,8 @@ class SymbolicModel:
         self._names[index] = name
         if is_angle:
             self._angles.add(index)
+        else:
+            self.field.no_angles.add(index)
         return g
 
     def _known_unknown(self, name: str) -> Ratio | None:
@@ -470,6 +472,22 @@ class SymbolicModel:
     def at_samples(self, x: Ratio) -> list[float]:
         """The element in numbers at the start poses of all samples; nan where it has no real value."""
         return self._at(x, [k for k, s in enumerate(self.samples) if s.is_start])
+
+    def at_start_with(self, x: Ratio, number: int, changed: Mapping[int, float]) -> float:
+        """The element at the start pose of that number, with other values of some generators; nan where it is not real."""
+        f = self.field
+        k = [k for k, s in enumerate(self.samples) if s.is_start][number]
+        known = self._values(k)
+        needed = f.ingredients(x)
+        values = {g: v for g, v in known.items() if not f.generators[g].made_of & changed.keys()} | dict(changed)
+        try:
+            for g in sorted(needed - values.keys()):
+                compute = f.generators[g].compute
+                assert compute is not None
+                values[g] = compute(values, math)
+            return float(f.evaluate(x, values))
+        except (KeyError, ValueError, ArithmeticError):
+            return math.nan
 
     def _at(self, x: Ratio, which: Sequence[int]) -> list[float]:
         found: list[float] = []

@@ -13,8 +13,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.measures.geometry import Pose
@@ -23,10 +24,13 @@ from freebody.model.question import Event
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
+from freebody.symbolic.laws import Decay, Growth, Instant, Law, Oscillation, Uniform, first
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.way import Way
+from freebody.symbolic.zeros import solve_linear, zeros_of
 
 
 @dataclass(frozen=True)
@@ -39,17 +43,32 @@ class StartState:
         return self.values[index]
 
 
+_TOO = " (an unstable equilibrium is left only if something disturbs it)"
+_HOLDS_ONCE = "it holds at the start (t = 0), and never again"
+_HOLDS_ALWAYS = "it holds at the start (t = 0) and all the time after it"
+_INTEGRAL = "it is the integral of the coordinate's differential over the speed; simulate the motion for a number"
+
+
 @dataclass
 class Reached:
     """An event in closed form: when, and the state there; `notes` name the rejected roots."""
 
     time: Ratio | None
-    coordinate: Coordinate
+    coordinate: Coordinate | None  # None: a combination of several, of which `at` and `speed` are value and rate
     at: Ratio  # value of the coordinate
     speed: Ratio | None
     notes: list[str] = field(default_factory=list[str])
-    conditions: list[Ratio] = field(default_factory=list[Ratio])  # must be positive
+    conditions: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]])  # must be ">" or ">=" zero
     why_no_time: str = ""
+    says: list[str] = field(default_factory=list[str])  # conditions that have no formula
+
+    @property
+    def values(self) -> dict[int, Ratio]:
+        """The coordinate and its speed there, by generator."""
+        c = self.coordinate
+        if c is None:
+            return {}
+        return {c.index: self.at} | ({} if self.speed is None else {c.speed: self.speed})
 
 
 def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[str, Expr]) -> StartState:
@@ -123,7 +142,7 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
     f = model.field
     for name, expr in known.items():
         value = model.value_of(model.system.measures[name])
-        solved = _solve_linear(value - model.geometry.scalar(expr), c.index)
+        solved = solve_linear(value - model.geometry.scalar(expr), c.index)
         if solved is not None and not (f.ingredients(solved) & {k.index for k in model.coordinates}):
             return solved
     given = model.given_start(c)
@@ -140,22 +159,11 @@ def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], va
     for name, expr in known.items():
         rate = model.rate(model.value_of(model.system.measures[name]))
         rate = f.follow(rate, {k: v for k, v in values.items() if k != c.speed})
-        solved = _solve_linear(rate - model.geometry.scalar(expr), c.speed)
+        solved = solve_linear(rate - model.geometry.scalar(expr), c.speed)
         if solved is not None and not (f.ingredients(solved) & {k.speed for k in model.coordinates}):
             return solved
     given = model.given_start_speed(c, values)
     return f.zero if given is None else given
-
-
-def _solve_linear(x: Ratio, index: int) -> Ratio | None:
-    """The value of a generator that makes x vanish, if x is linear in it."""
-    field = x.field
-    if index not in x.generators() or index in x.denominator().generators():
-        return None
-    parts = x.numerator().coefficients(index)
-    if len(parts) != 2 or any(index in field.ingredients(p) for p in parts):
-        return None
-    return -parts[0] / parts[1]
 
 
 class Motion:
@@ -165,116 +173,93 @@ class Motion:
         self.model = model
         self.start = start
         self.field = model.field
-        f = functions(model.field, model.is_negative)
-        self._sqrt, self._acos, self._asin, self._log = (f[n] for n in ("sqrt", "acos", "asin", "log"))
+        self._sqrt = functions(model.field, model.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
-    def reach(self, event: Event, *, need_time: bool = True) -> Reached:
-        """The first time after the start at which a measure or its rate reaches a value."""
+    def reach(self, event: Event) -> Reached:
+        """The first time after the start at which a measure or its rate reaches a value; where it has the value at the
+        start, the next time. Raises NeverHappens where it is proved that there is none."""
         value = self.model.value_of(event.measure)
         target = self.model.geometry.scalar(event.value)
         if event.order == 1:
-            return self._reach_rate(self.model.rate(value), target)
-        c = self._only_coordinate(value, event.text)
-        at = self._value_of_coordinate(value - target, c, event)
-        return self._reach_coordinate(c, at, need_time)
+            value = self.model.rate(value)
+        begins = self.field.follow(self.model.in_independent_speeds(value - target), self.start.values).is_zero()
+        if self.stands_still and not self.field.ingredients(value) & self._in_time:
+            raise NeverHappens(_HOLDS_ALWAYS if begins else f"it starts at rest in an equilibrium, and stays there{_TOO}")
+        reached = self._reach_rate(value, target) if event.order == 1 else self._reach_place(value, target, event)
+        if begins:
+            reached.notes.insert(0, f"'{event.text}' holds at the start as well (t = 0); this is the next time")
+        return reached
 
-    def _only_coordinate(self, value: Ratio, text: str) -> Coordinate:
-        present = self.field.ingredients(value)
-        found = [c for c in self.model.coordinates if c.index in present]
-        bound = [c for c in self.model.dependent if c.index in present]
-        if len(found) != 1 or bound:
-            raise CannotAnswer(
-                f"'{text}' involves {len(found) + len(bound)} coordinates"
-                f" ({', '.join(c.name for c in (*found, *bound)) or 'none'}); there is a closed form for one only"
-            )
-        return found[0]
+    def known_at(self, reached: Reached) -> dict[int, Ratio]:
+        """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that moves
+        by itself is where its own law has brought it by then."""
+        values = dict(reached.values)
+        if reached.time is None:
+            return values
+        values[self.field.index(self.field.time)] = reached.time
+        for c in self.model.coordinates:
+            law = None if c.index in values else self.law_of(c)
+            if law is not None:
+                values[c.index], values[c.speed] = map(self.field.lowest_terms, law.at(reached.time))
+        return values
 
-    def _value_of_coordinate(self, difference: Ratio, c: Coordinate, event: Event) -> Ratio:
-        solved = _solve_linear(difference, c.index)
-        if solved is None:
-            raise CannotAnswer(
-                f"'{event.text}' is not linear in the coordinate {c.name}; name a measure that is, or ask for "
-                f"the value of {c.name}"
-            )
-        return solved
+    @cached_property
+    def stands_still(self) -> bool:
+        """True where it is proved that nothing ever moves: no speed and no acceleration at the start, nothing that
+        depends on time, and laws smooth enough for the motion to be unique (Lipschitz; no root or sign of zero)."""
+        f, model = self.field, self.model
+        if any(not self.start.of(c.speed).is_zero() for c in model.coordinates) or _is_driven(model):
+            return False
+        now = {k: x for k, x in self.start.values.items() if k != f.index(f.time)}
+        try:
+            accelerations = [model.in_independent_speeds(a) for a in model.solved_accelerations.values()]
+            for a in accelerations:
+                for g in a.generators():
+                    kind, (name, argument) = f.generators[g].kind, f.arguments.get(g, ("", f.one))
+                    if kind == "root" and f.follow(f.radicand(g), now).is_zero():
+                        return False
+                    if name == "sign" and f.follow(argument, now).is_zero():
+                        return False
+            return all(f.follow(a, now).is_zero() for a in accelerations)
+        except (CannotAnswer, ZeroDivisionError):
+            return False
+
+    @property
+    def _in_time(self) -> set[int]:
+        """The generators of the time and of given functions of it."""
+        return {g for g, generator in self.field.generators.items() if generator.kind == "time"}
 
     # -- laws of motion -----------------------------------------------------------------------
     def _acceleration(self, c: Coordinate) -> Ratio:
         k = self.model.coordinates.index(c)
-        return self.model.solved_accelerations[self.model.accelerations[k]]
+        return self.field.lowest_terms(self.model.solved_accelerations[self.model.accelerations[k]])
 
-    def _reach_coordinate(self, c: Coordinate, at: Ratio, need_time: bool) -> Reached:
-        a = self.field.lowest_terms(self._acceleration(c))
+    def law_of(self, c: Coordinate) -> Law | None:
+        """How a coordinate moves by itself, where that is one of the laws that have closed forms."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
+        a = self._acceleration(c)
         if a.is_constant():
-            return self._uniform(c, a, q0, u0, at)
+            return Uniform(self.model, q0, u0, a)
         linear = self._linear_law(a, c)
-        if linear is not None:
-            reached = self._linear_motion(c, linear, q0, u0, at)
-            if reached is not None:
-                return reached
-        speed = self._speed_from_energy(c, at)
-        return Reached(
-            None,
-            c,
-            at,
-            speed,
-            why_no_time=f"the time is the integral of d{c.name}/speed, which has no elementary closed form here; "
-            "simulate the motion for a number",
-        )
-
-    def _uniform(self, c: Coordinate, a: Ratio, q0: Ratio, u0: Ratio, at: Ratio) -> Reached:
-        distance = at - q0
-        notes: list[str] = []
-        if a.is_zero():
-            if u0.is_zero():
-                raise CannotAnswer(f"{c.name} does not move: it starts at rest and nothing accelerates it")
-            return Reached(distance / u0, c, at, u0, conditions=[distance / u0])
-        square = u0 * u0 + 2 * a * distance
-        # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
-        if u0.is_zero():
-            time = self._sqrt(2 * distance / a)
-            speed = a * time
-            notes.append("the root with the negative sign is a time before the start and is rejected")
-            return Reached(time, c, at, speed, notes, [distance / a])
-        root = self._sqrt(square)
-        plus, minus = (-u0 + root) / a, (-u0 - root) / a
-        values = zip(self.model.at_samples(plus), self.model.at_samples(minus), strict=True)
-        # samples where the place is out of reach have no root at all
-        picks = {self._first_positive(p, m) for p, m in values if not math.isnan(p)} or {None}
-        if len(picks) != 1:
-            raise CannotAnswer(
-                f"which root is the first time at which {c.name} is reached depends on the parameter values"
-            )
-        pick = picks.pop()
-        if pick is None:
-            raise CannotAnswer(f"{c.name} never reaches {to_text(tidy(at))} after the start at these parameter values")
-        chosen, other = (plus, minus) if pick == 0 else (minus, plus)
-        speed = root if pick == 0 else -root
-        other_values = self.model.at_samples(other)
-        shown = to_text(tidy(other))
-        if all(v < 0 for v in other_values):
-            words = f"rejected root: t = {shown} is negative, a time before the start"
-        else:
-            words = f"other root: t = {shown} is later, when {c.name} passes again on the way back"
-        notes.append(Stated(words, to_python(tidy(other))))
-        # the product of the roots is -2 d/a: opposite signs need d/a > 0
-        conditions = [square]
-        if sign_of(distance / a) is not Sign.POSITIVE:
-            conditions.append(chosen)
-        return Reached(chosen, c, at, speed, notes, conditions)
-
-    @staticmethod
-    def _first_positive(plus: float, minus: float) -> int | None:
-        good = [(t, k) for k, t in enumerate((plus, minus)) if t > 0]
-        return min(good)[1] if good else None
+        if linear is None:
+            return None
+        alpha, beta, gamma = linear
+        if beta.is_zero():
+            return Decay(self.model, q0, u0, self.field.lowest_terms(-alpha / gamma), gamma)
+        sign = sign_of(beta)
+        if not gamma.is_zero() or not sign.is_strict:
+            return None
+        center = self.field.lowest_terms(-alpha / beta)
+        if sign is Sign.NEGATIVE:
+            return Oscillation(self.model, q0, u0, center, -beta)
+        return Growth(self.model, q0, u0, center, beta)
 
     def _linear_law(self, a: Ratio, c: Coordinate) -> tuple[Ratio, Ratio, Ratio] | None:
         """(alpha, beta, gamma) with a = alpha + beta q + gamma u, constant coefficients."""
         present = self.field.ingredients(a)
         others = {k.index for k in self.model.coordinates} | {k.speed for k in self.model.coordinates}
-        others |= {self.field.index(self.field.time)}
+        others |= self._in_time
         if present & (others - {c.index, c.speed}) or a.denominator().generators() & {c.index, c.speed}:
             return None
         zero = self.field.zero
@@ -284,67 +269,162 @@ class Motion:
             return alpha + zero, beta, gamma
         return None
 
-    def _linear_motion(
-        self, c: Coordinate, law: tuple[Ratio, Ratio, Ratio], q0: Ratio, u0: Ratio, at: Ratio
-    ) -> Reached | None:
-        alpha, beta, gamma = law
-        if not gamma.is_zero() or beta.is_zero():
-            return None
-        center = -alpha / beta
-        sign = sign_of(beta)
-        x0, x = q0 - center, at - center
-        if sign is Sign.NEGATIVE:
-            w = self._sqrt(-beta)
-            speed = self._with_sign(u0 * u0 + beta * (x * x - x0 * x0), c, at)
-            if u0.is_zero() and not x0.is_zero():
-                return Reached(self._acos(x / x0) / w, c, at, speed, conditions=[1 - (x / x0) ** 2])
-            if x0.is_zero() and not u0.is_zero():
-                return Reached(self._asin(w * x / u0) / w, c, at, speed, conditions=[1 - (w * x / u0) ** 2])
-            return None
-        if sign is Sign.POSITIVE and u0.is_zero() and not x0.is_zero():
-            # x = x0 cosh(k t)
-            k, ratio = self._sqrt(beta), x / x0
-            time = self._log(ratio + self._sqrt(ratio * ratio - 1)) / k
-            speed = self._with_sign(beta * (x * x - x0 * x0), c, at)
-            return Reached(time, c, at, speed, conditions=[ratio - 1])
-        return None
+    # -- a place ------------------------------------------------------------------------------
+    def _reach_place(self, value: Ratio, target: Ratio, event: Event) -> Reached:
+        present = self.field.ingredients(value)
+        found = [c for c in self.model.coordinates if c.index in present]
+        bound = [c for c in self.model.dependent if c.index in present]
+        if len(found) > 1 and not bound:
+            together = self._together(value, target, found, event.text)
+            if together is not None:
+                return together
+        if len(found) != 1 or bound:
+            raise CannotAnswer(
+                f"'{event.text}' involves {len(found) + len(bound)} coordinates"
+                f" ({', '.join(c.name for c in (*found, *bound)) or 'none'}); a closed form is found for one only"
+            )
+        (c,) = found
+        at = solve_linear(value - target, c.index)
+        if at is None:
+            raise CannotAnswer(
+                f"'{event.text}' is not linear in the coordinate {c.name}; name a measure that is, or ask for "
+                f"the value of {c.name}"
+            )
+        at = self.field.lowest_terms(at)
+        law = self.law_of(c)
+        if law is not None and law.is_still:
+            holds = (at - law.q0).is_zero()
+            raise NeverHappens(_HOLDS_ALWAYS if holds else f"{c.name} stays where it starts: at rest, and not accelerated")
+        if isinstance(law, Uniform):
+            return self._uniform(c.name, law, at).of(c, at)
+        instants = None if law is None else law.places(at)
+        if instants is not None:
+            return self._first(c, *instants)
+        return self._place_by_energy(c, at, event)
 
+    def _together(self, value: Ratio, target: Ratio, found: list[Coordinate], text: str) -> Reached | None:
+        """A measure that is linear in several coordinates, all of which move with constant accelerations: it moves
+        with one itself."""
+        f = self.field
+        laws = [self.law_of(c) for c in found]
+        slopes = [f.partial(value, c.index) for c in found]
+        rest = value
+        for slope, c in zip(slopes, found, strict=True):
+            rest = rest - slope * f.variable(c.index)
+        if not all(x.is_constant() for x in (*slopes, rest)) or not all(isinstance(law, Uniform) for law in laws):
+            return None
+        q0, u0, a = rest, f.zero, f.zero
+        for slope, law in zip(slopes, laws, strict=True):
+            assert isinstance(law, Uniform)
+            q0, u0, a = q0 + slope * law.q0, u0 + slope * law.u0, a + slope * law.a
+        return self._uniform(text, Uniform(self.model, q0, u0, f.lowest_terms(a)), target).of(None, target)
+
+    def _uniform(self, name: str, law: Uniform, at: Ratio) -> _Passage:
+        a, u0, distance = law.a, law.u0, self.field.lowest_terms(at - law.q0)
+        if a.is_zero():
+            if u0.is_zero():
+                raise NeverHappens(_HOLDS_ALWAYS if distance.is_zero() else f"it does not change: {name}")
+            if distance.is_zero():
+                raise NeverHappens(_HOLDS_ONCE)
+            return _Passage(distance / u0, u0, [], [(distance / u0, ">")])
+        if distance.is_zero():
+            if u0.is_zero():
+                raise NeverHappens(_HOLDS_ONCE)
+            return _Passage(-2 * u0 / a, -u0, [], [(-u0 / a, ">")])
+        # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
+        if u0.is_zero():
+            time = self._sqrt(2 * distance / a)
+            note = "the root with the negative sign is a time before the start and is rejected"
+            return _Passage(time, a * time, [note], [(distance / a, ">")])
+        return self._one_of_two(name, law, distance, at)
+
+    def _one_of_two(self, name: str, law: Uniform, distance: Ratio, at: Ratio) -> _Passage:
+        """The roots of a t^2/2 + u0 t = d; their product is -2 d/a."""
+        a, u0 = law.a, law.u0
+        square = u0 * u0 + 2 * a * distance
+        root = self._sqrt(square)
+        plus, minus = (-u0 + root) / a, (-u0 - root) / a
+        values = zip(self.model.at_samples(plus), self.model.at_samples(minus), strict=True)
+        # samples where the place is out of reach have no root at all
+        pairs = [(p, m) for p, m in values if not math.isnan(p)]
+        picks = {_first_positive(p, m) for p, m in pairs} or {None}
+        if len(picks) != 1:
+            raise CannotAnswer(f"which root is the first time at which {name} is reached depends on the parameter values")
+        pick = picks.pop()
+        if pick is None:
+            raise CannotAnswer(
+                f"{name} is never {to_text(tidy(at))} after the start at any of the parameter values that were tried"
+            )
+        chosen, other = (plus, minus) if pick == 0 else (minus, plus)
+        shown = to_text(tidy(other))
+        needs = [(square, ">=")]
+        if all(v < 0 for v in self.model.at_samples(other)):
+            words = f"rejected root: t = {shown} is negative, a time before the start"
+            needs.append((distance / a, ">"))
+        else:
+            words = f"other root: t = {shown} is later, when {name} passes again on the way back"
+            needs.append((chosen, ">"))
+        if not sign_of(a).is_strict:  # it decides which root is the larger one
+            rises = all(v > 0 for v in self.model.at_samples(a))
+            needs.append((a if rises else -a, ">"))
+        note = Stated(words, to_python(tidy(other)))
+        return _Passage(chosen, root if pick == 0 else -root, [note], needs)
+
+    def _first(self, c: Coordinate, instants: list[Instant], needs: list[tuple[Ratio, str]]) -> Reached:
+        found = first(self.model, instants)
+        if found is None:
+            if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
+                raise NeverHappens(f"{c.name} does not get that far")
+            if all(i.time.is_zero() and i.period is None for i in instants):
+                raise NeverHappens(_HOLDS_ONCE if instants else f"{c.name} only tends to that")
+            raise CannotAnswer(f"{c.name} does not get there at any of the parameter values that were tried")
+        i = found.instant
+        lowest = self.field.lowest_terms
+        return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
+
+    # -- a rate -------------------------------------------------------------------------------
     def _reach_rate(self, rate: Ratio, target: Ratio) -> Reached:
         speeds = [c for c in self.model.coordinates if c.speed in rate.generators()]
-        if len(speeds) != 1 or self.field.ingredients(rate) & {c.index for c in self.model.coordinates}:
-            raise CannotAnswer("the rate depends on several coordinates; there is a closed form for one only")
+        inside = self.field.ingredients(rate) & {c.index for c in (*self.model.coordinates, *self.model.dependent)}
+        if len(speeds) != 1 or inside or any(c.speed in rate.generators() for c in self.model.dependent):
+            raise CannotAnswer("the rate depends on several coordinates; a closed form is found for one only")
         (c,) = speeds
-        wanted = _solve_linear(rate - target, c.speed)
-        assert wanted is not None
-        a = self.field.lowest_terms(self._acceleration(c))
-        q0, u0 = self.start.of(c.index), self.start.of(c.speed)
-        if a.is_constant():
-            if a.is_zero():
-                raise CannotAnswer(f"the rate of {c.name} is constant")
-            time = (wanted - u0) / a
-            at = q0 + (wanted * wanted - u0 * u0) / (2 * a)
-            return Reached(time, c, at, wanted, conditions=[time])
-        linear = self._linear_law(a, c)
-        if linear is not None and linear[1].is_zero():
-            # u' = alpha + gamma u
-            alpha, _beta, gamma = linear
-            ratio = (alpha + gamma * wanted) / (alpha + gamma * u0)
-            time = self._log(ratio) / gamma
-            at = q0 + (wanted - u0 - alpha * time) / gamma
-            return Reached(time, c, at, wanted, conditions=[time])
-        raise CannotAnswer(f"the law of motion of {c.name} has no elementary closed form; simulate for a number")
+        wanted = solve_linear(rate - target, c.speed)
+        if wanted is None:
+            raise CannotAnswer(f"the rate is not linear in the rate of {c.name}")
+        law = self.law_of(c)
+        if law is not None and law.is_still:
+            raise NeverHappens(_HOLDS_ALWAYS if wanted.is_zero() else f"{c.name} stays at rest: nothing accelerates it")
+        if isinstance(law, Uniform):
+            if law.a.is_zero():
+                same = (wanted - law.u0).is_zero()
+                raise NeverHappens(_HOLDS_ALWAYS if same else f"the rate of {c.name} is constant")
+            time = self.field.lowest_terms((wanted - law.u0) / law.a)
+            if time.is_zero():
+                raise NeverHappens(_HOLDS_ONCE)
+            at = law.q0 + (wanted * wanted - law.u0 * law.u0) / (2 * law.a)
+            return Reached(time, c, at, wanted, conditions=[(time, ">")])
+        instants = None if law is None else law.rates(wanted)
+        if instants is not None:
+            return self._first(c, *instants)
+        return self._rate_by_energy(c, wanted)
 
     # -- first integral -----------------------------------------------------------------------
-    def _speed_from_energy(self, c: Coordinate, at: Ratio) -> Ratio:
-        """u at q = at from M u^2/2 + V = const, with the sign of the way there."""
-        return self._with_sign(self.speed_squared(c, at), c, at)
+    def _place_by_energy(self, c: Coordinate, at: Ratio, event: Event) -> Reached:
+        """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
+        speed, needs, says = self._way(c).to(at)
+        why = f"no closed form was found for the time to '{event.text}': {_INTEGRAL}"
+        return Reached(None, c, at, speed, [], needs, why, says)
 
-    def _with_sign(self, square: Ratio, c: Coordinate, at: Ratio) -> Ratio:
-        root = self._sqrt(square)
-        ways = {v > 0 for v in self.model.at_samples(at - self.start.of(c.index))}
-        if len(ways) > 1:
-            raise CannotAnswer(f"whether {c.name} grows or shrinks on the way depends on the parameter values")
-        return root if not ways or ways.pop() else -root
+    def _rate_by_energy(self, c: Coordinate, wanted: Ratio) -> Reached:
+        """The place at which the speed has a value: a zero of u(q)^2 - u^2 = 0, the first on the way."""
+        at, needs, says = self._way(c).where(wanted)
+        return Reached(None, c, at, wanted, [], needs, f"no closed form was found for the time: {_INTEGRAL}", says)
+
+    def _way(self, c: Coordinate) -> Way:
+        square = self.speed_squared(c, self.field.variable(c.index))
+        a0 = self.field.follow(self._acceleration(c), self.start.values)
+        return Way(self.model, c, square, self.start.of(c.index), self.start.of(c.speed), a0)
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
@@ -364,17 +444,37 @@ class Motion:
     def _potential(self, values: dict[int, Ratio]) -> Ratio:
         """Minus the work function of all loads; each must be a function of its own measure."""
         state = SymbolicState(self.model, values)
-        if any(
-            isinstance(row.measure, RateMeasure)
-            or row.general is not None
-            or (row.target is not None and _moves(row.target))
-            for row in self.model.system.held
-        ):
+        if _is_driven(self.model) or any(isinstance(row.measure, RateMeasure) for row in self.model.system.held):
             raise CannotAnswer("a driver or a velocity constraint is at work, so energy is no first integral")
         total = self.field.zero
         for push in self.model.system.pushes:
             total = total + state.potential(push)
         return total
+
+
+@dataclass(frozen=True)
+class _Passage:
+    """A time, the rate then, which root it is, and what it needs."""
+
+    time: Ratio
+    rate: Ratio
+    notes: list[str]
+    needs: list[tuple[Ratio, str]]
+
+    def of(self, c: Coordinate | None, at: Ratio) -> Reached:
+        return Reached(self.time, c, at, self.rate, self.notes, self.needs)
+
+
+def _first_positive(plus: float, minus: float) -> int | None:
+    good = [(t, k) for k, t in enumerate((plus, minus)) if t > 0]
+    return min(good)[1] if good else None
+
+
+def _is_driven(model: SymbolicModel) -> bool:
+    """True where something is held at a function of time."""
+    return any(
+        row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held
+    )
 
 
 def _moves(target: Expr) -> bool:
@@ -532,57 +632,3 @@ def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) ->
     if not found and all(F.is_zero() for F in forces):
         return [{c.index: model.field.zero for c in left}]  # indifferent: anywhere
     return found
-
-
-def zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate) -> list[Ratio]:
-    """Zeros of F in one coordinate: linear factors, and a cos + b sin + r = 0."""
-    f = model.field
-    found: list[Ratio] = []
-    _unit, factors = f.factor(F.num)
-    for base, _exponent in factors:
-        if c.index not in f.ingredients(base):
-            continue
-        linear = _solve_linear(base, c.index)
-        if linear is not None:
-            found.append(linear)
-            continue
-        found += _trigonometric_zeros(model, base, c)
-    return found
-
-
-def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[Ratio]:
-    """a cos(q) + b sin(q) + r = 0 with r = 0, or one of a, b zero."""
-    f = model.field
-    pairs = [p for p in f.pairs(base.generators()) if f.generators[p[0]].made_of == frozenset({c.index})]
-    if len(pairs) != 1 or c.index in base.generators():
-        return []
-    cos, sin = pairs[0]
-    if f.variable(cos) != functions(f)["cos"](f.variable(c.index)):
-        return []
-    in_cos = base.coefficients(cos)
-    if len(in_cos) > 2:
-        return []
-    a = in_cos[1] if len(in_cos) == 2 else f.zero
-    in_sin = in_cos[0].coefficients(sin)
-    if len(in_sin) > 2 or {cos, sin} & a.generators():
-        return []
-    b, r = (in_sin[1] if len(in_sin) == 2 else f.zero), in_sin[0]
-    pi, fn = f.pi, functions(f, model.is_negative)
-    if r.is_zero():
-        if a.is_zero():
-            return [f.zero, pi]
-        if b.is_zero():
-            return [pi / 2, -pi / 2]
-        angle = fn["atan"](-a / b)
-        return [angle, angle + pi]
-    if b.is_zero():
-        angle = fn["acos"](-r / a)
-        return [angle, -angle]
-    if a.is_zero():
-        angle = fn["asin"](-r / b)
-        return [angle, pi - angle]
-    # (r - a) T^2 + 2 b T + r + a = 0 with T = tan(q/2)
-    if (r - a).is_zero():
-        return [2 * fn["atan"](-a / b), pi]
-    root = fn["sqrt"](a * a + b * b - r * r)
-    return [2 * fn["atan"]((-b - root) / (r - a)), 2 * fn["atan"]((-b + root) / (r - a))]

@@ -133,18 +133,17 @@ class Marked:
         is_uniform = False
         if question.event is not None:
             value = multiply(Factor("event").symbol, question.event.value)
-            reached = Motion(model, start).reach(replace(question.event, value=value))
+            motion = Motion(model, start)
+            reached = motion.reach(replace(question.event, value=value))
+            if reached.coordinate is None:
+                raise CannotAnswer("the event involves several coordinates")
             k = model.coordinates.index(reached.coordinate)
             is_uniform = model.solved_accelerations[model.accelerations[k]].is_constant()
             if isinstance(q, When):
                 if reached.time is None:
                     raise CannotAnswer(reached.why_no_time)
                 return (self._plain(reached.time),), is_uniform
-            values = {reached.coordinate.index: reached.at}
-            if reached.speed is not None:
-                values[reached.coordinate.speed] = reached.speed
-            if reached.time is not None:
-                values[model.field.index(model.field.time)] = reached.time
+            values = motion.known_at(reached)
             return self._value(question, SymbolicState(model, values)), is_uniform
         if isinstance(q, Small):
             squares = small_oscillations(model, start).squares

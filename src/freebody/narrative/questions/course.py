@@ -21,6 +21,7 @@ from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.instant import asked_symbol
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -36,6 +37,7 @@ class _Way:
     script: Script
     question: Question
     reached: Reached
+    coordinate: Coordinate
     acceleration: Ratio
     line: int  # of the acceleration
 
@@ -48,6 +50,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     reached = setup.motion.reach(event)
     context.glossary.at_event(event)
     c = reached.coordinate
+    if c is None:
+        raise CannotAnswer("a measure of several coordinates that move independently is told without a derivation")
     k = setup.model.coordinates.index(c)
     acceleration = setup.model.field.lowest_terms(setup.model.solved_accelerations[setup.model.accelerations[k]])
     script = context.script()
@@ -57,7 +61,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     line = 0
     if not by_energy:
         line = _acceleration(context, script, setup.model.accelerations[k], method)
-    way = _Way(context, script, question, reached, acceleration, line)
+    way = _Way(context, script, question, reached, c, acceleration, line)
     lines = _energy(way) if by_energy else _motion(way)
     _asked(way, lines)
     return script.stages
@@ -74,7 +78,7 @@ def _acceleration(context: Context, script: Script, unknown: int, method: Method
 
 def _start(way: _Way) -> tuple[Ratio, Ratio]:
     """Coordinate and speed at the start."""
-    c, start = way.reached.coordinate, way.context.setup.start
+    c, start = way.coordinate, way.context.setup.start
     return start.of(c.index), start.of(c.speed)
 
 
@@ -88,7 +92,7 @@ def _motion(way: _Way) -> list[int]:
 
 
 def _uniform(way: _Way) -> list[int]:
-    script, c, a = way.script, way.reached.coordinate, way.acceleration
+    script, c, a = way.script, way.coordinate, way.acceleration
     q0, u0 = _start(way)
     f = a.field
     x, u = Symbol(c.name), rates_of(c.name, 1)
@@ -128,7 +132,7 @@ def _sum(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
 
 def _place_line(way: _Way) -> int:
     """What the event means for the coordinate (or its rate)."""
-    event, c = way.question.event, way.reached.coordinate
+    event, c = way.question.event, way.coordinate
     assert event is not None
     symbol = rates_of(c.name, 1) if event.order == 1 else Symbol(c.name)
     value = way.reached.speed if event.order == 1 else way.reached.at
@@ -162,7 +166,7 @@ def _time_lines(way: _Way, x_line: int, u_line: int, square: int | None, at: int
 
 def _linear(way: _Way) -> list[int]:
     """An acceleration linear in the coordinate (or speed): the motion, and the time of the event."""
-    script, c, reached = way.script, way.reached.coordinate, way.reached
+    script, c, reached = way.script, way.coordinate, way.reached
     assert reached.time is not None
     f = way.acceleration.field
     q0, u0 = _start(way)
@@ -231,7 +235,7 @@ def _oscillation(way: _Way, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x:
 # -- energy -----------------------------------------------------------------------------------
 def _energy(way: _Way) -> list[int]:
     """Kinetic and potential energy at the start and at the event are the same."""
-    script, c, reached, context = way.script, way.reached.coordinate, way.reached, way.context
+    script, c, reached, context = way.script, way.coordinate, way.reached, way.context
     model, f = context.setup.model, context.setup.model.field
     if reached.speed is None:
         raise CannotAnswer("the motion to the event has no closed form")
@@ -269,16 +273,11 @@ def _asked(way: _Way, lines: Sequence[int]) -> None:
     parts, unknowns = parts_of(context, question.quantity)
     found = by_momentum(context, script, unknowns) if unknowns else {}
     general = [f.substitute(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
-    values = {reached.coordinate.index: reached.at}
-    if reached.speed is not None:
-        values[reached.coordinate.speed] = reached.speed
-    if reached.time is not None:
-        values[f.index(f.time)] = reached.time
-    state = SymbolicState(model, values)
+    state = SymbolicState(model, context.setup.motion.known_at(reached))
     there = [f.lowest_terms(state.here(g)) for g in general]
     if len(there) != 1:
         raise CannotAnswer("a vector at an event is told by its components")
-    c = reached.coordinate
+    c = way.coordinate
     shown, last = tidy(there[0]), script.next_number - 1
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
     with script.stage("stage.value", "hint.value"):
@@ -299,10 +298,6 @@ def _ends_in_answer(way: _Way, found: Ratio) -> None:
     from freebody.study.quantities import quantity_value
 
     f, reached, setup = found.field, way.reached, way.context.setup
-    values = {reached.coordinate.index: reached.at}
-    if reached.speed is not None:
-        values[reached.coordinate.speed] = reached.speed
-    if reached.time is not None:
-        values[f.index(f.time)] = reached.time
+    values = setup.motion.known_at(reached)
     wanted = quantity_value(way.question.quantity, setup.system, SymbolicState(setup.model, values))
     same_answer([found], [f.lowest_terms(f.element(wanted))])

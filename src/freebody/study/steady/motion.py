@@ -27,9 +27,9 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import Coordinate, SymbolicModel
-from freebody.symbolic.motion import zeros_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.zeros import zeros_of
 
 MOST_ROOTS = 4
 

@@ -18,8 +18,9 @@ from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import Coordinate, SymbolicModel
-from freebody.symbolic.motion import Motion, StartState, zeros_of
+from freebody.symbolic.motion import Motion, StartState
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.zeros import zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
 

@@ -1,0 +1,193 @@
+"""The way of one coordinate by energy: u^2 = W(q), from the start on in the direction in which it sets out.
+
+W must not vanish on the way: a place behind a hill of potential energy is reached only by who gets over the hill. Where W
+vanishes with a slope the coordinate turns, and goes back the same way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+
+from freebody.errors import CannotAnswer, NeverHappens
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.zeros import zeros_of
+
+Need = tuple[Ratio, str]
+Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every sample
+_NEAR = 1e-9
+_TURNS = range(-2, 3)  # by which a place of an angle may differ from the formula's
+_N_STEPS = 64
+
+
+class Way:
+    """The motion of the one coordinate of a model with a first integral of energy."""
+
+    def __init__(self, model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio, u0: Ratio, a0: Ratio) -> None:
+        self.model, self.c = model, c
+        self.field = model.field
+        self.square = model.field.lowest_terms(square)
+        self.q0, self.u0 = q0, u0
+        self._drive = a0 if u0.is_zero() else u0
+        if self._drive.is_zero():
+            raise CannotAnswer(f"{c.name} starts at rest where nothing accelerates it")
+
+    # -- what is asked ------------------------------------------------------------------------
+    def to(self, at: Ratio) -> tuple[Ratio, list[Need], list[str]]:
+        """The speed when a place is reached first after the start, and what that needs, as formulas and in words."""
+        distance = self.field.lowest_terms(at - self.q0)
+        way, needs = self._way
+        speed = self.field.sqrt(self.field.lowest_terms(self._square_at(at)), self.model.is_negative)
+        side = 0 if distance.is_zero() else self._side(distance)
+        if side == way:
+            if not sign_of(distance).is_strict:
+                needs = [*needs, (way * distance, ">")]
+            needs, says = self._over(self.q0, at, [*needs, self._arrives(at)])
+            return way * speed, needs, says
+        if self.u0.is_zero() and side:
+            is_proved = sign_of(self._drive).is_strict and sign_of(distance).is_strict
+            why = f"{self.c.name} starts at rest and sets out the other way; energy brings it back to its start, no further"
+            raise NeverHappens(why) if is_proved else CannotAnswer(f"{why} (at the parameter values that were tried)")
+        _turn, back, says = self._turning
+        if not side:
+            return (self.field.zero if self.u0.is_zero() else -self.u0), [*needs, *back], says
+        if not sign_of(distance).is_strict:
+            needs = [*needs, (-way * distance, ">")]
+        needs, more = self._over(self.q0, at, [*needs, *back, self._arrives(at)])
+        return -way * speed, needs, [*says, *more]
+
+    def where(self, wanted: Ratio) -> tuple[Ratio, list[Need], list[str]]:
+        """The place at which the speed has a value first after the start, and what that needs."""
+        way, needs = self._way
+        if wanted.is_zero():
+            turn, more, says = self._turning
+            return turn, [*needs, *more], says
+        side = self._side(wanted)
+        if not sign_of(wanted).is_strict:
+            needs = [*needs, (side * wanted, ">")]
+        places = self._places(self.square - wanted * wanted)
+        if side == way:
+            at = self._nearest(places, self._numbers(self.q0), way)
+            needs, says = self._over(self.q0, at, [*needs, *_real(at)])
+            return at, needs, says
+        turn, more, says = self._turning
+        at = self._nearest(places, self._numbers(turn), -way)
+        needs, words = self._over(self.q0, at, [*needs, *more, *_real(at)])
+        return at, needs, [*says, *words]
+
+    # -- the direction and the end ------------------------------------------------------------
+    @cached_property
+    def _way(self) -> tuple[int, list[Need]]:
+        """+1 if the coordinate grows at first, else -1."""
+        way = self._side(self._drive)
+        return way, [] if sign_of(self._drive).is_strict else [(way * self._drive, ">")]
+
+    def _side(self, x: Ratio) -> int:
+        sign = sign_of(x)
+        if sign.is_strict:
+            return 1 if sign is Sign.POSITIVE else -1
+        ways = {(v > 0) - (v < 0) for v in self.model.at_samples(x)}
+        if len(ways) != 1 or 0 in ways:
+            raise CannotAnswer(f"which way {self.c.name} goes depends on the parameter values")
+        return ways.pop()
+
+    @cached_property
+    def _turning(self) -> tuple[Ratio, list[Need], list[str]]:
+        """The place at which the coordinate turns first, and what that needs."""
+        way, _needs = self._way
+        turn = self._nearest(self._places(self.square), self._numbers(self.q0), way)
+        needs, says = self._over(self.q0, turn, _real(turn))
+        return turn, needs, says
+
+    # -- places -------------------------------------------------------------------------------
+    def _places(self, x: Ratio) -> Places:
+        """The zeros of a function of the coordinate; of an angle also those by whole turns from them."""
+        f, found = self.field, Places()
+        turn = 2 * f.pi
+        is_periodic = f.follow(x, {self.c.index: f.variable(self.c.index) + turn}) == x
+        for zero in zeros_of(self.model, x.numerator(), self.c, quadratic=True):
+            zero = f.lowest_terms(zero)
+            for n in _TURNS if is_periodic else (0,):
+                place = zero + n * turn
+                found.append((place, self._numbers(place)))
+        return found
+
+    def _nearest(self, places: Places, start: Sequence[float], way: int) -> Ratio:
+        """The place that is next from the start, at every sample at which there is one."""
+        picks: set[int] = set()
+        for s, begin in enumerate(start):
+            ahead = [(way * (at[s] - begin), k) for k, (_x, at) in enumerate(places) if way * (at[s] - begin) > _NEAR]
+            if ahead:
+                picks.add(min(ahead)[1])
+        if not picks:
+            raise CannotAnswer(
+                f"{self.c.name} does not come to such a place at any of the parameter values that were tried"
+                if places
+                else f"no closed form was found for the place of {self.c.name} at which that is so"
+            )
+        if len(picks) > 1:
+            raise CannotAnswer(f"at which place of {self.c.name} that is so first depends on the parameter values")
+        return places[picks.pop()][0]
+
+    def _arrives(self, at: Ratio) -> Need:
+        """u^2 at the end of a way: zero is enough for a place where the coordinate turns, not for the top of a hill."""
+        slope = self.field.derivative(self.square, self.c.index)
+        is_hill = self.field.follow(slope, {self.c.index: at}).is_zero() and not self._is_maximum(at)
+        return self._square_at(at), ">" if is_hill else ">="
+
+    def _is_maximum(self, place: Ratio) -> bool:
+        bend = self.field.derivative(self.field.derivative(self.square, self.c.index), self.c.index)
+        return all(v < 0 for v in self._numbers(self.field.follow(bend, {self.c.index: place})))
+
+    def _over(self, start: Ratio, end: Ratio, known: Sequence[Need]) -> tuple[list[Need], list[str]]:
+        """What a way between two places needs besides what is known: u^2 is positive at each of its minima there. In
+        words, where not every minimum has a formula. Raises CannotAnswer where something else is in the way."""
+        slope = self.field.derivative(self.square, self.c.index)
+        starts, ends = self._numbers(start), self._numbers(end)
+        needs: list[Need] = list(known)
+        valleys: list[list[float]] = []
+        for place, numbers in self._places(slope):
+            inside = [_NEAR < (v - p) / (q - p) < 1 - _NEAR for v, p, q in zip(numbers, starts, ends, strict=True) if q != p]
+            if not any(inside):
+                continue
+            if self._is_maximum(place):
+                continue
+            valleys.append(numbers)
+            least = self.field.lowest_terms(self._square_at(place))
+            if all(least != other for other, _relation in needs):
+                needs.append((least, ">"))
+        is_told = True
+        for s, (p, q) in enumerate(zip(starts, ends, strict=True)):
+            if math.isnan(p) or math.isnan(q) or not all(self._numbers(x)[s] > -_NEAR for x, _r in needs):
+                continue  # it does not get there with these numbers
+            steps = [p + (q - p) * (k + 0.5) / _N_STEPS for k in range(_N_STEPS)]
+            heights = [self.model.at_start_with(self.square, s, {self.c.index: v}) for v in steps]
+            if not all(h > 0 for h in heights):
+                raise CannotAnswer(f"whether {self.c.name} gets there depends on more than could be told in formulas")
+            near = 2 * abs(q - p) / _N_STEPS
+            for before, v, h, after in zip(heights, steps[1:], heights[1:], heights[2:], strict=False):
+                if h < before and h < after and not any(abs(valley[s] - v) < near for valley in valleys):
+                    is_told = False
+        return needs, [] if is_told else [f"{self.c.name} does not turn back on the way there"]
+
+    def _square_at(self, place: Ratio) -> Ratio:
+        return self.field.follow(self.square, {self.c.index: place})
+
+    def _numbers(self, x: Ratio) -> list[float]:
+        return self.model.at_samples(x)
+
+
+def _real(place: Ratio) -> list[Need]:
+    """What makes a place a real number, and u^2 cross zero there instead of touching it."""
+    f = place.field
+    found: list[Need] = []
+    for g in sorted(f.ingredients(place)):
+        name, argument = f.arguments.get(g, ("", f.one))
+        if name in ("acos", "asin"):
+            found.append((1 - argument * argument, ">"))
+        if f.generators[g].kind == "root" and f.generators[g].made_of:
+            found.append((f.radicand(g), ">"))
+    return found
