@@ -166,14 +166,15 @@ def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unt
     if isinstance(quantity, When):
         return found.time
     if isinstance(quantity, Work):
-        return _work(setup, quantity, draw, start, found.time, event)
+        return work_until(setup, quantity, draw, event, found.time)
     return quantity_value(quantity, setup.system, found.event)
 
 
-def _work(setup: Setup, quantity: Work, draw: Draw, start: Snapshot, end: float, event: Event) -> float:
-    """The integral of the power over time, by Gauss-Legendre points in panels."""
+def work_until(setup: Setup, quantity: Work, draw: Draw, event: Event, end: float) -> float:
+    """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
     from freebody.study.witness import motion_to
 
+    start = draw.start()
     nodes, weights = np.polynomial.legendre.leggauss(8)
     half = 0.5 * (end - start.t) / N_PANELS
     centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)

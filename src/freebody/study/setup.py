@@ -94,10 +94,20 @@ class Setup:
     def motion(self) -> Motion:
         return Motion(self.model, self.start)
 
-    @cached_property
+    @property
     def anywhere(self) -> list[Snapshot]:
-        """A general pose and motion for every draw, on the branch for which the formulas are made."""
-        return [self._anywhere(d, SEED + k) for k, d in enumerate(self.draws)]
+        """A general pose and motion for every draw, on the branch for which the formulas are made so far: where one has
+        taken something else to be positive since, other poses and motions are looked for."""
+        for k, d in enumerate(self.draws):
+            if k >= len(self._found_anywhere):
+                self._found_anywhere.append(self._anywhere(d, SEED + k))
+            elif not self.is_on_branch(d, self._found_anywhere[k]):
+                self._found_anywhere[k] = self._anywhere(d, SEED + k)
+        return list(self._found_anywhere)
+
+    @cached_property
+    def _found_anywhere(self) -> list[Snapshot]:
+        return []
 
     def _anywhere(self, draw: Draw, seed: int) -> Snapshot:
         for size in (0.3, 0.1, 0.03, 0.01):

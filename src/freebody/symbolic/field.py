@@ -442,9 +442,10 @@ class Field:
         return result
 
     # -- roots --------------------------------------------------------------------------------
-    def sqrt(self, x: Ratio, is_negative: Callable[[Ratio], bool] | None = None) -> Ratio:
+    def sqrt(self, x: Ratio, is_negative: Callable[[Ratio], bool] | None = None, *, is_kept: bool = False) -> Ratio:
         """The root that is not negative. Square factors and the denominator come out; `is_negative` tells for each
-        of them whether its sign must be turned (default: never)."""
+        of them whether its sign must be turned (default: never), and if `is_kept` also for what becomes of the root
+        when something in it is replaced."""
         if x.is_zero():
             return x
         num, den = self.current(x.num), self.one.num if x.den is None else self.current(x.den)
@@ -466,7 +467,7 @@ class Field:
             return outside
         if (inside.fraction() or 1) < 0:
             raise CannotAnswer(f"square root of the negative number {x}")
-        return outside * self._root(inside)
+        return outside * self._root(inside, is_negative if is_kept else None)
 
     @staticmethod
     def _root_of_square(base: Ratio, is_negative: Callable[[Ratio], bool] | None) -> Ratio | None:
@@ -480,7 +481,7 @@ class Field:
             return base
         return -base if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) else None
 
-    def _root(self, radicand: Ratio) -> Ratio:
+    def _root(self, radicand: Ratio, is_negative: Callable[[Ratio], bool] | None = None) -> Ratio:
         key = ("root", radicand.key())
         if key in self._atoms:
             return self.variable(self._atoms[key])
@@ -493,7 +494,7 @@ class Field:
                 positive,
                 lambda v, f: f.sqrt(self.evaluate(radicand, v, f)),
                 self.ingredients(radicand),
-                lambda follow: self.sqrt(follow(radicand)),
+                lambda follow: self.sqrt(follow(radicand), is_negative, is_kept=is_negative is not None),
             ),
             key=key,
         )

@@ -206,7 +206,9 @@ class Growth(Law):
             return [], [(y * y - a * a + b * b, ">=")]
         root = field.sqrt(y * y - a * a + b * b, self.model.is_negative)
         growths = [(sign, (y + sign * root) / (a + b)) for sign in (1, -1)]
-        found = [(log(growth), sign * root, growth - 1) for sign, growth in growths if not growth.is_zero()]
+        found: list[_Turn] = [
+            (log(growth), sign * root, growth - 1) for sign, growth in growths if not growth.is_zero()
+        ]
         return found, _unless_zero(y * y - a * a + b * b, ">=")
 
 

@@ -23,6 +23,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, differentiate, evaluate, free_symbols
+from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -418,11 +419,14 @@ class SymbolicModel:
         values = f.complete(values)
         if sample.velocities:
             self._add_speeds(values)
-        rng = random.Random(20240229)
-        for index, generator in f.generators.items():
-            if index not in values and generator.kind in ("speed", "acceleration"):
-                values[index] = rng.uniform(0.5, 1.5)
+        self._add_arbitrary(values)
         return f.complete(values)
+
+    def _add_arbitrary(self, values: dict[int, Any]) -> None:
+        """Speeds and accelerations that nothing tells: by their names, so that no order of questions changes them."""
+        for index, generator in self.field.generators.items():
+            if index not in values and generator.kind in ("speed", "acceleration"):
+                values[index] = random.Random(to_text(generator.display)).uniform(0.5, 1.5)
 
     def _add_poses(self, values: dict[int, Any], sample: Sample) -> None:
         """Poses of the bodies, and their velocities where the sample tells them."""
@@ -462,10 +466,7 @@ class SymbolicModel:
         """Sample k, with the atoms made since."""
         known = self._sample_values[k]
         if len(known) < len(self.field.generators):
-            rng = random.Random(len(known))
-            for index, generator in self.field.generators.items():
-                if index not in known and generator.kind in ("speed", "acceleration"):
-                    known[index] = rng.uniform(0.5, 1.5)
+            self._add_arbitrary(known)
             self._sample_values[k] = self.field.complete(known)
         return self._sample_values[k]
 
@@ -474,7 +475,7 @@ class SymbolicModel:
         return self._at(x, [k for k, s in enumerate(self.samples) if s.is_start])
 
     def at_start_with(self, x: Ratio, number: int, changed: Mapping[int, float]) -> float:
-        """The element at the start pose of that number, with other values of some generators; nan where it is not real."""
+        """The element at the start pose of that number, with other values of some generators; nan if it is not real."""
         f = self.field
         k = [k for k, s in enumerate(self.samples) if s.is_start][number]
         known = self._values(k)

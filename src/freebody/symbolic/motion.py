@@ -185,15 +185,17 @@ class Motion:
             value = self.model.rate(value)
         begins = self.field.follow(self.model.in_independent_speeds(value - target), self.start.values).is_zero()
         if self.stands_still and not self.field.ingredients(value) & self._in_time:
-            raise NeverHappens(_HOLDS_ALWAYS if begins else f"it starts at rest in an equilibrium, and stays there{_TOO}")
+            raise NeverHappens(
+                _HOLDS_ALWAYS if begins else f"it starts at rest in an equilibrium, and stays there{_TOO}"
+            )
         reached = self._reach_rate(value, target) if event.order == 1 else self._reach_place(value, target, event)
         if begins:
             reached.notes.insert(0, f"'{event.text}' holds at the start as well (t = 0); this is the next time")
         return reached
 
     def known_at(self, reached: Reached) -> dict[int, Ratio]:
-        """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that moves
-        by itself is where its own law has brought it by then."""
+        """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that
+        moves by itself is where its own law has brought it by then."""
         values = dict(reached.values)
         if reached.time is None:
             return values
@@ -294,7 +296,9 @@ class Motion:
         law = self.law_of(c)
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
-            raise NeverHappens(_HOLDS_ALWAYS if holds else f"{c.name} stays where it starts: at rest, and not accelerated")
+            raise NeverHappens(
+                _HOLDS_ALWAYS if holds else f"{c.name} stays where it starts: at rest, and not accelerated"
+            )
         if isinstance(law, Uniform):
             return self._uniform(c.name, law, at).of(c, at)
         instants = None if law is None else law.places(at)
@@ -349,7 +353,9 @@ class Motion:
         pairs = [(p, m) for p, m in values if not math.isnan(p)]
         picks = {_first_positive(p, m) for p, m in pairs} or {None}
         if len(picks) != 1:
-            raise CannotAnswer(f"which root is the first time at which {name} is reached depends on the parameter values")
+            raise CannotAnswer(
+                f"which root is the first time at which {name} is reached depends on the parameter values"
+            )
         pick = picks.pop()
         if pick is None:
             raise CannotAnswer(
@@ -472,9 +478,7 @@ def _first_positive(plus: float, minus: float) -> int | None:
 
 def _is_driven(model: SymbolicModel) -> bool:
     """True where something is held at a function of time."""
-    return any(
-        row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held
-    )
+    return any(row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held)
 
 
 def _moves(target: Expr) -> bool:

@@ -1,7 +1,7 @@
 """The way of one coordinate by energy: u^2 = W(q), from the start on in the direction in which it sets out.
 
-W must not vanish on the way: a place behind a hill of potential energy is reached only by who gets over the hill. Where W
-vanishes with a slope the coordinate turns, and goes back the same way.
+W must not vanish on the way: a place behind a hill of potential energy is reached only by who gets over the hill.
+Where W vanishes with a slope the coordinate turns, and goes back the same way.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Way:
             return way * speed, needs, says
         if self.u0.is_zero() and side:
             is_proved = sign_of(self._drive).is_strict and sign_of(distance).is_strict
-            why = f"{self.c.name} starts at rest and sets out the other way; energy brings it back to its start, no further"
+            why = f"{self.c.name} starts at rest and sets out the other way; it comes back to its start, and no further"
             raise NeverHappens(why) if is_proved else CannotAnswer(f"{why} (at the parameter values that were tried)")
         _turn, back, says = self._turning
         if not side:
@@ -150,7 +150,9 @@ class Way:
         needs: list[Need] = list(known)
         valleys: list[list[float]] = []
         for place, numbers in self._places(slope):
-            inside = [_NEAR < (v - p) / (q - p) < 1 - _NEAR for v, p, q in zip(numbers, starts, ends, strict=True) if q != p]
+            inside = [
+                _NEAR < (v - p) / (q - p) < 1 - _NEAR for v, p, q in zip(numbers, starts, ends, strict=True) if q != p
+            ]
             if not any(inside):
                 continue
             if self._is_maximum(place):

@@ -189,7 +189,7 @@ def _instant(
     f = leg.phase.model.field
     parts = leg.newton.asked(way.question.quantity)
     values = {unknown: value for unknown, (value, _line) in forces.items()}
-    general = tuple(f.lowest_terms(f.substitute(part, values)) for part in parts)
+    general = tuple(f.lowest_terms(f.follow(part, values)) for part in parts)
     assert leg.first is not None
     there = SymbolicState(leg.phase.model, {**leg.phase.course.still, **leg.first.zero.values})
     reached = tuple(way.home(leg, f.lowest_terms(there.here(g))) for g in general)

@@ -180,7 +180,7 @@ def _at_instant(context: Context, way: Way, script: Script, answer: Answer) -> l
     unknowns = newton.unknowns_in(parts)
     plan = newton.plan(unknowns)
     values = newton.write(script, plan, unknowns) if unknowns else {}
-    general = tuple(f.lowest_terms(f.substitute(p, {u: v for u, (v, _l) in values.items()})) for p in parts)
+    general = tuple(f.lowest_terms(f.follow(p, {u: v for u, (v, _l) in values.items()})) for p in parts)
     lines = tuple(line for _v, line in values.values())
     tell_conditions(script, way, {"sticks": sticks, "slips": tuple(signs)})
     assert answer.expression is not None

@@ -25,6 +25,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 
 ROUND_OFF_OF_FORCES = 1e-12
+INTEGRATED = 1e-10  # what is left of a speed after a motion in numbers where it vanishes
 N_WORLDS = 4  # random motions at which a line is looked at
 
 
@@ -41,10 +42,12 @@ class Meaning:
 class World(Mapping[str, Any]):
     """All symbols in numbers for one draw of the parameters at one instant."""
 
-    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot) -> None:
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, origin: Snapshot | None = None) -> None:
         self.glossary = glossary
         self.draw = draw
         self.snapshot = snapshot
+        self.origin = origin  # the pose and motion that the snapshot is of
+        self.is_integrated = False  # at the end of a motion in numbers
         self._known: dict[str, float] = {}
 
     def of(self, side: Side) -> tuple[float, ...]:
@@ -61,8 +64,10 @@ class World(Mapping[str, Any]):
         """What forces in this motion are known to: round-off of the largest of them."""
         masses, v = self.snapshot.reference.masses, self.snapshot.v
         with suppress(CannotAnswer):
-            forces = abs(masses * self.snapshot.accelerations), abs(masses * v * v)
-            return ROUND_OFF_OF_FORCES * max(float(f.max(initial=0.0)) for f in forces)
+            a = self.snapshot.accelerations
+            noise = ROUND_OFF_OF_FORCES * max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
+            fastest = max(float(f.max(initial=0.0)) for f in (abs(v), abs(a), abs(self.draw.start().v)))
+            return max(noise, INTEGRATED * fastest) if self.is_integrated else noise
         return 0.0
 
     def forget(self, name: str) -> None:
@@ -220,7 +225,17 @@ class Glossary:
         elif when == "start":
             yield from self._at_start
         else:
-            yield from self._anywhere
+            worlds = self._anywhere
+            if all(world.draw is draw for world, draw in zip(worlds, self.setup.draws, strict=False)):
+                self._keep_on_branch(worlds)
+            yield from worlds
+
+    def _keep_on_branch(self, worlds: list[World]) -> None:
+        """Motions that formulas made since are not made for are replaced by others."""
+        with suppress(CannotAnswer):
+            for k, snapshot in enumerate(self.setup.anywhere[: len(worlds)]):
+                if worlds[k].origin is not snapshot:
+                    worlds[k] = World(self, worlds[k].draw, worlds[k].draw.seen(snapshot), snapshot)
 
     @cached_property
     def _anywhere(self) -> list[World]:
@@ -229,7 +244,7 @@ class Glossary:
         except CannotAnswer:  # without formulas there is no branch to be on
             general = [draw.anywhere(k, 0.3, 0.1) for k, draw in enumerate(self.setup.draws)]
         pairs = zip(self.setup.draws, general, strict=True)
-        return [World(self, draw, draw.seen(snapshot)) for draw, snapshot in list(pairs)[:N_WORLDS]]
+        return [World(self, draw, draw.seen(snapshot), snapshot) for draw, snapshot in list(pairs)[:N_WORLDS]]
 
     @cached_property
     def _at_start(self) -> list[World]:
@@ -247,6 +262,7 @@ class Glossary:
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 reached = motion_to(draw.reference, draw.start(), 60.0, self.event)
                 found.append(World(self, draw, draw.seen(reached.event)))
+                found[-1].is_integrated = True
         return found
 
     def at_event(self, event: Event | None) -> None:

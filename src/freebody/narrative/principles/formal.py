@@ -3,8 +3,10 @@ of the unknowns of the table of principles."""
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any, cast
 
+from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import Held, RateMeasure
 from freebody.narrative.principles.table import Table
@@ -31,3 +33,20 @@ class FormalState(SymbolicState):
 
     def multiplier(self, row: Held) -> Ratio:
         return row.sign * self.table.reactions[row.name]
+
+    def sqrt(self, x: Any) -> Ratio:
+        """The root of a square has the sign that it has with the reactions and accelerations of the solution."""
+        return self.model.field.sqrt(x, lambda base: self.model.is_negative(self._solved(base)), is_kept=True)
+
+    def _solved(self, x: Ratio) -> Ratio:
+        """An element with reactions and accelerations replaced by what they are, where that is unique."""
+        m, used = self.model, self.model.field.ingredients(x)
+        values: dict[int, Ratio] = {}
+        for row in m.system.held:
+            reaction = self.table.reactions.get(row.name)
+            if reaction is not None and m.field.index(reaction) in used:
+                with suppress(CannotAnswer):
+                    values[m.field.index(reaction)] = row.sign * m.multiplier(row)
+        if used & set(m.accelerations):
+            values |= m.solved_accelerations
+        return m.field.lowest_terms(m.field.follow(x, values)) if values else x

@@ -86,7 +86,7 @@ class Newton:
         value = quantity_value(quantity, self.setup.system, FormalState(self.table))
         f, reactions = self.field, self.table.reactions
         same = {f.index(reactions[row]): reactions[other] for row, other in self.merged.items()}
-        return tuple(f.lowest_terms(f.substitute(part, same)) for part in elements(f, value))
+        return tuple(f.lowest_terms(f.follow(part, same)) for part in elements(f, value))
 
     def unknowns_in(self, parts: Iterable[Ratio]) -> list[int]:
         """Generators of accelerations and reactions in some elements."""

@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
 from freebody.model.question import Question, When, Work
 from freebody.narrative.context import Context, Method
-from freebody.narrative.lines.script import Legend, Script, Sentence, Stage
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.momentum import by_momentum, parts_of
@@ -241,10 +241,14 @@ def _energy(way: _Way) -> list[int]:
         raise CannotAnswer("the motion to the event has no closed form")
     lines = energy_terms(context, script)
     u = rates_of(c.name, 1)
+    event = way.question.event
+    assert event is not None
     with script.stage("stage.event", "hint.event"):
-        at = _place_line(way)
-        state = SymbolicState(model, {c.index: reached.at})
-        mass = f.follow(model.mass_matrix[0][0], {c.index: reached.at})
+        given = _place_line(way)
+        # where the place is given its values are put in; where the speed is given the place is found
+        put_in: dict[int, Ratio] = {} if event.order == 1 else {c.index: reached.at}
+        state = SymbolicState(model, put_in)
+        mass = f.follow(model.mass_matrix[0][0], put_in)
         begin = context.setup.start_instant
         zero = f.zero
         v_end = sum((state.potential(p) for p in model.system.pushes), zero)
@@ -254,11 +258,18 @@ def _energy(way: _Way) -> list[int]:
         t_start = f.lowest_terms(m_start * u0 * u0 / 2)
         left = add(multiply(tidy(f.lowest_terms(mass / 2)), power(u, number(2))), tidy(f.lowest_terms(v_end)))
         right = tidy(f.lowest_terms(t_start + v_start))
-        kept = script.line(
-            left, right, why="course.energy", args={"lines": tuple(lines), "line": at}, uses=(*lines, at), when="event"
-        )
-        speed = script.line(u, tidy(reached.speed), why="course.speed", args={"line": kept}, uses=(kept,), when="event")
-    return [speed, at]
+        uses = (*lines, given)
+        args: dict[str, Argument] = {"lines": tuple(lines), "line": given}
+        kept = script.line(left, right, why="course.energy", args=args, uses=uses, when="event")
+        if event.order == 1:
+            place = tidy(reached.at)
+            args = {"lines": (kept, given)}
+            found = script.line(Symbol(c.name), place, why="course.turns", args=args, uses=(kept, given), when="event")
+        else:
+            found = script.line(
+                u, tidy(reached.speed), why="course.speed", args={"line": kept}, uses=(kept,), when="event"
+            )
+    return [found, given]
 
 
 # -- what is asked ----------------------------------------------------------------------------
@@ -269,10 +280,11 @@ def _asked(way: _Way, lines: Sequence[int]) -> None:
         return
     model, f = context.setup.model, context.setup.model.field
     if isinstance(question.quantity, Work):
-        raise CannotAnswer("the work of a load until an event is told without a derivation")
+        _work(way, question.quantity, lines)
+        return
     parts, unknowns = parts_of(context, question.quantity)
     found = by_momentum(context, script, unknowns) if unknowns else {}
-    general = [f.substitute(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
+    general = [f.follow(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
     state = SymbolicState(model, context.setup.motion.known_at(reached))
     there = [f.lowest_terms(state.here(g)) for g in general]
     if len(there) != 1:
@@ -292,6 +304,24 @@ def _asked(way: _Way, lines: Sequence[int]) -> None:
                 uses = (*uses, last)
         script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
     _ends_in_answer(way, there[0])
+
+
+def _work(way: _Way, quantity: Work, lines: Sequence[int]) -> None:
+    """The work of a load that has a potential: what the potential is less than at the start."""
+    context, script, f = way.context, way.script, way.context.setup.model.field
+    setup, uses = context.setup, tuple(lines)
+    states = setup.start_instant, SymbolicState(setup.model, setup.motion.known_at(way.reached))
+    pushes = [p for p in context.system.pushes if p.load == quantity.of]
+    before, after = (f.lowest_terms(sum((s.potential(p) for p in pushes), f.zero)) for s in states)
+    with script.stage("stage.value", "hint.value"):
+        symbol = asked_symbol(context, way.question)
+        script.add(Legend(((symbol, Sentence("symbol.asked", {"question": way.question.text}), ""),)))
+        right = add(tidy(before), multiply(number(-1), tidy(after)))
+        args: dict[str, Argument] = {"load": quantity.of, "lines": uses}
+        last = script.line(symbol, right, why="course.work", args=args, uses=uses, when="event")
+        total = tidy(f.lowest_terms(before - after))
+        if total != right:
+            script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 
 
 def _ends_in_answer(way: _Way, found: Ratio) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Question, When
+from freebody.model.question import Question, When, Work
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence, Stage
@@ -15,6 +15,7 @@ from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.state import Parts, parts_of_state
 from freebody.study.answer import Answer
+from freebody.study.evidence import work_until
 from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -55,7 +56,7 @@ def finish(
     model, setup = context.setup.model, context.setup
     f = model.field
     values = {unknown: value for unknown, (value, _line) in found.items()}
-    general = tuple(f.lowest_terms(f.substitute(part, values)) for part in parts)
+    general = tuple(f.lowest_terms(f.follow(part, values)) for part in parts)
     name = asked_symbol(context, question, len(parts))
     lines = (*(before.lines if before else ()), *(line for _value, line in found.values()))
     is_there = len(parts) == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
@@ -109,8 +110,14 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     def time(world: World) -> float:
         return world.snapshot.t
 
+    def work(world: World) -> float:
+        assert isinstance(quantity, Work)
+        assert question.event is not None
+        return work_until(context.setup, quantity, world.draw, question.event, world.snapshot.t)
+
     if symbol.name not in context.glossary.meanings:
-        context.glossary.introduce(Meaning(symbol, what, time if isinstance(quantity, When) else quantity))
+        read = {When: time, Work: work}.get(type(quantity), quantity)
+        context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))
     return symbol

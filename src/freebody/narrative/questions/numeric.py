@@ -40,6 +40,10 @@ def in_numbers(context: Context, answer: Answer) -> list[Stage]:
     except CannotAnswer as error:
         with script.stage("unclosed.equations"):
             _constraints(context.setup, script, str(error))
+    if answer.never:
+        with script.stage("stage.value"):
+            script.say("unclosed.never", reason=f"@{answer.reason}")
+        return script.stages
     with script.stage("stage.numeric"):
         script.say("unclosed.why", reason=f"@{answer.reason}")
         script.say("unclosed.number" if answer.value is not None else "unclosed.simulate")

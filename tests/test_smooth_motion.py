@@ -1,0 +1,238 @@
+"""Events along motions that change no law: when, where, and that they never happen.
+
+What is expected is derived in its line. A question asks for the first time after the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+import freebody as fb
+from freebody.errors import NeverHappens
+
+Agree = Callable[[fb.Solution, str, str | list[str]], None]
+
+BLOCKS = """
+parameters: {a: 1 kg, b: 2 kg, P: 3 N, Q: 5 N, X: 1 m}
+bodies: {A: {particle: {mass: a}}, B: {particle: {mass: b}, at: [0, 1 m]}}
+connections: {ga: {slider: {body: A, along: right}}, gb: {slider: {body: B, along: right}}}
+loads:
+  p: {force: {at: A, along: right, magnitude: P}}
+  q: {force: {at: B, along: right, magnitude: Q}}
+measures: {x: {x of A}, z: {x of B}}
+start: {x: 0, z: 0, rate(x): 0, rate(z): 0}
+"""
+ROD = """
+parameters: {m: 1 kg, L: 1 m, w: 2 rad/s, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {th: {angle of rod from down}}
+start: {th: 0, rate(th): w}
+"""
+PENDULUM = """
+parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2, theta_0: 60 deg}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: theta_0, rate(theta): 0}
+"""
+SPRING = """
+parameters: {m: 2 kg, k: 200 N/m, l: 0.5 m, v: {value: 0 m/s, sign: any}, g: 9.81 m/s^2}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: down}}}
+loads:
+  weight: {gravity: g}
+  spring: {spring: {first: ground.O, second: block, stiffness: k, length: l}}
+measures: {y: {drop of block below ground.O}}
+start: {y: START, rate(y): v}
+"""
+UPRIGHT = """
+parameters: {m: 2 kg, L: 1.5 m, g: 9.81 m/s^2, th: {value: 0.9 rad}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of rod from up clockwise}}
+start: {theta: 0}
+"""
+
+
+def _answer(model: str, question: str) -> fb.Answer:
+    return fb.System.from_text("freebody: 1\n" + model).solve(question).answers[0]
+
+
+@pytest.fixture(scope="module")
+def blocks() -> fb.Solution:
+    asked = {
+        "work": "work of q until x = X",
+        "v": "velocity of z when x = X",
+        "z": "z when x = X",
+        "T": "kinetic energy when x = X",
+    }
+    lines = "".join(f"- {{id: {id}, find: {find}}}\n" for id, find in asked.items())
+    return fb.System.from_text(f"freebody: 1\n{BLOCKS}questions:\n{lines}").solve()
+
+
+@pytest.mark.parametrize(
+    ("id", "expected"),
+    [
+        # t^2 = 2 X a/P; z = Q t^2/(2 b), and the forces are constant
+        ("z", "a*Q*X/(b*P)"),
+        ("v", "Q*sqrt(2*a*X/P)/b"),
+        ("work", "a*Q**2*X/(b*P)"),
+        ("T", "P*X + a*Q**2*X/(b*P)"),
+    ],
+)
+def test_other_bodies_go_on_by_their_own_laws_until_an_event(
+    blocks: fb.Solution, agrees: Agree, id: str, expected: str
+) -> None:
+    agrees(blocks, id, expected)
+
+
+def test_work_until_an_event_of_another_body_is_derived() -> None:
+    system = fb.System.from_text(f"freebody: 1\n{BLOCKS}")
+    (derivation,) = system.explain("work of q until x = X").derivations
+    assert derivation.reason == ""
+    assert derivation.answer.value == pytest.approx(25 / 6)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected", "needs"),
+    [
+        # m L^2/6 w^2 = m g L/2 (1 - cos(th)); at the top that would be m g L
+        (ROD, "th when rate(th) = 0", "acos(1 - L*w**2/(3*g))", "6·g > L·w²"),
+        (ROD, "th when rate(th) = w/2", "acos(1 - L*w**2/(4*g))", "8·g > L·w²"),
+        (ROD, "velocity of th when th = 0", "-w", "6·g > L·w²"),
+        (ROD.replace("2 rad/s", "9 rad/s"), "velocity of th when th = 2*pi", "w", "L·w² > 6·g"),
+        (PENDULUM, "theta when rate(theta) = 0", "-theta_0", "for all positive"),
+        (PENDULUM, "velocity of theta when theta = theta_0", "0", "for all positive"),
+        (PENDULUM, "velocity of theta when theta = -theta_0", "0", "for all positive"),
+    ],
+)
+def test_energy_gives_turning_points_and_what_they_need(
+    model: str, question: str, expected: str, needs: str, agrees: Agree
+) -> None:
+    solution = fb.System.from_text("freebody: 1\n" + model).solve(question)
+    agrees(solution, "q1", expected)
+    assert any(needs in condition for condition in solution["q1"].conditions)
+
+
+@pytest.mark.parametrize("question", ["th when rate(th) = 0", "tension"])
+def test_a_turning_point_is_derived_by_energy(question: str) -> None:
+    asked = question if "when" in question else "size of reaction of hinge when rate(th) = 0"
+    (derivation,) = fb.System.from_text("freebody: 1\n" + ROD).explain(asked).derivations
+    assert derivation.reason == ""
+
+
+@pytest.mark.parametrize("question", ["velocity of th when th = pi", "velocity of th when th = 3*pi/2"])
+def test_what_lies_behind_the_top_is_not_reached_by_who_is_too_slow(question: str) -> None:
+    answer = _answer(ROD, question)
+    assert answer.expression is None
+    assert answer.value is None
+    assert "L·w² > 6·g" in answer.reason
+
+
+def test_a_pendulum_is_at_its_start_again_after_a_period() -> None:
+    from scipy.special import ellipk
+
+    # T = 4 sqrt(L/g) K(sin(theta_0/2)), ellipk takes the square of the modulus
+    answer = _answer(PENDULUM, "time when theta = theta_0")
+    assert answer.value == pytest.approx(4 * (1 / 9.81) ** 0.5 * ellipk(0.25), rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("begin", "v", "question", "expected"),
+    [
+        # y - c = x0 cos(w t) + v/w sin(w t) about c = l + m g/k
+        ("l", "0 m/s", "time when y = l", "2*pi*sqrt(m/k)"),
+        ("l", "0 m/s", "time when rate(y) = 0", "pi*sqrt(m/k)"),
+        ("l", "0 m/s", "y when rate(y) = 0", "l + 2*m*g/k"),
+        ("l", "0 m/s", "velocity of y when y = l + 2*m*g/k", "0"),
+        ("l + m*g/k", "1 m/s", "time when y = l + m*g/k", "pi*sqrt(m/k)"),
+        ("l + m*g/k", "1 m/s", "velocity of y when y = l + m*g/k", "-v"),
+        ("l", "1 m/s", "time when y = l + m*g/k", "atan(g*sqrt(m/k)/v)*sqrt(m/k)"),
+    ],
+)
+def test_oscillations_are_somewhere_for_the_first_time_after_the_start(
+    begin: str, v: str, question: str, expected: str, agrees: Agree
+) -> None:
+    model = SPRING.replace("START", begin)
+    model = model.replace("rate(y): v", "rate(y): 0") if v == "0 m/s" else model.replace("{value: 0 m/s, sign: any}", v)
+    agrees(fb.System.from_text("freebody: 1\n" + model).solve(question), "q1", expected)
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("time when y = 0", "2*v/g"),
+        ("velocity of y when y = 0", "-v"),
+        ("time when rate(y) = 0", "v/g"),
+        ("time when y = -h", "(v + sqrt(v**2 + 2*g*h))/g"),
+        ("time when rate(y) = -v", "2*v/g"),
+    ],
+)
+def test_a_thrown_body_comes_back_after_the_start(question: str, expected: str, agrees: Agree) -> None:
+    model = """
+parameters: {m: 1 kg, v: 3 m/s, h: 1 m, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {y: {y of ball}, x: {x of ball}}
+start: {y: 0, rate(y): v, x: 0, rate(x): 0}
+"""
+    solution = fb.System.from_text("freebody: 1\n" + model).solve(question)
+    agrees(solution, "q1", expected)
+    assert ("y = 0" in question) == any("holds at the start" in note for note in solution["q1"].notes)
+
+
+@pytest.mark.parametrize(
+    ("model", "question"),
+    [
+        (UPRIGHT, "time when theta = th"),
+        (UPRIGHT, "velocity of theta when theta = -th"),
+        (UPRIGHT, "time when rate(theta) = 0.1 rad/s"),
+        (SPRING.replace("START", "l + m*g/k").replace("rate(y): v", "rate(y): 0"), "time when y = 2*l"),
+        (SPRING.replace("START", "l").replace("rate(y): v", "rate(y): 0"), "time when y = l + 3*m*g/k"),
+        (PENDULUM, "velocity of theta when theta = 2*theta_0"),
+    ],
+)
+def test_what_never_happens_is_said_and_has_no_number(model: str, question: str) -> None:
+    answer = _answer(model, question)
+    assert answer.never
+    assert answer.value is None
+    assert answer.expression is None
+    assert answer.reason
+
+
+def test_that_an_event_never_happens_is_an_error_of_its_own() -> None:
+    assert issubclass(NeverHappens, fb.CannotAnswer)
+
+
+def test_size_of_a_reaction_has_the_sign_of_the_solution_in_its_derivation() -> None:
+    model = """
+parameters: {m: 1 kg, g: 9.81 m/s^2}
+bodies: {bead: {particle: {mass: m}}}
+connections: {wire: {slider: {body: bead, along: left}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of bead along left}}
+"""
+    (derivation,) = fb.System.from_text("freebody: 1\n" + model).explain("size of reaction of wire").derivations
+    assert derivation.reason == ""
+    assert derivation.answer.value == pytest.approx(9.81)
+
+
+@pytest.mark.parametrize("radius", ["0.035", "0.125", "0.3"])
+def test_radii_may_be_decimals(radius: str) -> None:
+    model = f"""
+ground: {{lines: {{incline: {{along: -30 deg}}}}}}
+bodies: {{d: {{disk: {{mass: 2 kg, radius: {radius} m}}, points: {{rim: [{radius} m, 0]}}}}}}
+connections: {{r: {{rolling: {{body: d, on: incline}}}}}}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+measures: {{x: {{travel of d along incline}}, h: {{y of d.rim}}}}
+start: {{x: 0, rate(x): 0.7 m/s}}
+"""
+    # s'' = 2/3 g sin(30 deg); the rim starts level with the centre, so it has the centre's -g/3/2 less alpha R
+    assert _answer(model, "acceleration of x").value == pytest.approx(9.81 / 3, rel=1e-12)
+    assert _answer(model, "acceleration of h at start").value == pytest.approx(-9.81 / 6 - 9.81 / 3, rel=1e-12)
