@@ -3,21 +3,28 @@ numeric route, which shares only the statements of the measures. A disagreement 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import free_symbols
-from freebody.model.question import Event, Power, Quantity, When, Work
+from freebody.measures.base import Measure
+from freebody.model.contact_questions import Change
+from freebody.model.question import Event, Power, Quantity, Small, When, Work
+from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
+from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.study.answer import Evidence
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
+from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import find_equilibrium
 
 INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
@@ -165,6 +172,8 @@ def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unt
     found = motion_to(draw.reference, start, until, event)
     if isinstance(quantity, When):
         return found.time
+    if isinstance(quantity, Change):
+        return found.event.value(quantity.measure) - start.value(quantity.measure)
     if isinstance(quantity, Work):
         return work_until(setup, quantity, draw, event, found.time)
     return quantity_value(quantity, setup.system, found.event)
@@ -188,6 +197,8 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
     Raises CannotAnswer if the event does not happen within a minute."""
     draw = setup.draws[0]
+    if isinstance(quantity, Small):
+        return _small_number(setup, quantity, draw)
     start = draw.start()
     if event is None:
         values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
@@ -196,6 +207,37 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
     return values[0] if len(values) == 1 else values
+
+
+def _small_number(setup: Setup, quantity: Small, draw: Draw) -> float | tuple[float, ...]:
+    """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
+    start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
+    try:
+        equilibrium, _notes = find_equilibrium(setup.model, setup.start)
+        q = draw.reference.pose_near(draw.q, _wanted(setup, equilibrium, draw))
+    except CannotAnswer:
+        q = nearest_equilibrium(setup.system)[0].q
+    small = SmallMotion(draw.reference, Instant(q, np.zeros_like(q), 0.0, draw.start().branches, frozen=True))
+    found = tuple(float(w) for w in frequencies(small.M, small.K))
+    if not found:
+        raise CannotAnswer("nothing can move, so nothing oscillates")
+    if quantity.what == "frequencies":
+        return found if len(found) > 1 else found[0]
+    if len(found) > 1:
+        raise CannotAnswer(f"there are {len(found)} natural frequencies; ask for natural frequencies")
+    if not found[0] > 0.0:
+        raise CannotAnswer("it does not oscillate: nothing drives it back")
+    return 2.0 * math.pi / found[0] if quantity.what == "period" else found[0]
+
+
+def _wanted(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
+    """The measures that the coordinates are, with their values at an equilibrium."""
+    start = draw.start()
+    return [
+        (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
+        for c in setup.model.coordinates
+        if (measure := setup.model.measure_of(c)) is not None
+    ]
 
 
 def _is_still(draw: Draw, start: Snapshot) -> bool:
@@ -231,13 +273,9 @@ def small_oscillations(
             exact = np.sort(element_at(setup, x, draw, start))
         except NotReal:
             continue
-        wanted = [
-            (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
-            for c in setup.model.coordinates
-            if (measure := setup.model.measure_of(c)) is not None
-        ]
-        frequencies = draw.reference.frequencies(draw.reference.pose_near(draw.q, wanted))
-        numeric = 2 * np.pi / frequencies if period else np.sort(frequencies)
+        wanted = _wanted(setup, equilibrium, draw)
+        found = draw.reference.frequencies(draw.reference.pose_near(draw.q, wanted))
+        numeric = 2 * np.pi / found if period else np.sort(found)
         witness.compare(draw, tuple(float(v) for v in exact), tuple(float(v) for v in numeric))
     return witness.evidence()
 
@@ -248,13 +286,8 @@ def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
-        start = draw.start()
         try:
-            wanted = [
-                (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
-                for c in setup.model.coordinates
-                if (measure := setup.model.measure_of(c)) is not None
-            ]
+            wanted = _wanted(setup, equilibrium, draw)
         except NotReal:
             continue
         q = draw.reference.pose_near(draw.q, wanted)

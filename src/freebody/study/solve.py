@@ -15,7 +15,7 @@ from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.model.contact_questions import Change, EnergyLost, Turns
+from freebody.model.contact_questions import Change, EnergyLost, Transition, Turns
 from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import (
     Conserved,
@@ -122,7 +122,7 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
         return _at_rest(system, questions)
-    if system.bounds or system.rubs or any(q.transition is not None for q in questions):
+    if system.bounds or system.rubs:
         return _in_phases(system, questions)
     setup = Setup(system) if setup is None else setup
     try:
@@ -131,7 +131,9 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
         if not system.space:
             raise
         return _in_numbers(setup, questions, str(error))
-    answers = tuple(_Solver(setup, q).answer() for q in questions)
+    answers = tuple(
+        _Solver(setup, q).answer() if q.transition is None else _without_contacts(q, q.transition) for q in questions
+    )
     return Solution(
         system,
         model.degrees_of_freedom,
@@ -142,12 +144,21 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
     )
 
 
+def _without_contacts(q: Question, transition: Transition) -> Answer:
+    """A change of a contact, of a system in which nothing can touch or rub."""
+    reason = f"'{transition.text}' is a change of a contact or of dry friction, and the model has neither"
+    return Answer(q.id, q.text, None, unit_text(q.quantity), None, reason=reason, never=True)
+
+
 def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Solution:
     """Where the formulas of a closed loop in space would be too long: freedoms by rank, and numbers."""
     system = setup.system
     dof = proof.rank_freedom(setup)
     answers: list[Answer] = []
     for q in questions:
+        if q.transition is not None:
+            answers.append(_without_contacts(q, q.transition))
+            continue
         if isinstance(q.quantity, Freedom):
             evidence = proof.freedom(setup, q.text, dof)
             answers.append(Answer(q.id, q.text, number(dof), "1", float(dof), evidence=evidence))
@@ -396,7 +407,14 @@ class _Solver:
             )
 
     def _there(self, q: Quantity, reached: Reached) -> Ratio:
-        """The quantity in the state at the event."""
+        """The quantity in the state at the event; a change is that since the start."""
+        if isinstance(q, Change):
+            before = self.setup.start_instant.value(q.measure)
+            after = SymbolicState(self.model, self.setup.motion.known_at(reached)).value(q.measure)
+            return self.model.field.lowest_terms(after - before)
+        if isinstance(q, (Turns, EnergyLost)):
+            what = "change of angle" if isinstance(q, Turns) else "work of a load"
+            raise CannotAnswer(f"that is counted where contacts or dry friction are; here ask for the {what}")
         x = self._elements(q, SymbolicState(self.model, self.setup.motion.known_at(reached)))
         if isinstance(x, tuple):
             raise CannotAnswer("ask for one component of the vector at an event")

@@ -500,9 +500,11 @@ class Small:
 def small_oscillations(model: SymbolicModel, start: StartState) -> Small:
     """M x'' + K x = 0 about the equilibrium that is stable (else nearest to the start); roots of
     det(K - s M) = 0, in closed form where its factors are linear or quadratic."""
+    if not model.coordinates:
+        raise CannotAnswer("nothing can move, so nothing oscillates")
     if model.dependent:
         names = ", ".join(c.name for c in model.dependent)
-        raise CannotAnswer(f"{names} follow only through a closed loop; there is no closed form of the frequencies")
+        raise CannotAnswer(f"{names} follow only through a closed loop; no closed form of the frequencies is found")
     equilibrium, notes = find_equilibrium(model, start)
     M, K = linearised(model, equilibrium)
     n = len(M)
