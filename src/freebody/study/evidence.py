@@ -218,11 +218,11 @@ def _small_number(setup: Setup, quantity: Small, draw: Draw) -> float | tuple[fl
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
     small = SmallMotion(draw.reference, Instant(q, np.zeros_like(q), 0.0, draw.start().branches, frozen=True))
-    found = tuple(float(w) for w in frequencies(small.M, small.K))
+    found = [float(w) for w in frequencies(small.M, small.K)]
     if not found:
         raise CannotAnswer("nothing can move, so nothing oscillates")
     if quantity.what == "frequencies":
-        return found if len(found) > 1 else found[0]
+        return tuple(found) if len(found) > 1 else found[0]
     if len(found) > 1:
         raise CannotAnswer(f"there are {len(found)} natural frequencies; ask for natural frequencies")
     if not found[0] > 0.0:

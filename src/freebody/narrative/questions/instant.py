@@ -116,7 +116,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
         return work_until(context.setup, quantity, world.draw, question.event, world.snapshot.t)
 
     if symbol.name not in context.glossary.meanings:
-        read = {When: time, Work: work}.get(type(quantity), quantity)
+        read = time if isinstance(quantity, When) else work if isinstance(quantity, Work) else quantity
         context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))
