@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import difflib
+import os
+import stat
 from pathlib import Path
 from typing import NoReturn
 
@@ -10,21 +12,29 @@ from freebody.errors import ModelError, Problem
 from freebody.language.document.tree import MAX_BYTES
 
 
+_READ_NOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+
+
 def text_of(path: Path) -> str:
     def refuse(message: str, line: int | None = None) -> NoReturn:
         raise ModelError([Problem((), message, line)], str(path))
 
-    if path.is_dir():
-        refuse(f"is a folder, not a model file.{_did_you_mean(path, path)}")
-    if not path.exists():
-        refuse(f"there is no such file.{_did_you_mean(path, path.parent)}")
-    if not path.is_file():
-        refuse("is not a regular file")
     try:
-        with path.open("rb") as stream:
+        if path.is_dir():
+            refuse(f"is a folder, not a model file.{_did_you_mean(path, path)}")
+        if not path.exists():
+            refuse(f"there is no such file.{_did_you_mean(path, path.parent)}")
+        # a pipe or a device may never end, and opening it may wait for ever: what is opened is looked at again
+        if not path.is_file():
+            refuse("is not a regular file")
+        with open(os.open(path, _READ_NOW), "rb") as stream:
+            if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
+                refuse("is not a regular file")
             content = stream.read(MAX_BYTES + 1)
     except OSError as error:
         refuse(f"cannot be read: {error.strerror}")
+    except ValueError as error:  # a zero byte in the name
+        refuse(f"cannot be read: {error}")
     if len(content) > MAX_BYTES:
         refuse(f"is larger than {MAX_BYTES // 1_000_000} MB; a model file is a few kB. Is it the right file?")
     try:
