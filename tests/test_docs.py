@@ -30,9 +30,9 @@ def blocks(text: str, language: str) -> list[str]:
 
 
 def varying(text: str) -> str:
-    """What differs between machines is left out: round-off, and the time by the clock."""
+    """What differs between machines is left out: round-off, and the computing time."""
     text = re.sub(r"difference \S+", "difference *", text)
-    text = re.sub(r"\d+ steps, \d+ evaluations, \S+ s by", "* steps, * evaluations, * s by", text)
+    text = re.sub(r"\d+ steps, \d+ evaluations, \S+ s comp", "* steps, * evaluations, * s comp", text)
     return re.sub(r"-?\d\.\de[-+]\d\d|-?\d\.\d+e-1\d", "*", text)
 
 

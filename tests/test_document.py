@@ -322,8 +322,8 @@ def test_half_a_character_is_refused():
 @pytest.mark.parametrize(
     ("text", "place", "words"),
     [
-        ("a:\n\tb: 1\n", (2, 1), "a tab stands here"),
-        ("a:\t1\n", (1, 3), "a tab stands here"),
+        ("a:\n\tb: 1\n", (2, 1), "tab found; YAML allows spaces only"),
+        ("a:\t1\n", (1, 3), "tab found; YAML allows spaces only"),
         ("bodies:\n  rod:3\n  b: 2\n", (2, 3), "a space is missing after the colon in 'rod:3'"),
         ("a: 1\nb:3\nc: 2\n", (2, 1), "a space is missing after the colon in 'b:3'"),
         ("a: 1\nb\nc: 2\n", (2, 1), "'b' has no colon"),

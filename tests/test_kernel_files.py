@@ -99,3 +99,27 @@ def test_the_digest_covers_every_file_with_kernels() -> None:
         lines = path.read_text(encoding="utf-8").splitlines()
         if any(line.startswith(marks) for line in lines):
             assert path.resolve() in named, f"{path.name} is compiled, and not in the digest"
+
+
+def test_a_file_that_others_can_write_is_not_run(tmp_path: Path) -> None:
+    compiled(tmp_path)
+    assert is_taken(compiled(tmp_path))
+    the_file(tmp_path).chmod(0o666)
+    assert not is_taken(compiled(tmp_path))
+
+
+def test_compiling_is_announced_once(tmp_path: Path) -> None:
+    from freebody import progress
+    from freebody.numeric.engine import kernel_files
+
+    heard: list[str] = []
+    kernel_files._announce.cache_clear()
+    progress.listen(heard.append)
+    try:
+        compiled(tmp_path)
+        compiled(tmp_path)
+        compiled(tmp_path / "none")
+    finally:
+        progress.listen(None)
+    assert len(heard) == 1
+    assert "compiling the kernels" in heard[0]

@@ -1,15 +1,22 @@
-"""The command line. Exit codes: 0 answered, 1 could not answer (and said why), 2 bad input."""
+"""The command line. Exit codes: 0 answered, 1 could not answer (and said why), 2 bad input or a file that cannot be
+written, 70 a defect of freebody, 130 and 143 interrupted (Ctrl-C, SIGTERM)."""
 
 from __future__ import annotations
 
+import functools
 import json
+import math
+import os
+import signal
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, ParamSpec
 
 import typer
 
 if TYPE_CHECKING:
+    from freebody.study.simulate import Simulation
     from freebody.system.system import System
 
 app = typer.Typer(
@@ -40,11 +47,122 @@ Effort = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document.")]
 
 
+P = ParamSpec("P")
+DEBUG = "FREEBODY_DEBUG"  # set it to see the traceback of a defect
+
+
+class _Terminated(KeyboardInterrupt):
+    """SIGTERM or SIGHUP: what Ctrl-C keeps is kept as well."""
+
+
+def _command(function: Callable[P, None]) -> Callable[P, None]:
+    """A command whose errors become a message and an exit code."""
+
+    @functools.wraps(function)
+    def command(*arguments: P.args, **options: P.kwargs) -> None:
+        from freebody.errors import FreebodyError, InputError
+
+        try:
+            function(*arguments, **options)
+            _flush()
+        except InputError as error:
+            _end(str(error), 2)
+        except FreebodyError as error:
+            _end(str(error), 1)
+        except BrokenPipeError:
+            _quiet()
+            raise typer.Exit(0) from None
+        except _Terminated:
+            _end("terminated", 143)
+        except KeyboardInterrupt:
+            _end("interrupted", 130)
+        except MemoryError:
+            _end("there is not enough memory for this", 1)
+        except (typer.Exit, typer.Abort):
+            raise
+        except Exception as error:
+            _defect(error)
+
+    app.command()(command)
+    return command
+
+
+def _flush() -> None:
+    """Writes out what was printed: a full disk is told here, not when the interpreter ends."""
+    from freebody.errors import InputError
+
+    if sys.stdout is None:  # pyright: ignore[reportUnnecessaryComparison] - closed by whoever started the program
+        return
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        _quiet()
+        raise InputError(f"the output cannot be written: {error.strerror}") from error
+
+
+def _quiet() -> None:
+    """Nobody reads the output any more, so the interpreter need not try to write it when it ends."""
+    with open(os.devnull, "w") as nothing:
+        os.dup2(nothing.fileno(), 1)
+
+
+def _end(message: str, code: int) -> NoReturn:
+    _say(message)
+    raise typer.Exit(code) from None
+
+
+def _say(message: str) -> None:
+    if sys.stderr is not None:  # pyright: ignore[reportUnnecessaryComparison]
+        from freebody.language.plain_text import plain_lines
+
+        print(plain_lines(message), file=sys.stderr)
+
+
+def _defect(error: Exception) -> NoReturn:
+    """What no user can mend is said in one line, with the place in the program."""
+    import traceback
+
+    if isinstance(error, OSError) and sys.exc_info()[2] is not None and _is_of_output(error):
+        _quiet()
+        _end(f"the output cannot be written: {error.strerror}", 2)
+    if os.environ.get(DEBUG):
+        _say(traceback.format_exc())
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    _end(
+        f"freebody failed at {Path(place.filename).name}:{place.lineno} ({what[:200]}). This is a defect of freebody: "
+        f"please report it with the model file; {DEBUG}=1 shows more",
+        70,
+    )
+
+
+def _is_of_output(error: OSError) -> bool:
+    """Did printing fail? Files that are written are told of by name elsewhere."""
+    import errno
+
+    return error.filename is None and error.errno in (errno.ENOSPC, errno.EFBIG, errno.EIO, errno.EBADF, errno.EDQUOT)
+
+
 def _print_json(document: Any) -> None:
-    print(json.dumps(document, indent=2, ensure_ascii=False))
+    """One document of plain JSON: what is no finite number is null."""
+    print(json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False))
 
 
-@app.command()
+def _finite(document: Any) -> Any:
+    if isinstance(document, dict):
+        return {str(key): _finite(value) for key, value in document.items()}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+    if isinstance(document, list | tuple):
+        return [_finite(value) for value in document]  # pyright: ignore[reportUnknownVariableType]
+    if hasattr(document, "tolist"):  # numbers and arrays of NumPy
+        return _finite(document.tolist())
+    if isinstance(document, float) and not math.isfinite(document):
+        return None
+    return document
+
+
+@_command
 def solve(
     file: ModelFile,
     as_json: Json = False,
@@ -54,16 +172,15 @@ def solve(
     effort: Effort = 1.0,
 ) -> None:
     """Answer the questions of a model in closed form."""
-    from importlib import import_module
+    from freebody.present.busy import busy
 
-    from freebody.present.simulation import told_compiling
-    from freebody.study.solve import solve as solve_system
-    from freebody.system.system import System
+    with busy("reading the model"):
+        from freebody.study.solve import solve as solve_system
+        from freebody.system.system import System
 
-    system = System.load(file)
-    with told_compiling(space=system.space):
-        import_module("freebody.study.witness")  # what every answer is checked with
-    solution = solve_system(system, question)
+        system = System.load(file)
+        _load_engine()
+        solution = solve_system(system, question)
     if as_json:
         _print_json(solution.to_plain())
     else:
@@ -74,7 +191,14 @@ def solve(
         raise typer.Exit(1)
 
 
-@app.command()
+def _load_engine() -> None:
+    """What checks every answer, before any of the time that a check may take is counted."""
+    from importlib import import_module
+
+    import_module("freebody.study.witness")
+
+
+@_command
 def explain(
     file: ModelFile,
     out: Annotated[
@@ -92,29 +216,29 @@ def explain(
     effort: Effort = 1.0,
 ) -> None:
     """Derive the answers step by step, with pictures."""
-    from importlib import import_module
-
-    from freebody.narrative.explain import explain as explain_system
+    from freebody.present.busy import busy
     from freebody.present.report.write import check_report_path
-    from freebody.present.simulation import told_compiling
-    from freebody.system.system import System
 
     if out is not None:
         check_report_path(out)
-    system = System.load(file)
-    with told_compiling(space=system.space):
-        import_module("freebody.study.witness")  # what every step is checked with
-    found = explain_system(system, question, method=method, compare=compare, language=language)
+    with busy("reading the model"):
+        from freebody.narrative.explain import explain as explain_system
+        from freebody.system.system import System
+
+        system = System.load(file)
+        _load_engine()
+        found = explain_system(system, question, method=method, compare=compare, language=language)
+        text = found.to_text() if out is None else ""
+        written = [] if out is None else found.write(out)
     if out is None:
-        print(found.to_text())
-    else:
-        for path in found.write(out):
-            print(f"wrote {path}")
+        print(text)
+    for path in written:
+        print(f"wrote {path}")
     if not found.is_complete:
         raise typer.Exit(1)
 
 
-@app.command()
+@_command
 def sheet(
     files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="Model files with questions.")],
     out: Annotated[Path, typer.Option("-o", "--out", help="Write it: .html, .md, .tex, .pdf, .ipynb or .txt.")],
@@ -125,38 +249,46 @@ def sheet(
     effort: Effort = 1.0,
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""
-    from freebody.narrative.sheets.sheet import load_systems
-    from freebody.narrative.sheets.sheet import sheet as make
+    from freebody.present.busy import busy
     from freebody.present.report.write import check_report_path
 
     check_report_path(out)
-    made = make(load_systems(files), solutions=solutions, variants=variants, seed=seed, language=language)
-    for path in made.write(out):
+    with busy("reading the models"):
+        from freebody.narrative.sheets.sheet import load_systems
+        from freebody.narrative.sheets.sheet import sheet as make
+
+        made = make(load_systems(files), solutions=solutions, variants=variants, seed=seed, language=language)
+        written = made.write(out)
+    for path in written:
         print(f"wrote {path}")
 
 
-@app.command()
+@_command
 def eom(
     file: ModelFile,
     as_json: Json = False,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
 ) -> None:
     """Derive the equations of motion, the mass matrix and the constraint equations."""
-    from freebody.study.eom import equations_of_motion
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
-    equations = equations_of_motion(System.load(file))
+    with busy("deriving the equations of motion"):
+        from freebody.study.eom import equations_of_motion
+        from freebody.system.system import System
+
+        equations = equations_of_motion(System.load(file))
+        formulas = equations.to_latex() if latex else ""
     if as_json:
         _print_json(equations.to_plain())
     elif latex:
-        print(equations.to_latex())
+        print(formulas)
     else:
         from freebody.present.terminal import equation_lines
 
         print("\n".join(equation_lines(equations)))
 
 
-@app.command()
+@_command
 def simulate(
     file: ModelFile,
     until: Annotated[str, typer.Option("--until", help="How long, as 10 or 200 ms.")],
@@ -188,18 +320,20 @@ def simulate(
     as_json: Json = False,
 ) -> None:
     """Simulate the motion of a model."""
-    from freebody.present.simulation import progress_bar, simulation_lines, told_compiling
-    from freebody.system.system import System
+    from freebody.present.busy import busy
+    from freebody.present.simulation import progress_bar, simulation_lines
 
-    system = System.load(file)
-    if set_:
-        system = system.with_parameters(**dict(_assignment(text) for text in set_))
-    _check_outputs(out, plot, animate)
-    if show:
-        _check_shown(system, show)
-    seconds = _seconds(until, "--until")
-    with told_compiling(space=system.space):
+    with busy("reading the model"):
         from freebody.study.simulate import simulate as run
+        from freebody.system.system import System
+
+        system = System.load(file)
+        if set_:
+            system = system.with_parameters(**dict(_assignment(text) for text in set_))
+        _check_outputs(out, plot, animate)
+        if show:
+            _check_shown(system, show)
+        seconds = _seconds(until, "--until")
     with progress_bar(seconds) as progress:
         result = run(
             system,
@@ -215,26 +349,43 @@ def simulate(
             impact=impact,
             jams=jams,
         )
+    with busy("evaluating the motion"):
+        summary = result.summary()
+        lines = [] if as_json else list(simulation_lines(result))
     if as_json:
-        _print_json(result.summary())
+        _print_json(summary)
     else:
-        print("\n".join(simulation_lines(result)))
-    written: list[Path] = []
-    if out is not None:
-        from freebody.study.files import write
-
-        write(result.dataset, out)
-        written.append(out)
-    if plot is not None:
-        result.plot(*(show or ()), path=plot)
-        written.append(plot)
-    if animate is not None:
-        written.append(result.animate(animate))
+        print("\n".join(lines), flush=True)
+    with busy("writing"):
+        written = _written(result, out, plot, show or [], animate)
     if not as_json:
         for path in written:
             print(f"wrote {path}")
     if not result.status.is_complete:
         raise typer.Exit(1)
+
+
+def _written(
+    result: Simulation, out: Path | None, plot: Path | None, show: list[str], animate: Path | None
+) -> list[Path]:
+    """The files of a simulation."""
+    from freebody.progress import busy_with
+
+    written: list[Path] = []
+    if out is not None:
+        from freebody.study.files import write
+
+        busy_with(f"writing {out}")
+        write(result.dataset, out)
+        written.append(out)
+    if plot is not None:
+        busy_with(f"drawing {plot}")
+        result.plot(*show, path=plot)
+        written.append(plot)
+    if animate is not None:
+        busy_with(f"drawing {animate}")
+        written.append(result.animate(animate))
+    return written
 
 
 def _check_outputs(out: Path | None, plot: Path | None, animate: Path | None) -> None:
@@ -296,7 +447,7 @@ def _seconds(text: str, option: str) -> float:
     return float(quantity.value)
 
 
-@app.command()
+@_command
 def draw(
     file: ModelFile,
     out: Annotated[
@@ -322,21 +473,19 @@ def draw(
     dark: Annotated[bool, typer.Option("--dark", help="For a dark page.")] = False,
 ) -> None:
     """Draw a model at its start or in motion, or bodies of it cut free."""
-    from contextlib import nullcontext
-
     from freebody.errors import InputError
-    from freebody.present.simulation import told_compiling
-    from freebody.study.picture import draw as draw_system
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
     try:
         azimuth, elevation = map(float, view.split(","))
     except ValueError:
         raise InputError(f"--view {view}: give azimuth and elevation in degrees, e.g. --view 30,20") from None
-    system = System.load(file)
-    with told_compiling(space=system.space) if at or show else nullcontext():
+    with busy("drawing"):
+        from freebody.study.picture import draw as draw_system
+        from freebody.system.system import System
+
         written = draw_system(
-            system,
+            System.load(file),
             out,
             at=None if at is None else _seconds(at, "--at"),
             show=_listed(show),
@@ -353,7 +502,7 @@ def _listed(texts: list[str] | None) -> list[str]:
     return [word.strip() for text in texts or () for word in text.split(",") if word.strip()]
 
 
-@app.command()
+@_command
 def equilibrium(
     file: ModelFile,
     as_json: Json = False,
@@ -364,11 +513,14 @@ def equilibrium(
     effort: Effort = 1.0,
 ) -> None:
     """Find the equilibria of a model, their stability and the reactions."""
-    from freebody.study.equilibrium import equilibria
-    from freebody.study.given import guess_of
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
-    found = equilibria(System.load(file), [guess_of(text) for text in guess or ()])
+    with busy("searching for equilibria"):
+        from freebody.study.equilibrium import equilibria
+        from freebody.study.given import guess_of
+        from freebody.system.system import System
+
+        found = equilibria(System.load(file), [guess_of(text) for text in guess or ()])
     if as_json:
         _print_json(found.to_plain())
     else:
@@ -377,7 +529,7 @@ def equilibrium(
         print("\n".join(equilibrium_lines(found)))
 
 
-@app.command()
+@_command
 def modes(
     file: ModelFile,
     as_json: Json = False,
@@ -388,13 +540,16 @@ def modes(
 ) -> None:
     """Find natural frequencies, damping and mode shapes of small motions."""
     from freebody.errors import InputError
-    from freebody.study.given import guess_of
-    from freebody.study.modes import modes as modes_of
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
     if at not in ("equilibrium", "start"):
         raise InputError(f"--at is equilibrium or start, not {at}")
-    found = modes_of(System.load(file), at, None if guess is None else guess_of(guess))
+    with busy("finding natural frequencies"):
+        from freebody.study.given import guess_of
+        from freebody.study.modes import modes as modes_of
+        from freebody.system.system import System
+
+        found = modes_of(System.load(file), at, None if guess is None else guess_of(guess))
     if as_json:
         _print_json(found.to_plain())
     else:
@@ -403,13 +558,16 @@ def modes(
         print("\n".join(mode_lines(found)))
 
 
-@app.command()
+@_command
 def statics(file: ModelFile, as_json: Json = False, effort: Effort = 1.0) -> None:
     """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
-    from freebody.study.friction.report import statics as study
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
-    found = study(System.load(file))
+    with busy("finding what holds the system at rest"):
+        from freebody.study.friction.report import statics as study
+        from freebody.system.system import System
+
+        found = study(System.load(file))
     if as_json:
         _print_json(found.to_plain())
     else:
@@ -418,7 +576,7 @@ def statics(file: ModelFile, as_json: Json = False, effort: Effort = 1.0) -> Non
         print("\n".join(statics_lines(found)))
 
 
-@app.command()
+@_command
 def mobility(
     file: ModelFile,
     as_json: Json = False,
@@ -430,10 +588,13 @@ def mobility(
     effort: Effort = 1.0,
 ) -> None:
     """Count degrees of freedom, name redundant constraints, singular poses and limits."""
-    from freebody.study.mobility import mobility as examine
-    from freebody.system.system import System
+    from freebody.present.busy import busy
 
-    found = examine(System.load(file), along, modes=modes)
+    with busy("counting degrees of freedom"):
+        from freebody.study.mobility import mobility as examine
+        from freebody.system.system import System
+
+        found = examine(System.load(file), along, modes=modes)
     if as_json:
         _print_json(found.to_plain())
     else:
@@ -442,7 +603,7 @@ def mobility(
         print("\n".join(mobility_lines(found)))
 
 
-@app.command()
+@_command
 def conserved(
     file: ModelFile,
     as_json: Json = False,
@@ -453,16 +614,15 @@ def conserved(
     effort: Effort = 1.0,
 ) -> None:
     """Tell what is conserved, and under which conditions; without a question in the file, search."""
-    from importlib import import_module
+    from freebody.present.busy import busy
 
-    from freebody.present.simulation import told_compiling
-    from freebody.study.conserved import conserved as judge
-    from freebody.system.system import System
+    with busy("searching for what is conserved" if question is None else "judging what is conserved"):
+        from freebody.study.conserved import conserved as judge
+        from freebody.system.system import System
 
-    system = System.load(file)
-    with told_compiling(space=system.space):
-        import_module("freebody.study.witness")
-    found = judge(system, question)
+        system = System.load(file)
+        _load_engine()
+        found = judge(system, question)
     if as_json:
         _print_json(found.to_plain())
     else:
@@ -473,7 +633,7 @@ def conserved(
         raise typer.Exit(1)
 
 
-@app.command()
+@_command
 def examples(
     name: Annotated[str | None, typer.Argument(help="An example to copy.")] = None,
     to: Annotated[Path, typer.Option("--to", help="Where to copy it.")] = Path(),
@@ -491,7 +651,7 @@ def examples(
         print(f"wrote {path}")
 
 
-@app.command()
+@_command
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="The model file to write.")],
 ) -> None:
@@ -502,7 +662,7 @@ def new(
     print(f"wrote {file}. Try: freebody solve {file}")
 
 
-@app.command()
+@_command
 def schema() -> None:
     """Print the JSON Schema of model files, for editors."""
     from freebody.system.schema import json_schema
@@ -528,22 +688,29 @@ def _main(
 
 
 def main() -> None:
-    """Entry point: errors become messages and exit codes."""
+    """Entry point."""
+    for name in ("SIGTERM", "SIGHUP"):
+        sign = getattr(signal, name, None)
+        if sign is not None and signal.getsignal(sign) == signal.SIG_DFL:
+            signal.signal(sign, _terminate)
     from freebody.errors import FreebodyError, InputError
 
     try:
         app()
-    except InputError as error:
-        print(error, file=sys.stderr)
-        sys.exit(2)
-    except FreebodyError as error:
-        print(error, file=sys.stderr)
-        sys.exit(1)
-    except BrokenPipeError:
-        sys.exit(0)
-    except Exception as error:  # a defect: said in one line, since the user cannot mend it
-        print(f"freebody failed: {type(error).__name__}: {error}. Please report the model", file=sys.stderr)
-        sys.exit(1)
+    except FreebodyError as error:  # of an option, before its command begins
+        _say(str(error))
+        sys.exit(2 if isinstance(error, InputError) else 1)
+    finally:
+        # help and version are printed by the library
+        try:
+            if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison]
+                sys.stdout.flush()
+        except OSError:
+            _quiet()
+
+
+def _terminate(_signal: int, _frame: object) -> None:
+    raise _Terminated
 
 
 if __name__ == "__main__":

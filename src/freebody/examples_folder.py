@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from freebody.errors import InputError
+from freebody.present.files import write_whole
 
 _TITLE = re.compile(r"^title:\s*(.+?)\s*$", re.MULTILINE)
 
@@ -79,6 +80,6 @@ def _write(file: Path, text: str) -> None:
         raise InputError(f"{file} exists already; choose another name or remove it first")
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
     except OSError as error:
-        raise InputError(f"cannot write {file}: {error.strerror}") from error
+        raise InputError(f"{file.parent} cannot be made: {error.strerror}") from error
+    write_whole(file, text)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, cast
 
 from freebody.language.expression import Expr
+from freebody.language.plain_text import plain
 from freebody.language.units import (
     ANGULAR_MOMENTUM,
     ANGULAR_VELOCITY,
@@ -802,10 +803,10 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
 
 def _question(names: Names, name: str, value: Any) -> Question | None:
     known = ("find", "id", "when", "options", "key")
-    plain = phrase_text(value)
+    phrased = phrase_text(value)
     entry: dict[str, Any] = {}
-    if plain is not None:
-        entry = {"find": plain}
+    if phrased is not None:
+        entry = {"find": phrased}
     elif isinstance(value, dict):
         entry = cast("dict[str, Any]", value)
     if not isinstance(entry.get("find"), str):
@@ -856,13 +857,13 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     if not isinstance(options, dict):
         names.problem("options is a mapping, e.g. options: {a: g/2, b: g}", None, "options")
         options = {}
-    shown = {str(k): _option_text(v) for k, v in cast("dict[Any, Any]", options).items()}
+    shown = {plain(str(k)): plain(_option_text(v)) for k, v in cast("dict[Any, Any]", options).items()}
     key = entry.get("key")
     if key is not None and str(key) not in shown:
         names.problem(f"key {key} is not among the options {', '.join(shown)}", None, "key")
     return Question(
-        str(entry.get("id", name)),
-        text,
+        plain(str(entry.get("id", name))),
+        plain(text),
         quantity,
         event,
         at_start,

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.language.plain_text import plain, shortened
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
-from freebody.present.files import written
+from freebody.present.files import replaced
 from freebody.present.marks import ContactTrack
 from freebody.present.page import note_on, page
 from freebody.present.scene import Scene
@@ -27,6 +28,7 @@ GIF_RATE = 25  # GIF counts hundredths of a second
 N_FRAMES = 3000
 FEWEST = 120  # of a page, which can be slowed down
 _PIXELS, _DPI = 640, 100
+MOST_IN_TITLE = 200  # characters over a film
 
 
 def write_animation(
@@ -50,16 +52,16 @@ def write_animation(
     motion = _checked(scene, times, poses, contacts)
     if not (math.isfinite(speed) and speed > 0):
         raise InputError(f"the speed of an animation is a positive number, not {speed}")
-    writers: dict[str, Callable[[], None]] = {
-        ".html": lambda: _write_page(scene, motion, path, title, speed),
-        ".gif": lambda: _write_gif(scene, motion, path, title, speed),
-        ".mp4": lambda: _write_mp4(scene, motion, path, title, speed),
+    writers: dict[str, Callable[[Path], None]] = {
+        ".html": lambda file: _write_page(scene, motion, file, title, speed),
+        ".gif": lambda file: _write_gif(scene, motion, file, title, speed),
+        ".mp4": lambda file: _write_mp4(scene, motion, file, title, speed),
     }
     suffix = path.suffix.lower()
     if suffix not in writers:
         raise InputError(f"{path.name}: an animation is written as {', '.join(writers)}; give one of these suffixes")
-    with written(path):
-        writers[suffix]()
+    with replaced(path) as file:
+        writers[suffix](file)
     return path
 
 
@@ -181,7 +183,7 @@ def _stages(drawing: Drawing, times: Array, title: str) -> tuple[Any, Iterator[N
     figure.set_facecolor(theme.paper)
     axes = figure.add_subplot()
     frame_axes(drawing, axes, theme)
-    figure.suptitle(title, fontsize=11, color=theme.ink, parse_math=False, wrap=True)
+    figure.suptitle(shortened(plain(title), MOST_IN_TITLE), fontsize=11, color=theme.ink, parse_math=False, wrap=True)
     note = note_on(drawing)
     if note:
         figure.supxlabel(note, fontsize=7, color=theme.muted, parse_math=False, wrap=True)

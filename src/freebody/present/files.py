@@ -1,19 +1,87 @@
-"""Writing files: what goes wrong is told in words."""
+"""Writing files: a file is there whole or not at all, and what goes wrong is told in words.
+
+What is written goes into a file beside the one that is wanted and takes its place at the end, so that a full disk or an
+interrupted run never leaves half a file under the name that was asked for.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from contextlib import contextmanager
+import errno
+import itertools
+import os
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from subprocess import CalledProcessError
 
 from freebody.errors import InputError
 
+# what libraries raise that write files themselves, besides OSError
+_FAILURES = (OSError, CalledProcessError)
+
 
 @contextmanager
-def written(path: Path) -> Generator[None]:
-    """Turns a failure to write a file into an InputError that names it."""
+def replaced(path: Path) -> Generator[Path]:
+    """A file to write into, with the suffix of `path`, which it replaces when all went well. Raises InputError that
+    names `path` and the reason if it cannot be written."""
     try:
-        yield
-    except OSError as error:
-        why = error.strerror or str(error)
-        raise InputError(f"{path} cannot be written: {why}. Give a file in a folder that exists") from error
+        target = _target(path)
+        temporary = _beside(target)
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        raise InputError(_told(path, error)) from error
+    try:
+        yield temporary
+        os.replace(temporary, target)
+    except _FAILURES as error:
+        raise InputError(_told(path, error)) from error
+    finally:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+
+
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Writes a file that is there whole or not at all. Raises InputError if it cannot be written."""
+    with replaced(path) as file:
+        file.write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+def check_writable(path: Path, suffixes: Sequence[str] = ()) -> None:
+    """Raises InputError if a file cannot be written there: before anything is computed, not after."""
+    if suffixes and path.suffix not in suffixes:
+        raise InputError(f"{path}: the name must end in {', '.join(suffixes)}")
+    with suppress(ValueError, OSError):
+        if not path.parent.is_dir():
+            raise InputError(f"{path}: there is no folder {path.parent}")
+    try:
+        _beside(_target(path)).unlink()
+    except (OSError, ValueError) as error:
+        raise InputError(_told(path, error)) from error
+
+
+def _target(path: Path) -> Path:
+    """The file that is replaced: what a link leads to. A folder or a device is none."""
+    target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, "it is a folder; give a file")
+    if target.exists() and not target.is_file():
+        raise OSError(errno.EINVAL, "it is not a regular file")
+    return target
+
+
+def _beside(target: Path) -> Path:
+    """A new, empty file in the same folder, with the same suffix and the permissions of the old file."""
+    mode = target.stat().st_mode & 0o777 if target.exists() else 0o666
+    if target.exists() and not os.access(target, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    for k in itertools.count():
+        temporary = target.with_name(f".freebody-{os.getpid()}-{k}{target.suffix}")
+        with suppress(FileExistsError):
+            os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode))
+            return temporary
+    raise AssertionError("one name is always free")
+
+
+def _told(path: Path, error: Exception) -> str:
+    why = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    where = ". Give a file in a folder that exists" if isinstance(error, FileNotFoundError) else ""
+    return f"{path} cannot be written: {why}{where}"

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from freebody.language.plain_text import plain
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Place
 from freebody.present.marks import MEANING
@@ -42,8 +43,8 @@ def filled(
     """The page with a script that draws the data; `keys` says which keys do what, `steps` are those for one frame
     back and on, as ARIA names them."""
     parts = {
-        "title": html.escape(title),
-        "description": html.escape(description),
+        "title": html.escape(plain(title)),
+        "description": html.escape(plain(description)),
         "note": html.escape(f"{note} " if note else ""),
         "keys": html.escape(keys),
         "back_key": steps[0],

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freebody.language.notation import to_text
+from freebody.present.files import replaced
 from freebody.present.terminal import wrapped
 
 LONGEST, SHOWN = 500, 120  # characters of a formula
@@ -113,5 +114,6 @@ def region_picture(regions: Regions, path: Path | str) -> Path:
     axes.set_ylabel(regions.labels[1])
     if handles:
         figure.legend(handles=handles, loc="outside upper center", frameon=False, fontsize="small")
-    figure.savefig(str(path))
+    with replaced(Path(path)) as file:
+        figure.savefig(file)
     return Path(path)

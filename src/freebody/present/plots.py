@@ -16,7 +16,7 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.model.names import did_you_mean
 from freebody.present.figures import Array
-from freebody.present.files import written
+from freebody.present.files import replaced
 from freebody.present.theme import THEMES, Theme
 
 if TYPE_CHECKING:
@@ -75,8 +75,8 @@ def save(figure: Figure, path: str | Path) -> Path:
     path = Path(path)
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError(f"{path.name}: a plot is written as {', '.join(_SUFFIXES)}; give one of these suffixes")
-    with written(path):
-        cast("Any", figure).savefig(path, dpi=150, facecolor=figure.get_facecolor())
+    with replaced(path) as file:
+        cast("Any", figure).savefig(file, dpi=150, facecolor=figure.get_facecolor())
     return path
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
+
+from freebody.present.busy import busy
 
 if TYPE_CHECKING:
     from freebody.study.simulate import Progress, Simulation
@@ -21,15 +23,15 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
     yield f"  status        {result.status}" + (f": {result.message}" if result.message else "")
     yield (
         f"  time          {result.t_end:.6g} s in {course.n_steps} steps, {course.n_evaluations} evaluations, "
-        f"{course.wall_time:.3g} s by the clock ({course.method}, tolerance {result.tolerance:g})"
+        f"{course.wall_time:.3g} s computing time ({course.method}, tolerance {result.tolerance:g})"
     )
     yield (
         f"  constraints   at most {summary['max_position_violation']:.1e} m and "
         f"{summary['max_velocity_violation']:.1e} m/s violated"
     )
     yield (
-        f"  energy        change minus work of loads: {summary['energy_error']:.1e} J, "
-        f"{summary['energy_error_relative']:.1e} of what was exchanged"
+        f"  energy        energy balance error: {summary['energy_error']:.1e} J "
+        f"(relative {summary['energy_error_relative']:.1e})"
     )
     non_unique = [r.name for k, r in enumerate(result.rows) if not course.unique[:, k].all()]
     if non_unique:
@@ -41,7 +43,7 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
         yield (
             "  trust         to the end"
             if is_all
-            else f"  trust         two tolerances part at {result.trusted_until:.4g} s"
+            else f"  trust         two tolerances diverge at {result.trusted_until:.4g} s"
         )
     if result.events:
         yield "  events"
@@ -106,27 +108,16 @@ def progress_bar(until: float) -> Generator[Progress]:
         nonlocal shown
         spent = time.perf_counter() - began
         if not shown and spent > PATIENCE:
+            before.close()  # one line at a time
             bar.start()
             shown = True
         if shown:
             bar.update(task, completed=now, rate=now / spent)
 
-    try:
-        yield update
-    finally:
-        if shown:
-            bar.stop()
-
-
-@contextmanager
-def told_compiling(*, space: bool = False) -> Generator[None]:
-    """Says that kernels are compiled when that is done for the first time."""
-    from rich.console import Console
-
-    from freebody.numeric.engine.jit import is_compiled
-
-    if is_compiled(space=space):
-        yield
-        return
-    with Console(stderr=True).status(f"compiling kernels, once (about {30 if space else 17} s)"):
-        yield
+    with ExitStack() as before:
+        before.enter_context(busy("simulating"))
+        try:
+            yield update
+        finally:
+            if shown:
+                bar.stop()

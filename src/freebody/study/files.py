@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from freebody.errors import InputError
 from freebody.numeric.jets import Array
+from freebody.present.files import check_writable, replaced
 
 if TYPE_CHECKING:
     import xarray
@@ -18,19 +20,7 @@ SUFFIXES = (".nc", ".csv", ".parquet")
 
 def check_path(path: Path, suffixes: tuple[str, ...]) -> None:
     """Raises InputError if a file cannot be written there, before anything is computed."""
-    if path.suffix not in suffixes:
-        raise InputError(f"{path}: the name must end in {', '.join(suffixes)}")
-    folder = path.parent
-    if not folder.is_dir():
-        raise InputError(f"{path}: there is no folder {folder}")
-    try:
-        existed = path.exists()
-        with path.open("ab"):
-            pass
-        if not existed:
-            path.unlink()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written ({error.strerror})") from error
+    check_writable(path, suffixes)
     if path.suffix == ".parquet":
         from importlib.util import find_spec
 
@@ -41,22 +31,31 @@ def check_path(path: Path, suffixes: tuple[str, ...]) -> None:
 def write(dataset: xarray.Dataset, path: Path) -> None:
     """Writes a dataset as NetCDF (.nc), or as a table with a column for each series (.csv, .parquet)."""
     check_path(path, SUFFIXES)
-    if path.suffix == ".nc":
-        plain: Any = dataset.assign_attrs(measures=" ".join(dataset.attrs["measures"]))
-        plain.to_netcdf(path, engine="h5netcdf")
-        return
+    writers = {".nc": _write_netcdf, ".csv": _write_csv, ".parquet": _write_parquet}
+    with replaced(path) as file:
+        writers[path.suffix](dataset, file)
+
+
+def _write_netcdf(dataset: xarray.Dataset, file: Path) -> None:
+    # in memory first: on a full disk the library leaves its file open, and complains about it until the program ends
+    plain: Any = dataset.assign_attrs(measures=" ".join(dataset.attrs["measures"]))
+    content = BytesIO()
+    plain.to_netcdf(content, engine="h5netcdf")
+    file.write_bytes(content.getbuffer())
+
+
+def _write_csv(dataset: xarray.Dataset, file: Path) -> None:
     columns = table(dataset)
-    if path.suffix == ".csv":
-        header = ",".join(f'"{name}"' if "," in name else name for name in columns)
-        np.savetxt(
-            path, np.column_stack(list(columns.values())), delimiter=",", header=header, comments="", fmt="%.17g"
-        )
-        return
+    header = ",".join(f'"{name}"' if "," in name else name for name in columns)
+    np.savetxt(file, np.column_stack(list(columns.values())), delimiter=",", header=header, comments="", fmt="%.17g")
+
+
+def _write_parquet(dataset: xarray.Dataset, file: Path) -> None:
     from importlib import import_module
 
     arrow: Any = import_module("pyarrow")
     parquet: Any = import_module("pyarrow.parquet")
-    parquet.write_table(arrow.table(columns), path)
+    parquet.write_table(arrow.table(table(dataset)), file)
 
 
 def table(dataset: xarray.Dataset) -> dict[str, Array]:

@@ -17,6 +17,7 @@ from freebody.connections.planar import Planar
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
 from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, replace_rates, substitute
+from freebody.language.plain_text import plain
 from freebody.language.units import (
     ANGULAR_VELOCITY,
     DIMENSIONLESS,
@@ -110,6 +111,11 @@ class Reader:
         self.names = Names()
         self.open = Unspecified(self.names, self.data)
 
+    def _title(self) -> str:
+        """On one line; without one the name of the file."""
+        stem = Path(self.file).stem if self.file else ""
+        return plain(str(self.data.get("title") or stem)).strip() or "untitled"
+
     def system(self) -> System:
         self._sections()
         self._space()
@@ -133,8 +139,8 @@ class Reader:
             located.sort(key=lambda p: (p.line or 0, p.column or 0))
             raise ModelError(located, self.file)
         return System(
-            title=str(self.data.get("title") or (Path(self.file).stem if self.file else "untitled")),
-            about=str(self.data.get("about") or ""),
+            title=self._title(),
+            about=plain(str(self.data.get("about") or "")).strip(),
             parameters=self.names.parameters,
             bodies=self.names.bodies,
             held=tuple(held),

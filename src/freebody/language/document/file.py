@@ -11,7 +11,6 @@ from typing import NoReturn
 from freebody.errors import ModelError, Problem
 from freebody.language.document.tree import MAX_BYTES
 
-
 _READ_NOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 

@@ -36,7 +36,7 @@ def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
 
     if "cannot start any token" in says:
         if here == "\t":
-            return problem("a tab stands here; YAML takes spaces only")
+            return problem("tab found; YAML allows spaces only")
         return problem(f"a text must not begin with {here}; put it in quotes")
     if "quoted scalar" in context and says.startswith("found unexpected"):
         return problem("the quote that opens here is not closed", opened)

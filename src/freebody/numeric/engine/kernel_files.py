@@ -15,8 +15,11 @@ import platform
 import sys
 import uuid
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
+
+from freebody.progress import announced
 
 _DIGEST = 32  # bytes
 SUFFIX = ".kernel"
@@ -39,8 +42,11 @@ class KernelFiles:
 
         path = self._path(signature, target.codegen())
         try:
+            if not _is_own(path):
+                raise PermissionError
             content = path.read_bytes()
         except OSError:
+            _announce()
             return None
         kept, body = content[:_DIGEST], content[_DIGEST:]
         if hashlib.sha256(body).digest() == kept:
@@ -49,6 +55,7 @@ class KernelFiles:
                 return result._rebuild(target, *pickle.loads(body))
         with suppress(OSError):
             path.unlink()
+        _announce()
         return None
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
@@ -88,3 +95,17 @@ class KernelFiles:
         )
         key = hashlib.sha256(repr(made_for).encode()).hexdigest()[:16]
         return self._folder / f"{self._name}-{key}{SUFFIX}"
+
+
+def _is_own(path: Path) -> bool:
+    """Whether no other user can have written the file: what is in it is run."""
+    if not hasattr(os, "getuid"):
+        return True
+    stat = path.stat()
+    return stat.st_uid in (os.getuid(), 0) and not stat.st_mode & 0o002
+
+
+@cache
+def _announce() -> None:
+    """Says once that kernels are compiled."""
+    announced("compiling the kernels, once (half a minute or so)")

@@ -10,7 +10,7 @@ import numpy as np
 
 from freebody.errors import InputError
 from freebody.present.figures import Array
-from freebody.present.files import written
+from freebody.present.files import write_whole
 from freebody.present.picture.shapes import Shape, Word
 
 FORMATS = (".svg", ".png", ".pdf", ".tex")
@@ -75,8 +75,7 @@ class Picture:
                 content = self.png(dark=dark)
             case _:
                 content = self.pdf(dark=dark)
-        with written(path):
-            path.write_bytes(content.encode() if isinstance(content, str) else content)
+        write_whole(path, content)
         return path
 
 

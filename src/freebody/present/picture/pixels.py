@@ -5,6 +5,7 @@ from __future__ import annotations
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
+from freebody.language.plain_text import plain, shortened
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.theme import THEMES, Theme
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 _DPI = 200
 _SPECIAL = {c: f"\\{c}" for c in "#$%&_{}"} | {" ": r"\ ", "\u2009": r"\,"}
 _PER_INCH = 72.0
+_MOST = 500  # characters of a title in the data of a file
 
 
 def rendered(picture: Picture, kind: str, *, dark: bool = False) -> bytes:
@@ -37,7 +39,9 @@ def rendered(picture: Picture, kind: str, *, dark: bool = False) -> bytes:
         _write(word, axes, theme, dark=dark)
     out = BytesIO()
     key = "Title" if kind != "png" else "Description"
-    figure.savefig(out, format=kind, dpi=_DPI, facecolor=theme.paper, metadata={key: picture.title})
+    figure.savefig(
+        out, format=kind, dpi=_DPI, facecolor=theme.paper, metadata={key: shortened(plain(picture.title), _MOST)}
+    )
     return out.getvalue()
 
 
@@ -67,7 +71,7 @@ def _write(word: Word, axes: Any, theme: Theme, *, dark: bool) -> None:
     is_math = bool(word.label.latex)
     look: dict[str, Any] = {"fontsize": word.size, "ha": "center", "va": "center", "path_effects": halo, "zorder": 9}
     look |= {"math_fontfamily": "stix", "parse_math": True} if is_math else {"parse_math": False}
-    text = _mathtext(word.label) if is_math else word.label.text
+    text = _mathtext(word.label) if is_math else plain(word.label.text)
     axes.text(*word.at, text, color=_rgba(word.ink, theme, dark=dark)[:3], **look)
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from freebody.language.plain_text import plain
 from freebody.present.figures import Array
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
@@ -41,7 +42,7 @@ class _Writer:
         body = "\n".join(self._body())
         self.key = "freebody-" + hashlib.sha256((self.picture.title + body).encode()).hexdigest()[:8]
         wide, tall = (self.high - self.low).tolist()
-        title, described = html.escape(self.picture.title), html.escape(self.picture.description)
+        title, described = html.escape(plain(self.picture.title)), html.escape(plain(self.picture.description))
         head = (
             f'<svg xmlns="http://www.w3.org/2000/svg" class="{self.key}" role="img" '
             f'aria-labelledby="{self.key}-title {self.key}-description" viewBox="0 0 {wide:.1f} {tall:.1f}" '
@@ -133,7 +134,7 @@ def _spans(label: Label, size: float) -> Iterator[str]:
         look = ' font-style="italic"' if run.is_italic else ""
         small = f' font-size="{0.72 * size:.3g}"' if run.level else ""
         level = wanted
-        inside = html.escape(run.text, quote=False)
+        inside = html.escape(plain(run.text), quote=False)
         yield f"<tspan{shift}{look}{small}>{inside}</tspan>" if shift or look or small else inside
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from freebody.language.plain_text import plain
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.theme import THEMES
@@ -26,7 +27,7 @@ def tikz(picture: Picture) -> str:
     lines = [_path(shape, colors) for shape in picture.shapes if shape.scheme != "dark"]
     lines += [_node(word, colors) for word in picture.words]
     defined = [rf"\definecolor{{{name}}}{{HTML}}{{{color[1:].upper()}}}" for color, name in colors.items()]
-    about = [f"% {line}" for line in (picture.title, picture.description)]
+    about = [f"% {plain(line)}" for line in (picture.title, picture.description)]
     begin = r"\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]"
     return "\n".join([*about, begin, *defined, *lines, r"\end{tikzpicture}", ""])
 
@@ -66,4 +67,4 @@ def _content(label: Label) -> str:
 
 
 def _escaped(text: str) -> str:
-    return "".join(_ESCAPED.get(c, c) for c in text).replace("\u2212", "--").replace("\u2009", r"\,")
+    return "".join(_ESCAPED.get(c, c) for c in plain(text)).replace("\u2212", "--").replace("\u2009", r"\,")

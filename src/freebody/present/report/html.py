@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from html import escape
 from importlib.resources import files
 
+from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -33,7 +34,7 @@ from freebody.present.report.blocks import (
 )
 from freebody.present.report.formulas.mathml import MathMLFormulas
 from freebody.present.report.formulas.rows import formula_width, rows
-from freebody.present.report.words import capital, plain, word
+from freebody.present.report.words import capital, word
 
 _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
 _LABEL_WIDTH = 26  # a longer label may be broken

@@ -9,7 +9,7 @@ import re
 import unicodedata
 
 from freebody.language.parser import GREEK
-from freebody.present.report.words import plain
+from freebody.language.plain_text import plain
 
 _ESCAPED = {
     **{"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}"},

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from html import escape
 
+from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -33,7 +34,7 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows, fits, lead_of
 from freebody.present.report.formulas.rows import rows
 from freebody.present.report.latex_text import web_words
-from freebody.present.report.words import capital, plain, word
+from freebody.present.report.words import capital, word
 
 _ROW_WIDTH = 72
 _MARKS = {"": "", "right": "✓", "wrong": "✗"}

@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from freebody.language.plain_text import plain
 from freebody.present.report.blocks import Block, Figure, Report, Section
 from freebody.present.report.markdown import MarkdownWriter
 
@@ -42,7 +43,7 @@ def notebook_text(report: Report, *, code: str = "") -> str:
         add(writer.blocks(group))
     numbered = [{"id": f"cell-{k}", **cell} for k, cell in enumerate(cells)]
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    metadata = {"kernelspec": kernel, "language_info": {"name": "python"}, "title": report.title}
+    metadata = {"kernelspec": kernel, "language_info": {"name": "python"}, "title": plain(report.title)}
     notebook = {"cells": numbered, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
     return json.dumps(notebook, ensure_ascii=False, indent=1) + "\n"
 

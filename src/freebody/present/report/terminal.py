@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from freebody.language.notation.stacked import Box
+from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -32,7 +33,7 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.line import LineFormulas
 from freebody.present.report.formulas.rows import Row, rows, side_width
 from freebody.present.report.formulas.stacked import StackedFormulas, flat
-from freebody.present.report.words import capital, plain, word
+from freebody.present.report.words import capital, word
 
 WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 120, 40
 _INDENT = 4

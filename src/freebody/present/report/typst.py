@@ -16,6 +16,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from freebody.errors import InputError
+from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
     Bullets,
@@ -38,7 +39,7 @@ from freebody.present.report.blocks import (
 )
 from freebody.present.report.formulas.rows import formula_width, rows
 from freebody.present.report.formulas.typst import TypstFormulas, quoted
-from freebody.present.report.words import capital, plain, word
+from freebody.present.report.words import capital, word
 
 _ROW_WIDTH, _COLUMN_WIDTH = 68, 30  # characters of a displayed formula
 _FORMULAS = TypstFormulas()

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
-
 from freebody.present.report.blocks import Report
 
 ENGLISH = {
@@ -27,9 +24,3 @@ def word(report: Report, key: str) -> str:
 def capital(text: str) -> str:
     """Its first letter in upper case, the others as they are."""
     return text[:1].upper() + text[1:]
-
-
-def plain(text: str) -> str:
-    """A text without control characters, which some formats forbid and a terminal obeys."""
-    text = re.sub(r"[\t\n\r]+", " ", text)
-    return "".join(c for c in text if unicodedata.category(c) not in ("Cc", "Cs"))

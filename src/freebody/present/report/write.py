@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from freebody.errors import InputError
+from freebody.present.files import check_writable, write_whole
 from freebody.present.report.blocks import Report
 
 FORMATS = {
@@ -27,11 +28,7 @@ def check_report_path(path: Path | str) -> None:
         close = difflib.get_close_matches(path.suffix.lower(), FORMATS, n=1, cutoff=0.5)
         meant = f"; did you mean {path.with_suffix(close[0]).name}?" if close and path.suffix else ""
         raise InputError(f"{path}: the name of a report must end in one of {known}{meant}")
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: there is no folder {path.parent}")
-    if path.is_dir():
-        raise InputError(f"{path}: this is a folder; give a file")
-    _try(path)
+    check_writable(path)
     if path.suffix.lower() == ".md":
         folder = _figures_folder(path)
         if folder.exists() and not folder.is_dir():
@@ -51,9 +48,9 @@ def write_report(report: Report, path: Path | str, *, code: str = "") -> list[Pa
     for place, content in _contents(report, path, code):
         try:
             place.parent.mkdir(exist_ok=True)
-            place.write_bytes(content)
         except OSError as error:
-            raise InputError(f"{place}: cannot be written ({error.strerror})") from error
+            raise InputError(f"{place.parent} cannot be made: {error.strerror}") from error
+        write_whole(place, content)
         written.append(place)
     return written
 
@@ -91,16 +88,3 @@ def _contents(report: Report, path: Path, code: str) -> Sequence[tuple[Path, byt
 
 def _figures_folder(path: Path) -> Path:
     return path.with_name(f"{path.stem}-figures")
-
-
-def _try(path: Path) -> None:
-    """Opens the file to be written, and removes it if it was not there."""
-    try:
-        existed = path.exists()
-        with path.open("ab"):
-            pass
-        if not existed:
-            path.unlink()
-    except (OSError, ValueError) as error:
-        why = error.strerror if isinstance(error, OSError) else error
-        raise InputError(f"{path}: cannot be written ({why})") from error

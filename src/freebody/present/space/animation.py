@@ -13,7 +13,7 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.present.animation import FEWEST, GIF_RATE, N_FRAMES, RATE, n_frames, write_gif, write_mp4
 from freebody.present.figures import Array
-from freebody.present.files import written
+from freebody.present.files import replaced
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
 from freebody.present.space.page import page
@@ -49,16 +49,16 @@ def write_animation(
     if not (math.isfinite(speed) and speed > 0):
         raise InputError(f"the speed of an animation is a positive number, not {speed}")
     film = _Film(scene, motion, title, speed, view, perspective)
-    writers: dict[str, Callable[[], None]] = {
-        ".html": lambda: film.write_page(path),
-        ".gif": lambda: write_gif(*film.stages(GIF_RATE), path),
-        ".mp4": lambda: write_mp4(*film.stages(RATE), path),
+    writers: dict[str, Callable[[Path], None]] = {
+        ".html": film.write_page,
+        ".gif": lambda file: write_gif(*film.stages(GIF_RATE), file),
+        ".mp4": lambda file: write_mp4(*film.stages(RATE), file),
     }
     suffix = path.suffix.lower()
     if suffix not in writers:
         raise InputError(f"{path.name}: an animation is written as {', '.join(writers)}; give one of these suffixes")
-    with written(path):
-        writers[suffix]()
+    with replaced(path) as file:
+        writers[suffix](file)
     return path
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.language.plain_text import plain, shortened
 from freebody.present.figures import Array
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing
@@ -124,7 +125,7 @@ def figure_of(
     axes.set_ylim(stage.low[1], stage.high[1])
     if title:
         look: dict[str, Any] = {"fontsize": 11, "color": theme.ink, "parse_math": False}
-        figure.text(0.5, 1.0 - 0.24 / page, title, ha="center", va="center", **look)
+        figure.text(0.5, 1.0 - 0.24 / page, shortened(plain(title), 100), ha="center", va="center", **look)
     return stage
 
 
