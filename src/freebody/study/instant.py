@@ -7,12 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from freebody.effort import allowed
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.system.system import System
 
+_MOST_STEPS = 200_000  # to the instant that is drawn
 _AT_ONCE = 1e-6  # [s] a motion of which only the start is wanted
 
 
@@ -51,6 +53,15 @@ def _reference(system: System) -> Reference:
     return Reference(system, {name: values[name] for name in missing} | unknown)
 
 
+def _watched(now: float, steps: int) -> None:
+    """Raises CannotAnswer once a motion takes more steps than a picture is worth."""
+    if steps > allowed(_MOST_STEPS):
+        raise CannotAnswer(
+            f"the motion takes more than {allowed(_MOST_STEPS)} steps, of which the last ended at t = {now:.4g} s; "
+            "draw an earlier instant; freebody simulate goes further"
+        )
+
+
 def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_rest: bool = False) -> Instant:
     """The system at a time [s], by simulation, or at its start; in motion with accelerations and reactions. Raises
     CannotAnswer if the motion does not last so long."""
@@ -60,7 +71,8 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
         return start_of(system, at_rest=at_rest)
     from freebody.study.simulate import simulate
 
-    result = simulate(system, at or _AT_ONCE, max_seconds=600.0)
+    result = simulate(system, at or _AT_ONCE, progress=_watched)
+    _watched(result.t_end, result.course.n_steps)
     if at and result.t_end < at * (1 - 1e-9) and len(result.course.times) > 1:
         raise CannotAnswer(f"the motion ends at t = {result.t_end:.6g} s: {result.message or result.status}")
     k = -1 if at else 0

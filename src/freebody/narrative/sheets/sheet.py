@@ -16,10 +16,13 @@ from freebody.narrative.sheets.statement import label_of
 from freebody.narrative.sheets.variants import Variant, as_given, variant_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Report, Section
+from freebody.progress import busy_with
 from freebody.system.system import System
 
 Solutions = Literal["none", "end", "inline"]
 SOLUTIONS: tuple[Solutions, ...] = ("none", "end", "inline")
+
+MOST_VARIANTS = 1000
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,7 @@ class Sheet:
             check_report_path(place)
         written: list[Path] = []
         for n, place in enumerate(places, 1):
+            busy_with(f"writing {place}")
             written += write_report(self.report(n), place)
         return [*written, *write_report(self.key_report(), key)]
 
@@ -100,14 +104,18 @@ def sheet(
         raise InputError("an exercise sheet needs at least one model")
     if variants < 1:
         raise InputError(f"there can be no {variants} variants; ask for at least 1")
+    if variants > MOST_VARIANTS:
+        raise InputError(
+            f"{variants} variants are too many; ask for at most {MOST_VARIANTS}, with another seed for more"
+        )
     given = _solved(systems)
     if variants == 1 and not seed:
         return Sheet(systems, chosen, 1, seed, language, (given,))
-    made = tuple(
-        tuple(variant_of(v.system, v.solution, f"{seed}/{n}/{k}") for k, v in enumerate(given))
-        for n in range(1, variants + 1)
-    )
-    return Sheet(systems, chosen, variants, seed, language, made)
+    made: list[tuple[Variant, ...]] = []
+    for n in range(1, variants + 1):
+        busy_with(f"finding numbers for sheet {n} of {variants}")
+        made.append(tuple(variant_of(v.system, v.solution, f"{seed}/{n}/{k}") for k, v in enumerate(given)))
+    return Sheet(systems, chosen, variants, seed, language, tuple(made))
 
 
 def load_systems(paths: Iterable[str | Path]) -> list[System]:
