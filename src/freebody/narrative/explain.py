@@ -17,6 +17,7 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import Line, Stage
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.progress import busy_with
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
 from freebody.system.system import System
@@ -136,6 +137,7 @@ def _derived(
     context: Context, question: Question, answer: Answer | None, method: Method, second: Method | None
 ) -> Derivation:
     assert answer is not None
+    busy_with(f"deriving {question.id}: {question.text}")
     derive = derivation_of(context.system, question)
     stages, reason = _attempt(context, question, answer, method, derive)
     compared: Sequence[Stage] = ()

@@ -62,9 +62,9 @@ def _target(path: Path) -> Path:
     """The file that is replaced: what a link leads to. A folder or a device is none."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
-        raise IsADirectoryError(errno.EISDIR, "it is a folder; give a file")
+        raise IsADirectoryError(errno.EISDIR, "this is a folder; give a file")
     if target.exists() and not target.is_file():
-        raise OSError(errno.EINVAL, "it is not a regular file")
+        raise OSError(errno.EINVAL, "this is not a regular file")
     return target
 
 

@@ -34,6 +34,7 @@ from freebody.model.question import (
     Wrench,
 )
 from freebody.model.steady_questions import Extremes, SteadyQuantity, SteadyValue
+from freebody.progress import busy_with
 from freebody.study import evidence as proof
 from freebody.study.answer import Answer, Evidence
 from freebody.study.eom import primitive_part
@@ -262,6 +263,7 @@ class _Solver:
 
     def answer(self) -> Answer:
         q = self.question
+        busy_with(f"answering {q.id}: {q.text}")
         if isinstance(q.quantity, Conserved):
             return self._conserved()
         if isinstance(q.quantity, RestQuantity):

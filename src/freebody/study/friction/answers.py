@@ -14,6 +14,7 @@ from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit, RestQuantity
 from freebody.model.question import Question
 from freebody.numeric.friction_limits import ROUND_OFF
+from freebody.progress import busy_with
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.evidence import MIN_DRAWS, Witness
 from freebody.study.friction.cases import Case, Compared, Ends, Limit
@@ -43,6 +44,7 @@ def answer(system: System, question: Question) -> Answer:
     """The answer to a question about rest; without a closed form, its numbers and the reason."""
     q = question.quantity
     assert isinstance(q, RestQuantity)
+    busy_with(f"answering {question.id}: {question.text}")
     try:
         return _Answerer(system, question).answer(q)
     except (CannotAnswer, RoutesDisagree) as error:

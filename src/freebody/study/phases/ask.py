@@ -12,6 +12,7 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
 from freebody.model.question import Conserved, Energy, Equilibrium, Freedom, Question, Small
+from freebody.progress import busy_with
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.pieces import Piece, pieces
@@ -30,6 +31,7 @@ def answer(tree: Tree, question: Question) -> Answer:
     from freebody.study.solve import unit_text
 
     unit = unit_text(question.quantity)
+    busy_with(f"answering {question.id}: {question.text}")
     try:
         if isinstance(question.quantity, NOT_HERE):
             raise CannotAnswer("the system changes its contacts; ask for a motion, a force, or an energy")
