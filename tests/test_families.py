@@ -355,7 +355,7 @@ def examined(case: Case, tally: Tally) -> None:
         tally.numbers += answer.expression is None
         found = list(answer.value) if isinstance(answer.value, tuple) else [answer.value]
         right = wanted if isinstance(wanted, list) else [wanted]
-        scale = max(abs(x) for x in right) or 1.0
+        scale = max(*(abs(x) for x in right), 1e-6)
         if len(found) != len(right) or any(abs(x - y) > DIGITS * scale for x, y in zip(found, right, strict=False)):
             tally.wrong.append(f"{question}: {found} instead of {right} of {case.model}")
 

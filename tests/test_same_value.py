@@ -134,7 +134,7 @@ def printed(expr: Expr) -> Iterator[tuple[str, float]]:
     """What the terminal, the JSON document and every report show of an answer, read back."""
     numbers, texts = known(expr, to_text)
     answer = Answer("q1", "what", expr, "1", None)
-    block = [line for line in answer_lines(answer) if line.startswith("      ")]
+    block = [line for line in answer_lines(answer, is_full=True) if line.startswith("      ")]
     baseline = next(k for k, line in enumerate(block) if line.startswith("      = "))
     assert all(line[:8] in ("      = ", "        ") for line in block)
     yield "terminal", read.stacked([line[8:] for line in block], texts, baseline)

@@ -5,12 +5,15 @@ What is expected is derived in its line. A question asks for the first time afte
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
 
 import freebody as fb
 from freebody.errors import NeverHappens
+from freebody.language.parser import parse
+from freebody.present.terminal import answer_lines
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 
@@ -210,6 +213,80 @@ def test_that_an_event_never_happens_is_an_error_of_its_own() -> None:
     assert issubclass(NeverHappens, fb.CannotAnswer)
 
 
+ATWOOD = """
+parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2}
+bodies: {pulley: {disk: {mass: M, radius: R}}, left: {particle: {mass: m1}}, right: {particle: {mass: m2}}}
+connections:
+  axle: {pin: [ground.axle, pulley.center]}
+  rope: {string: {from: left, over: [pulley], to: right, grips: [pulley]}}
+loads: {weight: {gravity: g}}
+measures: {x1: {drop of left below ground.axle}, u: {MEASURE}}
+"""
+FOUR_BAR = """
+parameters: {a: 0.2 m, b: 0.5 m, c: 0.4 m, d: 0.5 m}
+ground: {points: {A: [0, 0], D: [d, 0], Z: [-1.3 m, 2.1 m]}}
+bodies:
+  crank: {rod: {mass: 1 kg, length: a}}
+  rod: {rod: {mass: 2 kg, length: b}}
+  arm: {rod: {mass: 2 kg, length: c}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, rod.start]}
+  C: {pin: [rod.end, arm.end]}
+  D: {pin: [ground.D, arm.start]}
+measures: {theta: {angle of crank}, u: {MEASURE}}
+start: {theta: 60 deg}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "measure", "question", "expected"),
+    [
+        (ATWOOD, f"{kind} ground.axle to {body}", "acceleration of x1", "(m1 - m2)*g/(m1 + m2 + M/2)")
+        for kind in ("distance from", "angle of line from")
+        for body in ("left", "pulley")
+    ]
+    + [
+        (
+            FOUR_BAR,
+            "distance from ground.Z to arm",
+            "ratio of angular velocity of arm to angular velocity of crank",
+            # the end of the crank and the end of the arm have the same speed along the rod between them
+            "a*sin(theta_rod - theta)/(c*sin(theta_rod - theta_arm))",
+        )
+    ],
+)
+def test_a_measure_that_nobody_asks_for_changes_no_answer(
+    model: str, measure: str, question: str, expected: str, agrees: Agree
+) -> None:
+    """Not even one between places that coincide at the start, or one that has no short formula."""
+    agrees(fb.System.from_text("freebody: 1\n" + model.replace("MEASURE", measure)).solve(question), "q1", expected)
+
+
+@pytest.mark.parametrize("question", ["natural frequencies", "period of small oscillations"])
+def test_nothing_that_moves_has_no_frequency(question: str) -> None:
+    answer = _answer(FIXED, question)
+    assert answer.expression is None
+    assert "nothing can move" in answer.reason
+
+
+@pytest.mark.parametrize(
+    "question", ["x when sliding begins", "time when rolling begins", "energy lost until sliding begins"]
+)
+def test_without_contacts_nothing_begins_to_slide(question: str) -> None:
+    answer = _answer(FIXED, question)
+    assert answer.never
+    assert "a contact or of dry friction" in answer.reason
+
+
+FIXED = """
+ground: {points: {A: [0, 0], B: [0, 1 m]}}
+bodies: {a: {particle: {mass: 1 kg}, at: [1 m, 0]}}
+connections: {l: {link: [ground.A, a]}, m: {link: [ground.B, a]}}
+measures: {x: {x of a}}
+"""
+
+
 def test_size_of_a_reaction_has_the_sign_of_the_solution_in_its_derivation() -> None:
     model = """
 parameters: {m: 1 kg, g: 9.81 m/s^2}
@@ -236,3 +313,14 @@ start: {{x: 0, rate(x): 0.7 m/s}}
     # s'' = 2/3 g sin(30 deg); the rim starts level with the centre, so it has the centre's -g/3/2 less alpha R
     assert _answer(model, "acceleration of x").value == pytest.approx(9.81 / 3, rel=1e-12)
     assert _answer(model, "acceleration of h at start").value == pytest.approx(-9.81 / 6 - 9.81 / 3, rel=1e-12)
+
+
+def test_a_formula_that_nobody_would_read_is_told_by_its_size() -> None:
+    long = "+".join(f"sin({k}*a)/cos(b + {k})" for k in range(1, 90))
+    answer = fb.Answer("q", "how long", parse(long), "1", 2.5, conditions=("a > 0" + " and b > 0" * 200,))
+    short, full = ("\n".join(answer_lines(answer, is_full=is_full)) for is_full in (False, True))
+    assert len(short) < 400
+    assert "value       2.5" in short
+    assert re.search(r"a formula of \d+ operations \(--full", short)
+    assert "sin(89" in full.replace("⋅", "").replace("·a", "")
+    assert " and b > 0" * 200 in full

@@ -170,6 +170,7 @@ def solve(
         str | None, typer.Option("--find", help="Answer this question instead of those in the file.")
     ] = None,
     effort: Effort = 1.0,
+    is_full: Annotated[bool, typer.Option("--full", help="Show formulas in full, however long they are.")] = False,
 ) -> None:
     """Answer the questions of a model in closed form."""
     from freebody.present.busy import busy
@@ -186,7 +187,7 @@ def solve(
     else:
         from freebody.present.terminal import solution_lines
 
-        print("\n".join(solution_lines(solution)))
+        print("\n".join(solution_lines(solution, is_full=is_full)))
     if not solution.is_complete:
         raise typer.Exit(1)
 

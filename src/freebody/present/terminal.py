@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, n_operations
 from freebody.language.notation import to_pretty_lines, to_text
 from freebody.system.system import System
 
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from freebody.study.solve import Solution
 
 _RULE = "─"
+LONGEST = 300  # operations of a formula that is shown; some six lines
+LONGEST_CONDITION = 1200  # characters
+WHERE_IT_IS = "--full shows it, --json has it for Python and LaTeX"
 
 
 def number_text(value: float) -> str:
@@ -57,8 +60,8 @@ def _name(c: str) -> Expr:
     return Symbol(c)
 
 
-def solution_lines(solution: Solution) -> Iterator[str]:
-    """The whole answer sheet."""
+def solution_lines(solution: Solution, *, is_full: bool = False) -> Iterator[str]:
+    """The whole answer sheet; long formulas as they are if it `is_full`, else by their size."""
     system = solution.system
     yield system.title
     yield _RULE * min(len(system.title), 78)
@@ -74,14 +77,14 @@ def solution_lines(solution: Solution) -> Iterator[str]:
         yield from phase_lines(solution.phases)
     for answer in solution.answers:
         yield ""
-        yield from answer_lines(answer)
+        yield from answer_lines(answer, is_full=is_full)
     if not solution.answers:
         yield ""
         yield "The file asks nothing. Add questions, or see its equations with: freebody eom FILE"
 
 
-def answer_lines(answer: Answer) -> Iterator[str]:
-    """One answer."""
+def answer_lines(answer: Answer, *, is_full: bool = False) -> Iterator[str]:
+    """One answer; a formula that nobody would read is told by its size, unless it `is_full`."""
     yield f"{answer.id}  {answer.question}"
     if answer.expression is None:
         yield from _indented(f"{'never' if answer.never else 'no closed form'}: {answer.reason}", 4)
@@ -91,13 +94,13 @@ def answer_lines(answer: Answer) -> Iterator[str]:
     yield ""
     if isinstance(answer.expression, tuple):
         for k, part in enumerate(answer.expression):
-            yield from _indented(_displayed(part, f"[{k + 1}] = "), 6)
+            yield from _indented(_displayed(part, f"[{k + 1}] = ", is_full=is_full), 6)
     else:
-        yield from _indented(_displayed(answer.expression, "= "), 6)
+        yield from _indented(_displayed(answer.expression, "= ", is_full=is_full), 6)
     yield ""
     if answer.value is not None:
         yield f"    value       {_value_text(answer)}"
-    yield from _listed("holds", answer.conditions)
+    yield from _listed("holds", answer.conditions if is_full else tuple(map(_shortened, answer.conditions)))
     if answer.cases:
         from freebody.present.phases import case_lines
 
@@ -113,8 +116,18 @@ def answer_lines(answer: Answer) -> Iterator[str]:
         yield f"                largest relative difference {e.worst_relative_difference:.1g}"
 
 
-def _displayed(e: Expr, prefix: str) -> str:
+def _shortened(condition: str) -> str:
+    """A condition, or how long it is where nobody would read it."""
+    if len(condition) <= LONGEST_CONDITION:
+        return condition
+    return f"a condition of {len(condition)} characters holds ({WHERE_IT_IS})"
+
+
+def _displayed(e: Expr, prefix: str, *, is_full: bool = False) -> str:
     """The formula with `prefix` before the line on which it stands."""
+    n = n_operations(e)
+    if n > LONGEST and not is_full:
+        return f"{prefix}a formula of {n} operations ({WHERE_IT_IS})"
     lines, baseline = to_pretty_lines(e)
     pad = " " * len(prefix)
     return "\n".join((prefix if k == baseline else pad) + line.rstrip() for k, line in enumerate(lines))

@@ -262,7 +262,12 @@ class SymbolicModel:
             own = self._known_unknown(name)
             if own is None or name not in self._dropped:
                 continue
-            value = self.value_of(measure)
+            n_assumed, known_lines = len(self.assumed), set(self._straight)
+            try:
+                value = self.value_of(measure)
+            except (CannotAnswer, ZeroDivisionError):
+                self._forget(n_assumed, known_lines)
+                continue  # too long to write, so no coordinate
             for c in self.coordinates:
                 if c.index in taken or c.name in self.system.measures:
                     continue
@@ -274,7 +279,15 @@ class SymbolicModel:
                     found.append(Equation(f"define {name}", own - value))
                     taken.add(c.index)
                     break
+            else:
+                self._forget(n_assumed, known_lines)
         return found
+
+    def _forget(self, n_assumed: int, known_lines: set[Any]) -> None:
+        """What was assumed in looking at a measure that became no coordinate is assumed only by who asks for it."""
+        del self.assumed[n_assumed:]
+        for key in self._straight.keys() - known_lines:
+            del self._straight[key]
 
     def _constant_coordinates(self) -> list[Equation]:
         """Dependent coordinates that do not move: their start values, where these are known, are their values."""
@@ -445,11 +458,16 @@ class SymbolicModel:
         for line in self._lines:
             vx, vy = (f.evaluate(f.rate(c), values) for c in (line.x, line.y))
             cos, sin = math.cos(values[line.angle]), math.sin(values[line.angle])
-            turning = (cos * vy - sin * vx) / values[line.length]
+            # a line without length has no direction that could turn
+            length = values[line.length] or math.nan
+            turning = (cos * vy - sin * vx) / length
             values[self._speeds[line.angle]] = turning
             values[self._speeds[line.length]] = cos * vx + sin * vy + f.evaluate(line.offset, values) * turning
         for index, value in self._defined.items():
-            values[self._speeds[index]] = f.evaluate(f.rate(value), values)
+            try:
+                values[self._speeds[index]] = f.evaluate(f.rate(value), values)
+            except ZeroDivisionError:  # a distance of nothing, say
+                values[self._speeds[index]] = math.nan
 
     def numbers(self, sample: Sample, start: Sample | None = None) -> dict[int, Any]:
         """Values of all generators at a sample with velocities, for evaluating results there; `start` is the same
@@ -537,7 +555,7 @@ class SymbolicModel:
         self.poses = {name: self._expressed(p, express) for name, p in self._raw_poses.items()}
         straight = straight_tangent(f, self.is_negative)
         gone = set(self._unknowns) - set(self.elimination.unknowns)
-        cache: dict[Any, tuple[Ratio, Ratio]] = {}
+        cache = self._straight = dict[Any, tuple[Ratio, Ratio]]()
         for line in self._lines:
             if not gone & {line.length, line.angle}:
                 key = (express(line.x).key(), express(line.y).key(), line.offset.key())
