@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
+from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import RIGHT, UP, Point
+from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import Attitude, Bound, Held, Rub
 from freebody.model.spec import Spec
 
@@ -49,6 +50,10 @@ class Connection(Spec):
 
     def attitude(self, names: Names) -> Attitude | None:
         """In space: how one of its bodies is turned from the other, where it leaves few angles free."""
+        return None
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        """How far along a direction of the ground it keeps a point of one of its bodies; see `standing`."""
         return None
 
     def mentions(self, names: Names) -> set[str]:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection, coincidence
+from freebody.connections.standing import quietly, stands_at
+from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
+from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_friction
 from freebody.model.spec import Formula
@@ -36,6 +39,16 @@ connections: {it: {pin: [ground.A, rod.start]}}
             names.problem(f"pins {first.body} to itself; name points of two bodies")
             return []
         return coincidence(first, second)
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        if point.body not in self.mentions(names):
+            return None
+        with quietly(names):
+            first, second = names.point(self.first, "first"), names.point(self.second, "second")
+        for own, other in ((first, second), (second, first)):
+            if (own.body, own.offset) == (point.body, point.offset):
+                return stands_at(names, other, along, seen)
+        return None
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)

@@ -5,13 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.language.expression import negate
+from freebody.connections.slider import Slider
+from freebody.connections.slot import Slot
+from freebody.connections.standing import is_parallel, number_of, stands_at
+from freebody.language.expression import Call, add, negate
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import ONE
-from freebody.model.elements import Held
+from freebody.measures.geometry import GROUND, ONE, Direction
+from freebody.model.elements import Held, RigidBody
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -20,13 +23,15 @@ if TYPE_CHECKING:
 
 class RackAndPinion(Connection, kind="rack_and_pinion"):
     """`rack_and_pinion: {pinion: gear, rack: bar, along: right}`; the rack's teeth run `along` (a direction
-    fixed in the rack) below the pinion (`above: true`: above it). Bearings hold the distance (1 row). The tooth
-    force is positive when it drives the rack along its direction."""
+    fixed in the rack; without it, along the guide of the rack or, where that is fixed, of the pinion; else to the
+    rack's right). The rack is below the pinion for a direction to the right, to its right for one that goes up, unless
+    the places of the two say otherwise; `above: true` puts it on the other side. Bearings hold the distance (1 row).
+    The tooth force is positive when it drives the rack along its direction."""
 
     pinion: str
     rack: str
-    along: Heading = "right"
-    above: bool = False
+    along: Heading | None = None
+    above: bool | None = None
     radius: Formula | None = None
 
     in_plane = True
@@ -40,12 +45,71 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         pinion, rack = names.body(self.pinion, "pinion"), names.body(self.rack, "rack")
         own = names.optional(self, "radius", LENGTH)
         radius = names.radius(pinion.name, "pinion") if own is None else own
-        along = names.direction(self.along, "along", body=rack.name)
+        along = self._pitch_line(names, rack, pinion)
         if pinion.name == rack.name:
             names.problem(f"{pinion.name} cannot be its own rack")
             return []
         # rolling of the pinion on a line of the rack: s + R theta, seen from the rack
-        arm = negate(radius) if self.above else radius
+        arm = negate(radius) if self._is_above(names, pinion, rack, along) else radius
         travel = Displacement(pinion.center, rack.center, along)
         rolled = Combination(((ONE, travel), (arm, Angle(pinion.name, along.body))), LENGTH)
         return [Held("teeth", "tooth force", rolled, sign=-1)]
+
+    def _pitch_line(self, names: Names, rack: RigidBody, pinion: RigidBody) -> Direction:
+        """Where the teeth run: what a guide on the ground lets the rack do must be a motion along them."""
+        given = names.direction("right" if self.along is None else self.along, "along", body=rack.name)
+        guide = _guide_on_ground(names, pinion if rack.fixed else rack)
+        here = _at_start(rack, given)
+        if guide is None or here is None or is_parallel(names, guide, here):
+            return given
+        if self.along is not None:
+            if rack.fixed or stands_at(names, pinion.center, here.normal()) is not None:
+                guided = pinion.name if rack.fixed else rack.name
+                names.problem(
+                    f"the teeth of {rack.name} run along {self.along}, but the guide of {guided} runs along "
+                    f"{guide.name}: the pinion leaves the teeth or is held fast. Leave along out, or turn the rack "
+                    "(angle) or the guide",
+                    None,
+                    "along",
+                )
+            return given
+        x, y = (number_of(names, c) for c in guide.components[:2])
+        line = guide if x > 1e-9 or (abs(x) <= 1e-9 and y > 0) else guide.reversed()
+        me = next((name for name, other in names.connections.items() if other is self), "")
+        whose = f"the guide of {pinion.name}" if rack.fixed else "its guide"
+        names.assumptions.append(f"{me}: the teeth of {rack.name} run along {whose}")
+        return line
+
+    def _is_above(self, names: Names, pinion: RigidBody, rack: RigidBody, along: Direction) -> bool:
+        """Whether the rack is on the left of the pinion, looking along its direction."""
+        if self.above is not None:
+            return self.above
+        here = _at_start(rack, along)
+        if here is None:
+            return False
+        places = [stands_at(names, body.center, here.normal()) for body in (rack, pinion)]
+        if places[0] is None or places[1] is None:
+            return False
+        return number_of(names, add(places[0], negate(places[1]))) > 1e-9
+
+
+def _guide_on_ground(names: Names, body: RigidBody) -> Direction | None:
+    """The direction along which a slider or a slot on the ground lets a body move."""
+    for other in names.connections.values():
+        guided = other.body if isinstance(other, Slider) else other.pin if isinstance(other, Slot) else ""
+        if isinstance(other, (Slider, Slot)) and guided.partition(".")[0] == body.name and other.on == GROUND:
+            direction = names.direction(other.along, "along")
+            return direction if direction.body == GROUND else None
+    return None
+
+
+def _at_start(rack: RigidBody, along: Direction) -> Direction | None:
+    """A direction in the rack by components on the ground, at the start; None where the angle is not given."""
+    if along.body != rack.name:
+        return along
+    if rack.start.angle is None:
+        known = rack.start.near is None or rack.start.near.angle is None
+        return Direction(GROUND, along.components, along.name) if known else None
+    c, s = Call("cos", rack.start.angle), Call("sin", rack.start.angle)
+    x, y, *_ = along.components
+    return Direction(GROUND, (add(c * x, negate(s * y)), add(s * x, c * y)), along.name)

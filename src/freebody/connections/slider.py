@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
+from freebody.connections.standing import along_of, is_parallel, quietly, same_way, stands_at
+from freebody.language.expression import Expr, add
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -20,28 +23,62 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+@dataclass(frozen=True)
+class Guide:
+    """A straight guide of a point: the measure across it, what that is held at, and the measure along it."""
+
+    across: Measure
+    target: Expr | None
+    travel: Displacement
+
+    @property
+    def direction(self) -> Direction:
+        return self.travel.along
+
+
 def guide(
-    names: Names, point: Point, along: Heading, on: str, through: str | None
-) -> tuple[Measure, Displacement, Direction]:
-    """The measure across a straight guide, the one along it, and its direction. Without a point of the guide, one
-    on the ground passes where the moving body is put (`at`, `near`), else through the origin; one on a body through
-    its reference point."""
+    names: Names, point: Point, along: Heading, on: str, through: str | None, *, keeps_angle: bool = False
+) -> Guide:
+    """A guide goes through the point that is named for it; one on the ground else through where the body is put
+    (`at`); else through the line that it is named by; one on the ground else through where the body is said to be near,
+    else where a string leads the body along it, else through the origin; one on a body through its reference point.
+    keeps_angle: the body does not turn, so that its `at` is the place of all its points."""
     line = names.line(along, "along") if isinstance(along, str) else None
     direction = names.direction(along, "along", body=names.body(on, "on").name)
+    start, target = names.known(point.body).start, None
+    origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False
     if through is not None:
         origin = names.point(through, "through")
     elif line is not None:
         origin = line.through
-    elif direction.body == GROUND:
-        origin = Point(GROUND, (ZERO, ZERO), "ground.origin")
-        across = Displacement(point, origin, direction.normal())
-        start = names.known(point.body).start
-        if start.at is None and start.near is None:
-            return across, Displacement(point, origin, direction), direction
-        return Combination(((ONE, across),), LENGTH), Displacement(point, origin, direction), direction
-    else:
+        is_kept = direction.body == GROUND and _is_put(names, point, keeps_angle=keeps_angle)
+    elif direction.body != GROUND:
         origin = names.known(direction.body).point()
-    return Displacement(point, origin, direction.normal()), Displacement(point, origin, direction), direction
+    elif start.at is not None or start.near is not None:
+        is_kept = True
+    else:
+        target = _led(names, point, direction.normal(), frozenset({point.body}))
+    across = Displacement(point, origin, direction.normal())
+    kept = Combination(((ONE, across),), LENGTH) if is_kept else across
+    return Guide(kept, target, Displacement(point, origin, direction))
+
+
+def _is_put(names: Names, point: Point, *, keeps_angle: bool) -> bool:
+    """Whether the model says where on the ground a point is at the start."""
+    body = names.known(point.body)
+    if body.start.at is None:
+        return False
+    return keeps_angle or body.start.angle is not None or body.points[body.start.at[0]] == point.offset
+
+
+def _led(names: Names, point: Point, normal: Direction, seen: frozenset[str]) -> Expr | None:
+    """Where other connections, such as strings, lead a point that is not placed, along the normal of its guide."""
+    for connection in names.connections.values():
+        if not isinstance(connection, Slider):
+            place = connection.keeps_at(names, point, normal, seen)
+            if place is not None:
+                return place
+    return None
 
 
 class Slider(Connection, kind="slider"):
@@ -63,25 +100,47 @@ connections: {it: {slider: {body: block, along: right}}}
 
     def rows(self, names: Names) -> list[Held]:
         point = names.point(self.body, "body")
-        across, _along, direction = guide(names, point, self.along, self.on, self.through)
+        rail = self._guide(names, point)
+        direction = rail.direction
         if point.body == direction.body:
             names.problem(f"{point.body} cannot slide on itself; name another body with on")
             return []
-        rows = [Held("normal", "normal force", across)]
+        rows = [Held("normal", "normal force", rail.across, rail.target)]
         if names.known(point.body).turns and names.known(direction.body).turns:
             angle = Angle(point.body, direction.body)
             rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
         return rows
+
+    def _guide(self, names: Names, point: Point) -> Guide:
+        return guide(names, point, self.along, self.on, self.through, keeps_angle=True)
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        if point.body != self.body.partition(".")[0]:
+            return None
+        with quietly(names):
+            guided, body = names.point(self.body, "body"), names.known(point.body)
+            normal = names.direction(self.along, "along", body=self.on).normal()
+            if guided.offset != point.offset or not is_parallel(names, normal, along):
+                return None
+            if self.through is None and body.start.at is not None:
+                return along_of(body.start.at[1], along) if body.points[body.start.at[0]] == point.offset else None
+            rail = self._guide(names, point)
+        if rail.target is None and isinstance(rail.across, Combination):
+            return None
+        origin = stands_at(names, rail.travel.origin, along, seen)
+        if origin is None or rail.target is None:
+            return origin
+        return add(origin, rail.target if same_way(names, normal, along) else -rail.target)
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
         if friction.is_none:
             return [], []
         point = names.point(self.body, "body")
-        travel = guide(names, point, self.along, self.on, self.through)[1]
+        travel = self._guide(names, point).travel
         row = Held("friction", "friction force", travel, connection=connection)
         return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.body, "body")
-        yield "travel", guide(names, point, self.along, self.on, self.through)[1]
+        yield "travel", self._guide(names, point).travel

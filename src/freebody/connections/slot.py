@@ -37,21 +37,21 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
 
     def rows(self, names: Names) -> list[Held]:
         point = names.point(self.pin, "pin")
-        across, _along, direction = guide(names, point, self.along, self.on, self.through)
-        if point.body == direction.body:
+        rail = guide(names, point, self.along, self.on, self.through)
+        if point.body == rail.direction.body:
             names.problem(f"the pin and the slot are both on {point.body}")
             return []
-        return [Held("normal", "normal force", across)]
+        return [Held("normal", "normal force", rail.across, rail.target)]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
         if friction.is_none:
             return [], []
         point = names.point(self.pin, "pin")
-        travel = guide(names, point, self.along, self.on, self.through)[1]
+        travel = guide(names, point, self.along, self.on, self.through).travel
         row = Held("friction", "friction force", travel, connection=connection)
         return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.pin, "pin")
-        yield "travel", guide(names, point, self.along, self.on, self.through)[1]
+        yield "travel", guide(names, point, self.along, self.on, self.through).travel

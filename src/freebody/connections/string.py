@@ -11,9 +11,11 @@ from pydantic import ConfigDict, Field
 
 from freebody.connections.base import Connection
 from freebody.connections.capstan import Passage, drum_name, frictions, rough_drums, rub, slip_of
+from freebody.connections.hanging import Hook, askew, hooks_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
+from freebody.connections.standing import ROUND_OFF, is_parallel, number_of, quietly, stands_at
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -47,6 +49,7 @@ class Node:
     side: str | None
     turn: str | None
     hangs: bool
+    is_put: bool  # it would hang, but for its place, which the model gives
     guide: Direction | None
     place: tuple[float, float] | None
 
@@ -106,8 +109,15 @@ class Laid:
     """A string on its way: what it grips, and its sections."""
 
     way: list[Node]
+    leads: list[Direction | None]  # constant directions
+    arms: list[Expr]  # at which it pulls on the circles: s R
     grips: set[str]
     sections: list[Section]
+
+    @property
+    def hooks(self) -> dict[str, Hook]:
+        """The bodies that its leads place."""
+        return hooks_of(self.way, self.leads, self.arms)
 
     @property
     def slid_over(self) -> list[Node]:
@@ -121,10 +131,10 @@ class String(Connection, kind="string"):
 
     The string does not slip on the pulleys that it `grips` (default: all that are bodies); over the others it
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
-    pulls. A body that nothing else holds and that has no position hangs on the string and moves up and down; a
-    lead to a body on a straight guide without a position runs along the guide; `leads` states the directions
-    instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies).
+    pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
+    leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide without a position
+    runs along the guide; `leads` states the directions instead; otherwise leads are the common tangents of the circles,
+    wherever these move (`swings: true` also for hanging bodies).
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places."""
@@ -163,7 +173,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         rough = rough_drums(self.friction, [drum_name(node) for node in laid.slid_over])
         return [
             *(section.row(len(sections), rough) for section in sections),
-            *self._hanging(laid.way),
+            *self._hanging(names, laid),
             *self._idle(names, laid.way, laid.grips, rough),
         ]
 
@@ -199,10 +209,33 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if any(node is None for node in nodes):
             return None
         way = [node for node in nodes if node is not None]
+        for k in range(len(way)):
+            hung = [*way[:k], replace(way[k], hangs=True), *way[k + 1 :]]
+            if way[k].is_put and self._is_straight_below(names, hung, k):
+                way = hung
+        leads, turns, arms = self._run(names, way)
         grips = self._grips(names, way)
+        return Laid(way, leads, arms, grips, _sections(way, leads, turns, arms, grips))
+
+    def _run(self, names: Names, way: list[Node]) -> tuple[list[Direction | None], list[int], list[Expr]]:
+        """The constant directions of the leads, the sense in which the string runs round each node, and its arms."""
         leads = self._directions(names, way)
         turns = self._turns(names, way, leads)
-        return Laid(way, grips, _sections(way, leads, turns, grips))
+        return leads, turns, [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
+
+    def _is_straight_below(self, names: Names, way: list[Node], k: int) -> bool:
+        """Whether a body is put where it would hang, below what carries it."""
+        leads, _turns, arms = self._run(names, way)
+        hook, here = hooks_of(way, leads, arms)[way[k].body], way[k].place
+        if here is None:
+            return False
+        for lead in hook.leads:
+            aside, level = lead.place(names, RIGHT, frozenset()), stands_at(names, lead.other, UP)
+            if aside is None or abs(number_of(names, aside) - here[0]) > ROUND_OFF:
+                return False
+            if level is None or number_of(names, level) <= here[1]:
+                return False
+        return True
 
     # -- reading the way ----------------------------------------------------------------------
     def _node(self, names: Names, text: str, k: int, n: int) -> Node | None:
@@ -241,14 +274,15 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if not isinstance(other, (String, Planar))
         )
         given = body.start.at is not None
-        hangs = not (given or mentioned or body.fixed or self.swings or body.name == GROUND)
+        is_free = not (mentioned or body.fixed or self.swings or body.name == GROUND)
         return Node(
             point,
             radius,
             way,
             found["side"],
             found["turn"],
-            hangs,
+            is_free and not given,
+            is_free and given and body.start.velocity is None,
             None if given else _guide_of(names, body.name),
             _place(names, point),
         )
@@ -287,7 +321,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                     found.append(DOWN if b.hangs else UP)
                 continue
             along = a.guide or b.guide
-            if along is None:
+            if along is None or (a.guide and b.guide and not is_parallel(names, a.guide, b.guide)):
                 found.append(None)
                 continue
             into_pulley = b.way != "end" if a.way == "end" else False
@@ -333,14 +367,41 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return turns
 
     # -- rows ---------------------------------------------------------------------------------
-    def _hanging(self, way: list[Node]) -> list[Held]:
-        rows: dict[str, Held] = {}
-        for node in way:
-            if node.hangs:
-                sideways = Displacement(node.point, Point(GROUND, (ZERO, ZERO), "ground.origin"), RIGHT)
-                held = Combination(((ONE, sideways),), LENGTH)
-                rows[node.body] = Held(f"{node.body} hangs", "sideways force", held, ends=(node.body,), if_needed=True)
-        return list(rows.values())
+    def _hanging(self, names: Names, laid: Laid) -> list[Held]:
+        """Holds every body that hangs on this string, and on none before, across its lead."""
+        me = next((name for name, other in names.connections.items() if other is self), "")
+        before = list(itertools.takewhile(lambda other: other is not self, names.connections.values()))
+        rows: list[Held] = []
+        for body, hook in laid.hooks.items():
+            if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
+                rows.append(hook.row(names))
+                if names.known(body).start.at is not None:
+                    names.assumptions.append(
+                        f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
+                        "lets it swing"
+                    )
+        for first, second, lead in askew(names, laid.way, laid.leads, laid.arms):
+            names.assumptions.append(
+                f"{me}: the lead from {first} to {second} runs {lead.name or 'in a constant direction'}, although it "
+                "would be askew where these stand"
+            )
+        return rows
+
+    def hanging(self, names: Names) -> set[str]:
+        """The bodies that hang on it."""
+        with quietly(names):
+            laid = self._laid(names)
+        return set() if laid is None else {body for body, hook in laid.hooks.items() if hook.hangs}
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        if point.body not in self.mentions(names):
+            return None
+        with quietly(names):
+            laid = self._laid(names)
+        hook = None if laid is None else laid.hooks.get(point.body)
+        if hook is None or (hook.point.offset != point.offset and names.known(point.body).turns):
+            return None
+        return hook.place(names, along, seen)
 
     def _idle(self, names: Names, way: list[Node], grips: set[str], rough: set[str]) -> list[Held]:
         """A pulley without inertia, over which the string slides without friction and which no connection or load
@@ -364,10 +425,11 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return {match["what"].partition(".")[0] for match in found if match}
 
 
-def _sections(way: list[Node], leads: list[Direction | None], turns: list[int], grips: set[str]) -> list[Section]:
+def _sections(
+    way: list[Node], leads: list[Direction | None], turns: list[int], arms: list[Expr], grips: set[str]
+) -> list[Section]:
     """Section between material marks: sum of l - rho a over its leads, plus s R theta at the mark where it
     ends and minus the same where it begins (see `measures.lead`)."""
-    arms = [multiply(number(s), node.radius) if s else ZERO for s, node in zip(turns, way, strict=True)]
     sections: list[Section] = []
     terms: list[tuple[Expr, Measure]] = []
     passages: list[Passage] = []

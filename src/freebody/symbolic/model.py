@@ -39,6 +39,7 @@ from freebody.symbolic.geometry import AnyPose, Dual, DualGeometry, FieldGeometr
 from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.start_pose import StartPose, known_poses, recognised
 from freebody.system.system import System
 
 Parts = tuple[Ratio, ...]  # along the slots of a body
@@ -229,7 +230,7 @@ class SymbolicModel:
             return fn.atan2(y, x) - fn.atan2(r, fn.sqrt(x * x + y * y - r * r))
 
         k = len(self._tangents)
-        label = self._tangent_label or f"line{k + 1}"
+        label = self._new_label(self._tangent_label or f"line{k + 1}")
         length = self._unknown(f"length_{label}", (TANGENT_LENGTH, -k), compute=size)
         angle = self._unknown(f"phi_{label}", (TANGENT_ANGLE, -k), compute=turn, is_angle=True)
         c, s = cos_sin(f, angle)
@@ -246,6 +247,12 @@ class SymbolicModel:
             self._coordinate_measures[f.index(length)] = of
         self._lines.append(Line(name, v.x, v.y, offset, f.index(length), f.index(angle)))
         return length, angle
+
+    def _new_label(self, wanted: str) -> str:
+        """What a line is called: by its connection, with a number where that has several."""
+        taken = set(self._names.values())
+        labels = (wanted, *(f"{wanted}{k}" for k in range(2, len(taken) + 3)))
+        return next(label for label in labels if not {f"length_{label}", f"phi_{label}"} & taken)
 
     def _define_line(self, key: Any) -> None:
         """Adds the two equations of a line, once in every pass."""
@@ -294,7 +301,9 @@ class SymbolicModel:
         f = self.field
         lines = {line.length for line in self._lines} | {line.angle for line in self._lines}
         still = [c for c in self.dependent if self.vanishes(self._dependent_speeds[c.speed])]
-        values = self._given_poses() if len(still) == len(self.dependent) and not self.coordinates else {}
+        values: dict[int, Ratio] = {}
+        if len(still) == len(self.dependent) and not self.coordinates:
+            values = {i: x for i, x in self._given_poses().items() if self._stands_still(i)}
         for c in still:
             if c.index not in values and c.index not in lines:
                 value = self.given_start(c)
@@ -304,18 +313,13 @@ class SymbolicModel:
                     values[c.index] = value
         return [Equation(GIVEN, f.variable(index) - value) for index, value in values.items()]
 
+    def _stands_still(self, index: int) -> bool:
+        """Whether an absolute coordinate keeps its value, which a driver may change."""
+        return self.vanishes(self.rate(self.elimination.express(self.field.variable(index))))
+
     def recognised_start(self, c: Coordinate) -> Ratio | None:
         """A start value that is a multiple of a right angle (zero for a length) at all samples."""
-        numbers = self.start_numbers(c.index)
-        quarter = math.pi / 2 if c.is_angle else math.inf
-        turns = {0 if quarter == math.inf else round(v / quarter) for v in numbers}
-        if len(turns) != 1:
-            return None
-        (n,) = turns
-        exact = n * quarter if n else 0.0
-        if any(abs(v - exact) > ZERO_TOLERANCE for v in numbers):
-            return None
-        return self.field.pi * n / 2 if n else self.field.zero
+        return recognised(self.field, self.start_numbers(c.index), is_angle=c.is_angle)
 
     @property
     def _given_angles(self) -> set[str]:
@@ -671,8 +675,8 @@ class SymbolicModel:
 
     # -- start values -------------------------------------------------------------------------
     def given_start(self, c: Coordinate) -> Ratio | None:
-        """The start value of a coordinate where the poses given for the bodies tell it."""
-        values = self._given_poses()
+        """The start value of a coordinate where the start of the model tells it."""
+        values = dict(self._start_pose_values)
         defined = self._defined.get(c.index)
         x = self.field.variable(c.index) if defined is None else defined
         for line in self._lines:
@@ -721,22 +725,35 @@ class SymbolicModel:
 
     def _given_value(self, measure: Measure, name: str) -> Ratio | None:
         """The start value of a measure where the poses given for its bodies tell it, as they do at all samples."""
-        known = self._given_poses()
-        poses: dict[str, AnyPose] = {}
-        for body, pose in self._raw_poses.items():
-            assert isinstance(pose, Pose)
-            parts = [self.field.follow(v, known) for v in (pose.x, pose.y, pose.angle, pose.cos, pose.sin)]
-            if not any(self.field.ingredients(v) & self._unknowns.keys() for v in parts):
-                poses[body] = Pose(*parts)
-        if any(body != GROUND and body not in poses for body in measure.bodies()):
-            return None
+        poses = known_poses(self.field, self._raw_poses, self._start_pose_values)
         start = FieldGeometry(self.field, self.parameters, poses, straight_tangent(self.field, self.is_negative))
-        value = measure.value(start)
+        try:
+            value = measure.value(start)
+        except (CannotAnswer, ZeroDivisionError):
+            return None
+        if self.field.ingredients(value) & self._unknowns.keys():
+            return None
         starts = [s for s in self.samples if s.is_start]
         for number, sample in zip(self.at_samples(value), starts, strict=True):
             if not abs(number - sample.constants.get(name, 0.0)) < 1e-7:
                 return None
         return value
+
+    @cached_property
+    def _start_pose_values(self) -> dict[int, Ratio]:
+        """The absolute coordinates at the start, where the model tells them."""
+        absolute = {
+            self.field.index(element)
+            for body in self.system.moving
+            for element in _pose_elements(self._raw_poses[body.name])
+            if element.generators()
+        }
+        unknowns = {index: self._unknowns[index] for index in absolute}
+        try:
+            start = StartPose(self.system, self.field, self._raw_poses, self.parameters, unknowns, self.is_negative)
+            return start.values(self.start_numbers)
+        except CannotAnswer:  # too long to write
+            return self._given_poses()
 
     def _value_from_start(self, measure: Measure, name: str) -> Ratio | None:
         """The same from the start values of the coordinates."""

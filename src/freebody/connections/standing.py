@@ -1,0 +1,93 @@
+"""Where points stand that nothing moves along a direction: the place of an axle, of a guide, of what hangs.
+
+A connection that keeps a point from moving along a direction of the ground says where (`Connection.keeps_at`): a pin by
+the point it joins, a guide across itself, a string with leads of constant directions beside the pulley. What it says is
+read from the model alone, in its parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from freebody.language.expression import Expr, add, evaluate, multiply
+from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.model.elements import RigidBody
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+ROUND_OFF = 1e-9
+_TRIALS = (0.3, 0.7)  # what parameters without a value are taken to be, where directions and places are compared
+
+
+def stands_at(names: Names, point: Point, along: Direction, seen: frozenset[str] = frozenset()) -> Expr | None:
+    """How far along a direction of the ground a point is from its origin, where nothing moves it that way; None where
+    the model does not tell. seen: bodies whose places are being asked for."""
+    body = names.known(point.body)
+    if body.name in seen:
+        return None
+    if body.name == GROUND:
+        return along_of(point.offset, along)
+    if body.fixed:
+        return _of_fixed(body, point, along)
+    for connection in names.connections.values():
+        place = connection.keeps_at(names, point, along, seen | {body.name})
+        if place is not None:
+            return place
+    return None
+
+
+def along_of(components: tuple[Expr, ...], along: Direction) -> Expr:
+    """The component of a ground vector along a direction."""
+    return add(*(multiply(c, e) for c, e in zip(components, along.components, strict=False)))
+
+
+def _of_fixed(body: RigidBody, point: Point, along: Direction) -> Expr | None:
+    start = body.start
+    if start.at is None:
+        return along_of(point.offset, along) if start.angle is None and not start.turned else None
+    name, place = start.at
+    if body.points[name] == point.offset:
+        return along_of(place, along)
+    if start.angle is not None or start.turned:
+        return None
+    moved = tuple(add(p, o, -q) for p, o, q in zip(place, point.offset, body.points[name], strict=True))
+    return along_of(moved, along)
+
+
+@contextmanager
+def quietly(names: Names) -> Generator[None]:
+    """Problems noted inside are told elsewhere."""
+    n_before = len(names.problems)
+    try:
+        yield
+    finally:
+        del names.problems[n_before:]
+
+
+def is_parallel(names: Names, first: Direction, second: Direction) -> bool:
+    """Whether two directions of the ground are on one line."""
+    return first.body == second.body and is_zero(names, _cross(first, second))
+
+
+def same_way(names: Names, first: Direction, second: Direction) -> bool:
+    """Whether two parallel directions of the ground point the same way."""
+    return number_of(names, along_of(first.components, second)) > 0
+
+
+def _cross(first: Direction, second: Direction) -> Expr:
+    (ax, ay, *_), (bx, by, *_) = first.components, second.components
+    return add(multiply(ax, by), -multiply(ay, bx))
+
+
+def is_zero(names: Names, x: Expr) -> bool:
+    """Whether an expression in the parameters vanishes at the model's values, or at two sets of arbitrary ones."""
+    return all(abs(number_of(names, x, trial)) < ROUND_OFF for trial in _TRIALS)
+
+
+def number_of(names: Names, x: Expr, trial: float = _TRIALS[0]) -> float:
+    """An expression in numbers; parameters without a value are taken small and positive."""
+    values = {p.name: trial + 0.1 * k if p.value is None else p.value for k, p in enumerate(names.parameters.values())}
+    return float(evaluate(x, values))
