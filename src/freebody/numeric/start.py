@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 N_STARTS = 16
+SINGULAR = 1e-6  # the volume that three unit axes span
 MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
 _AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 
@@ -92,6 +93,8 @@ def assembled(
     n_starts: int = N_STARTS,
 ) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
+    for body in reference.system.moving:
+        _refuse_singular(reference, body)
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
     guess = _guess(reference) if guess is None else guess
@@ -111,6 +114,31 @@ def assembled(
             f"Change the start of the model (at, {turned}, start) or the lengths"
         )
     return best
+
+
+def _refuse_singular(reference: Reference, body: RigidBody) -> None:
+    """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
+    the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
+    named = [turn.name for turn in body.chain if turn.name]
+    given = {name: reference.number(reference.system.start[name]) for name in named if name in reference.system.start}
+    if len(named) < 3 or named[1] not in given:
+        return
+    before, axes, turned = spatial.UNIT, [], dict.fromkeys(named, 0.0) | given
+    for turn in body.chain:
+        if turn.name:
+            axes.append(before @ np.array([reference.number(c) for c in turn.axis]))
+        before = before @ spatial.turned_by((turn,), turned, reference.number)
+    if abs(float(np.linalg.det(np.array(axes)))) > SINGULAR:
+        return
+    last = int(np.abs(axes[2] @ before).argmax())  # of the body's axes
+    first = int(np.abs(before[:, last]).argmin())
+    middle = next(k for k in range(3) if k not in (first, last))
+    order = ", ".join(f"{name} about {'xyz'[k]}" for name, k in zip(named, (first, middle, last), strict=True))
+    raise CannotAnswer(
+        f"at the start {named[1]} = {math.degrees(given[named[1]]):.6g} deg, where {named[0]} and {named[2]} turn "
+        f"{body.name} about the same axis, so that they are not determined (a singular pose of these angles). Name "
+        f"angles in another order, e.g. turned: [{order}], or start beside that pose"
+    )
 
 
 def _guess(reference: Reference) -> Array:
@@ -188,7 +216,7 @@ def start_velocities(
 ) -> Array:
     """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
     n = len(g.q)
-    wanted = list(_wanted_rates(reference, g, extra, with_start))
+    wanted = list(wanted_rates(reference, g, extra, with_start))
     b = np.array([rate - jet.rate for _name, jet, rate in wanted])
     if not b.any():
         return np.zeros(n)
@@ -221,7 +249,7 @@ def _given(reference: Reference, q: Array) -> Array | None:
     return v
 
 
-def _wanted_rates(
+def wanted_rates(
     reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | RateMeasure, float]], with_start: bool
 ) -> Iterator[_Rate]:
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one

@@ -20,6 +20,8 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
     """Status, cost, violations, energy balance, events and final values."""
     course, summary = result.course, result.summary()
     yield result.system.title or "simulation"
+    for text in result.simulator.assumptions:
+        yield f"  assumed       {text}"
     yield f"  status        {result.status}" + (f": {result.message}" if result.message else "")
     yield (
         f"  time          {result.t_end:.6g} s in {course.n_steps} steps, {course.n_evaluations} evaluations, "

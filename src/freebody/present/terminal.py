@@ -66,7 +66,7 @@ def solution_lines(solution: Solution, *, is_full: bool = False) -> Iterator[str
     yield system.title
     yield _RULE * min(len(system.title), 78)
     yield system_line(system, solution.degrees_of_freedom, solution.coordinates, solution.dependent)
-    for text in system.assumptions:
+    for text in solution.assumptions:
         yield f"assumed: {text}"
     if solution.redundant:
         yield f"redundant constraints: {', '.join(solution.redundant)}"

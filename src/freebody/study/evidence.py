@@ -4,7 +4,8 @@ numeric route, which shares only the statements of the measures. A disagreement 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from freebody.study.answer import Evidence
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.equilibrium import nearest_equilibrium
+from freebody.study.magnitude import magnitude
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition, merged
@@ -33,6 +35,7 @@ N_PANELS = 16
 ROUND_OFF = 1e-10  # an acceleration [m/s^2, rad/s^2] that counts as none
 SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
+OF_PARTS = 1e-3  # of the parts of a sum, by the tolerance: differences below that are no differences
 
 
 def _tuple(value: object) -> tuple[float, ...]:
@@ -47,16 +50,20 @@ def _size(values: tuple[float, ...]) -> float:
 
 class Witness:
     """Collects comparisons for one question. Differences count by the size of the quantity in the draw, or, where
-    it happens to cancel there, by a thousandth of its largest size in all draws."""
+    it happens to cancel there, by a thousandth of its largest size in all draws; a difference that round-off makes of
+    the parts of which the quantity is the sum is none."""
 
     def __init__(self, question: str, route: str, tolerance: float) -> None:
         self.question = question
         self.route = route
         self.tolerance = tolerance
         self.pairs: list[tuple[Draw, tuple[float, ...], tuple[float, ...]]] = []
+        self._parts: list[Callable[[], float]] = []
 
-    def compare(self, draw: Draw, exact: object, numeric: object) -> None:
+    def compare(self, draw: Draw, exact: object, numeric: object, parts: Callable[[], float] = float) -> None:
+        """parts: the size of what was added up, asked for where the sum is small."""
         self.pairs.append((draw, _tuple(exact), _tuple(numeric)))
+        self._parts.append(parts)
 
     def evidence(self) -> Evidence:
         """Raises RoutesDisagree on a difference beyond the tolerance, CannotAnswer if too little was compared."""
@@ -64,9 +71,11 @@ class Witness:
         is_zero = all(v == 0.0 for _draw, a, _b in self.pairs for v in a)
         floor = ZERO_FLOOR if is_zero else SMALL
         worst = 0.0
-        for draw, a, b in self.pairs:
+        for (draw, a, b), parts in zip(self.pairs, self._parts, strict=True):
             gap = max(abs(x - y) for x, y in zip(a, b, strict=True))
             share = gap / max(_size(a), _size(b), 1e-3 * largest, floor)
+            if not share <= self.tolerance:
+                share = min(share, gap / max(OF_PARTS * parts(), 1e-300))
             if not share <= self.tolerance:
                 values = ", ".join(f"{k} = {v:.6g}" for k, v in draw.values.items())
                 raise RoutesDisagree(
@@ -115,7 +124,7 @@ def at_instants(
         snapshot = moving_for(quantity, draw.start()) if at_start else setup.anywhere[k]
         numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
         exact = element_at(setup, x, draw, snapshot)
-        witness.compare(draw, exact, numeric)
+        witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
     return witness.evidence()
 
 
@@ -146,7 +155,8 @@ def along_motion(
             if not expected > 0:
                 continue
             until = 1.5 * expected
-        witness.compare(draw, numbers, _at_event(setup, quantity, draw, start, until, event))
+        numeric = _at_event(setup, quantity, draw, start, until, event)
+        witness.compare(draw, numbers, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
     broken = [] if len(witness.pairs) >= MIN_DRAWS or not setup.has_values else _broken(setup, conditions)
     if broken:
         raise CannotAnswer(f"'{event.text}' does not come at the model's own values: that needs {', '.join(broken)}")

@@ -27,6 +27,7 @@ from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
+from freebody.study.assumed import rates_not_given
 from freebody.study.energy import EnergyBalance, energy_balance
 from freebody.system.system import System
 
@@ -64,6 +65,9 @@ class Simulator:
         self.reference = Reference(system, values)
         q = assembled_touching(self.reference)
         v = start_velocities(self.reference, q)
+        self.assumptions = system.assumptions
+        if not has_phases(system):
+            self.assumptions = (*self.assumptions, *rates_not_given(self.reference, q, v))
         self.numbers = self.reference.numbers()
         watches, tracked = _watches(self, events), list(system.measures.values())
         self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
@@ -226,6 +230,7 @@ class Simulation:
             final["quaternions"] = {b.name: [float(x) for x in turned[k]] for k, b in enumerate(self.system.moving)}
         return {
             "title": self.system.title,
+            "assumptions": list(self.simulator.assumptions),
             "status": str(self.status),
             "message": self.message,
             "t_end": self.t_end,

@@ -37,7 +37,9 @@ from freebody.model.steady_questions import Extremes, SteadyQuantity, SteadyValu
 from freebody.progress import busy_with
 from freebody.study import evidence as proof
 from freebody.study.answer import Answer, Evidence
+from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
+from freebody.study.magnitude import magnitude
 from freebody.study.quantities import body_of_wrench, quantity_value
 from freebody.study.setup import Setup, independent_measures
 from freebody.symbolic.conditions import Condition, merged, require
@@ -51,7 +53,7 @@ if TYPE_CHECKING:
     from freebody.study.phases.result import Phases
 
 Elements = Ratio | tuple[Ratio, ...]
-_ROUND_OFF = 1e-12  # of an assembled pose, in SI
+_ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 MOST_PLACES = 12  # at which bodies can touch, for formulas
 FOR_ALL = "for all positive parameters"
 
@@ -67,6 +69,7 @@ class Solution:
     redundant: tuple[str, ...]
     answers: tuple[Answer, ...]
     phases: Phases | None = None  # of a system with contacts or dry friction
+    assumed: tuple[str, ...] = ()  # about the start, where the model leaves it open
 
     def __getitem__(self, id: str) -> Answer:
         """The answer with an id."""
@@ -74,6 +77,11 @@ class Solution:
             if answer.id == id:
                 return answer
         raise KeyError(f"no question has the id {id}; there are {', '.join(a.id for a in self.answers)}")
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the answers take for granted and the model does not say."""
+        return (*self.system.assumptions, *self.assumed)
 
     @property
     def is_complete(self) -> bool:
@@ -87,7 +95,7 @@ class Solution:
             "coordinates": list(self.coordinates),
             "dependent_coordinates": list(self.dependent),
             "redundant": list(self.redundant),
-            "assumptions": list(self.system.assumptions),
+            "assumptions": list(self.assumptions),
             "answers": [a.to_plain() for a in self.answers],
             **({} if self.phases is None else {"phases": self.phases.to_plain()}),
         }
@@ -142,6 +150,7 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
         tuple(c.name for c in model.dependent),
         tuple(model.redundant),
         answers,
+        assumed=assumed_at_start(setup, answers),
     )
 
 
@@ -209,14 +218,16 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         return replace(_at_rest(system, ()), answers=tuple(answers))
     phases = phases_of(tree)
     model = phases.first_model
+    answers = tuple(at_rest(system, q) if isinstance(q.quantity, RestQuantity) else answer(tree, q) for q in questions)
     return Solution(
         system,
         model.degrees_of_freedom,
         tuple(c.name for c in model.coordinates),
         tuple(c.name for c in model.dependent),
         tuple(model.redundant),
-        tuple(at_rest(system, q) if isinstance(q.quantity, RestQuantity) else answer(tree, q) for q in questions),
+        answers,
         phases,
+        assumed_at_start(tree.home.home, answers),
     )
 
 
@@ -595,7 +606,8 @@ class _Solver:
             values = proof.element_at(self.setup, parts, draw, draw.start())
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
-        values = tuple(0.0 if abs(v) < _ROUND_OFF else v for v in values)
+        small = _ROUND_OFF * (magnitude(self.question.quantity.dimension, draw.seen(draw.start())) or 1.0)
+        values = tuple(0.0 if abs(v) < small else v for v in values)
         return values if isinstance(element, tuple) else values[0]
 
     def _unit(self) -> str:

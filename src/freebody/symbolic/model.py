@@ -100,11 +100,25 @@ class SymbolicModel:
         for found_out in (self._named_by_formula, self._constant_coordinates):
             equations = found_out()
             if equations:
-                self.extra += equations
-                del self.elimination
-                self.elimination = self._eliminate(self.extra)
-                self._finish_coordinates()
+                self._with_equations([*self.extra, *equations])
+        self._put_in_equal_angles()
         self.redundant = self._not_by_construction(redundant)
+
+    def _with_equations(self, extra: list[Equation]) -> None:
+        """Eliminates again, with equations that were found out."""
+        self.extra = extra
+        del self.elimination
+        self.elimination = self._eliminate(extra)
+        self._finish_coordinates()
+
+    def _put_in_equal_angles(self) -> None:
+        """Puts in the angles that the branch keeps equal (a parallelogram's), or opposite, up to right angles. That
+        they follow from the loops is proved by the count: what has as many freedoms with them is the same motion."""
+        equations, n, before = self._equal_angles(), len(self.coordinates), self.extra
+        if equations:
+            self._with_equations([*before, *equations])
+            if len(self.coordinates) != n:
+                self._with_equations(before)
 
     def _not_by_construction(self, redundant: list[str]) -> list[str]:
         """The rows that follow from others, without those that the choice of coordinates holds."""
@@ -313,6 +327,26 @@ class SymbolicModel:
                     values[c.index] = value
         return [Equation(GIVEN, f.variable(index) - value) for index, value in values.items()]
 
+    def _equal_angles(self) -> list[Equation]:
+        """Angles bound by closed loops that differ from others by the same multiple of a right angle at all samples, or
+        whose sum does."""
+        found: list[Equation] = []
+        kept = [c for c in self.coordinates if c.is_angle]
+        general = any(not s.is_start for s in self.samples)
+        for c in self.dependent if general and self.elimination.loops else ():
+            if not c.is_angle:
+                continue
+            for other, sign in ((k, s) for k in kept for s in (1, -1)):
+                difference = self.field.variable(c.index) - sign * self.field.variable(other.index)
+                values = self._at(difference, range(len(self.samples)))
+                constant = recognised(self.field, values, is_angle=True)
+                if constant is not None:
+                    found.append(Equation(GIVEN, difference - constant))
+                    break
+            else:
+                kept.append(c)
+        return found
+
     def _stands_still(self, index: int) -> bool:
         """Whether an absolute coordinate keeps its value, which a driver may change."""
         return self.vanishes(self.rate(self.elimination.express(self.field.variable(index))))
@@ -329,6 +363,10 @@ class SymbolicModel:
     def _holds_by_construction(self, row: Held) -> bool:
         return False
 
+    def _held_value(self, measure: Measure) -> Ratio:
+        """A held measure in absolute coordinates."""
+        return measure.value(self._raw)
+
     def _eliminate(self, given: list[Equation]) -> Elimination:
         """Tries the named and offered measures as coordinates; one that only adds a loop of its own is dropped."""
         self._defined_lines = set()
@@ -336,7 +374,7 @@ class SymbolicModel:
         for row in self.system.held:
             if not isinstance(row.measure, RateMeasure) and not self._holds_by_construction(row):
                 self._tangent_label, self._tangent_of = row.connection, row.measure
-                equations.append(Equation(row.name, row.measure.value(self._raw) - self._target(row)))
+                equations.append(Equation(row.name, self._held_value(row.measure) - self._target(row)))
         constraints = equations + self._definitions
         self._definitions = []
         candidates = [(f"define {n}", n, m, (NAMED, -k)) for k, (n, m) in enumerate(self.system.measures.items())]
@@ -719,6 +757,17 @@ class SymbolicModel:
                     return (speeds[speed] - rest) / slope
         return None
 
+    def wanted_rates(self, known: Mapping[str, Expr]) -> list[tuple[Ratio, Ratio]]:
+        """The rates that the start gives, of named measures and of bodies, each with what it is."""
+        scalar = self.geometry.scalar
+        wanted = [(self.rate(self.value_of(self.system.measures[n])), scalar(e)) for n, e in known.items()]
+        for body in self.system.moving:
+            x, y, turning = self.velocities[body.name]
+            wanted += [(v, scalar(e)) for v, e in zip((x, y), body.start.velocity or (), strict=False)]
+            if body.start.angular_velocity is not None and body.turns:
+                wanted.append((turning, scalar(body.start.angular_velocity)))
+        return wanted
+
     def start_speeds(self, known: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio] | None:
         """All independent speeds at the start together, where the model has them so."""
         return None
@@ -980,6 +1029,9 @@ class SymbolicModel:
             return self.field.zero
         if all(abs(s.constants.get(push.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
             return self.field.zero
+        now = self.value_of(push.measure)
+        if not self.field.ingredients(now) & (self._changing):
+            return now  # it never changes
         given = self._given_value(push.measure, push.name)
         if given is None:
             given = self._value_from_start(push.measure, push.name)
@@ -992,6 +1044,11 @@ class SymbolicModel:
             for k, sample in enumerate(self.samples):
                 self._sample_values[k][index] = sample.constants[push.name]
         return self.constants[push.name]
+
+    @property
+    def _changing(self) -> set[int]:
+        """What may change with time: coordinates, time itself and given functions of it."""
+        return {*self._unknowns, *self._functions, self.field.index(self.field.time)}
 
     @cached_property
     def solved_accelerations(self) -> dict[int, Ratio]:

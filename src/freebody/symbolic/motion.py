@@ -12,11 +12,12 @@ Every root that solves an equation but not the problem is reported with the reas
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.measures.geometry import Pose
 from freebody.model.elements import RateMeasure
@@ -25,6 +26,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.laws import Decay, Growth, Instant, Law, Oscillation, Uniform, first
+from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
@@ -38,6 +40,7 @@ class StartState:
     """Start values of the coordinates and speeds, as elements, by generator."""
 
     values: dict[int, Ratio]
+    assumed: tuple[str, ...] = ()  # what was not given and is not zero, in words
 
     def of(self, index: int) -> Ratio:
         return self.values[index]
@@ -72,8 +75,10 @@ class Reached:
 
 
 def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[str, Expr]) -> StartState:
-    """Start values from the named measures and the bodies' start poses; what nobody said starts at zero.
-    Raises CannotAnswer where the coordinates follow from the pose only by solving loops."""
+    """Start values from the named measures and the bodies' start poses; places that nobody gave are at zero, rates that
+    nobody gave are those of the least kinetic energy.
+    Raises CannotAnswer where the coordinates follow from the pose only by solving loops, and where nothing decides a
+    rate."""
     values: dict[int, Ratio] = {}
     f = model.field
     scalar = model.geometry.scalar
@@ -92,7 +97,64 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
         if given is not None:
             values[c.index] = given
     values[f.index(f.time)] = f.zero
-    return StartState(values)
+    least = least_energy(model, known_rates, values)
+    named = [c.name for c in model.coordinates if c.name not in known_rates]
+    moved = [c.name for c in model.coordinates if c.name in named and c.speed in least and not least[c.speed].is_zero()]
+    values |= least
+    return StartState(values, tuple(map(rate_not_given, moved)))
+
+
+def rate_not_given(name: str) -> str:
+    """What is assumed about a rate that nobody gave."""
+    return f"rate({name}) at the start is not given; it is taken to be that of the least kinetic energy"
+
+
+def least_energy(model: SymbolicModel, known_rates: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio]:
+    """All speeds at the start, where given rates leave some open and others run. With A u = b the given rates and
+    p(u) = dT/du the momenta, which contain what drivers do,
+
+        p(u) = A^T lambda,        A u = b        (Gauss: the least kinetic energy).
+
+    Empty where everything is given, or at rest. Raises CannotAnswer where a speed moves nothing that has mass."""
+    f = model.field
+    speeds = [c.speed for c in model.coordinates]
+    at_start = {k: x for k, x in start.items() if k not in speeds}
+    given: list[Row] = []
+    for rate, wanted in model.wanted_rates(known_rates):
+        given.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
+    free = solve(f, given, speeds, Ratio.is_zero).free
+    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.held)
+    if not free or not (is_driven or any(RHS in row for row in given)):
+        return {}
+    rows, multipliers = list(given), [-2 - k for k in range(len(given))]
+    for k, c in enumerate(model.coordinates):
+        total = f.zero
+        for name, velocity in model.velocities.items():
+            for p, slope in zip(model.momentum(name, velocity), model.partial_velocities[name][k], strict=True):
+                if not slope.is_zero() and not p.is_zero():
+                    total = total + p * slope
+        row = _row_of(f.follow(model.in_independent_speeds(total), at_start), speeds)
+        row |= {m: -line[c.speed] for m, line in zip(multipliers, given, strict=True) if c.speed in line}
+        rows.append(row)
+    solved = solve(f, rows, [*speeds, *multipliers], Ratio.is_zero)
+    if solved.contradictory:
+        raise CannotAnswer("the velocities of the start contradict each other")
+    if set(solved.free) & set(speeds):
+        names = [c.name for c in model.coordinates if c.speed in solved.free]
+        raise CannotAnswer(
+            f"the start does not say how fast {', '.join(names)} changes; give rate({names[0]}) in start"
+        )
+    return {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
+
+
+def _row_of(x: Ratio, speeds: Sequence[int]) -> Row:
+    """x = 0 as a row of a linear system in speeds."""
+    f = x.field
+    row: Row = {s: f.lowest_terms(slope) for s in speeds if not (slope := f.partial(x, s)).is_zero()}
+    rest = f.lowest_terms(f.follow(x, dict.fromkeys(speeds, f.zero)))
+    if not rest.is_zero():
+        row[RHS] = -rest
+    return row
 
 
 def start_from_bodies(model: SymbolicModel) -> StartState:

@@ -5,6 +5,7 @@ The numbers come from `witness`: the one place where another simulation could be
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from freebody.model.question import Event, Quantity, Question, When, Work
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, Witness
+from freebody.study.magnitude import magnitude
 from freebody.study.phases.pieces import Piece
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.study.phases.tree import Tree
@@ -63,7 +65,7 @@ def _at_instants(tree: Tree, question: Question, piece: Piece) -> Evidence:
             numbers = phase.model.numbers(draw.sample(now), draw.sample(begin))
             parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
             exact = tuple(float(phase.model.field.evaluate(p, numbers)) for p in parts)
-        witness.compare(draw, exact, numeric)
+        witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, now))
     return witness.evidence()
 
 
@@ -107,7 +109,8 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
                 f"'{question.text}': the closed form says that {expected.name} {expected.kind}, the numeric route that "
                 f"{found} comes first. No answer is shown. This is a defect of freebody; please report the model"
             )
-        witness.compare(draw, exact, _number(tree, question.quantity, piece, seen))
+        numeric = _number(tree, question.quantity, piece, seen)
+        witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, seen[-1].snapshot()))
     return witness.evidence()
 
 

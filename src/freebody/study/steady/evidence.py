@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import partial
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from freebody.numeric.reference import Snapshot
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
+from freebody.study.magnitude import magnitude
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, Steady
@@ -49,7 +51,8 @@ def during_steady_motion(
             if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer("the steady motion by which the answer would be checked is none in numbers")
             numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
-            witness.compare(draw, element_at(setup, elements, draw, snapshot), numeric)
+            exact = element_at(setup, elements, draw, snapshot)
+            witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
     return witness.evidence()
 
 

@@ -60,6 +60,11 @@ class SpatialModel(SymbolicModel):
     def _holds_by_construction(self, row: Held) -> bool:
         return row.name in self.tree.rows
 
+    def _held_value(self, measure: Measure) -> Ratio:
+        """An angle of the tree is the one that it was made with, not the arc of its cosine and sine."""
+        known = next((name for name, angle in self.tree.angles.items() if angle == measure), None)
+        return super()._held_value(measure) if known is None else self._angle_of[known]
+
     def _raw_geometry(self) -> FieldGeometry:
         return FieldGeometry(
             self.field,
@@ -371,9 +376,8 @@ class SpatialModel(SymbolicModel):
         return (zero, zero, zero, *_cross((wx, wy, wz), (hx, hy, hz)))
 
     # -- start --------------------------------------------------------------------------------
-    def start_speeds(self, known: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio]:
-        """The independent speeds from the rates of named measures and the velocities given to bodies, which are linear
-        in them. What nobody said starts at rest."""
+    def wanted_rates(self, known: Mapping[str, Expr]) -> list[tuple[Ratio, Ratio]]:
+        """The rates that the start gives; angular velocities along the axes that they are given by."""
         f, scalar = self.field, self.geometry.scalar
         wanted = [(self.rate(self.value_of(self.system.measures[n])), scalar(e)) for n, e in known.items()]
         for body in self.system.moving:
@@ -385,9 +389,15 @@ class SpatialModel(SymbolicModel):
                     turned = pose.turn(Vector(*omega))
                     omega = (turned.x, turned.y, f.zero if turned.z is None else turned.z)
                 wanted += [(w, scalar(e)) for w, e in zip(omega, body.start.rates, strict=True)]
+        return wanted
+
+    def start_speeds(self, known: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio]:
+        """The independent speeds from the rates of named measures and the velocities given to bodies, which are linear
+        in them. What nobody said starts at rest."""
+        f = self.field
         speeds = [c.speed for c in self.coordinates]
         rows: list[Row] = []
-        for rate, value in wanted:
+        for rate, value in self.wanted_rates(known):
             here = f.follow(self.in_independent_speeds(rate), start)
             row: Row = {s: x for s in speeds if not (x := f.lowest_terms(f.partial(here, s))).is_zero()}
             rest = f.lowest_terms(value - here + self._sum_of(row))

@@ -1,0 +1,83 @@
+"""What the start of a model leaves open and is taken for granted: each of these is an assumption of the results."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.notation import to_text
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.numeric.split import Split, stack
+from freebody.numeric.start import wanted_rates
+from freebody.study.answer import Answer
+from freebody.study.setup import Setup
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import rate_not_given
+from freebody.symbolic.tidy import tidy
+
+_SMALL = 1e-9
+
+
+def assumed_at_start(setup: Setup, answers: Sequence[Answer]) -> tuple[str, ...]:
+    """Rates that the start does not give and that are not zero, and symbols of start values that stand in answers."""
+    with suppress(CannotAnswer, ZeroDivisionError):
+        return (*setup.start.assumed, *_start_symbols(setup, answers))
+    return ()
+
+
+def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
+    model = setup.model
+    names = {c.index: c.name for c in (*model.coordinates, *model.dependent)}
+    meanings = [(symbol, f"what {row} keeps") for row, symbol in model.constants.items()]
+    meanings += [(symbol, f"what {names[k]} is") for k, symbol in model.start_symbols.items() if k in names]
+    used = set[str]().union(*(_symbols(answer) for answer in answers))
+    for symbol, meaning in meanings:
+        shown = _shown(symbol)
+        if shown & used or any(to_text(tidy(symbol)) in text for answer in answers for text in answer.conditions):
+            value = ""
+            if setup.has_values:
+                with suppress(CannotAnswer, ArithmeticError, KeyError):
+                    value = f" ({_number(setup, symbol):.6g} in SI units)"
+            yield (
+                f"{to_text(tidy(symbol))} is {meaning} at the start{value}: the model does not say it, and it has no "
+                "formula in the parameters"
+            )
+
+
+def _symbols(answer: Answer) -> set[str]:
+    parts: tuple[Expr, ...] = ()
+    if answer.expression is not None:
+        parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
+    return set[str]().union(*(free_symbols(part) for part in parts))
+
+
+def _shown(symbol: Ratio) -> set[str]:
+    return set(free_symbols(tidy(symbol)))
+
+
+def _number(setup: Setup, symbol: Ratio) -> float:
+    draw = setup.draws[0]
+    numbers = setup.model.numbers(draw.sample(draw.start()), draw.sample())
+    return float(setup.model.field.evaluate(symbol, numbers))
+
+
+def rates_not_given(reference: Reference, q: Array, v: Array) -> tuple[str, ...]:
+    """The same for a start in numbers: named measures that run, though neither connections nor the start decide how
+    fast."""
+    n = len(q)
+    g = reference.geometry(q, np.zeros_like(q), 0.0)
+    rows = [jet.row(n) for _name, jet, _rate in wanted_rates(reference, g, (), True)]
+    free = Split(stack(rows, n), reference.sizes.small_moves).null
+    found: list[str] = []
+    for name, measure in reference.system.measures.items():
+        with suppress(CannotAnswer):
+            row = reference.jet(g, measure, name).row(n)
+            is_open = np.abs(row @ free).max(initial=0.0) > _SMALL * np.abs(row).max(initial=0.0)
+            if is_open and abs(float(row @ v)) > _SMALL and name not in reference.system.start_rates:
+                found.append(rate_not_given(name))
+    return tuple(found)
