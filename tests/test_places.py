@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 import freebody as fb
+from declared import undeclared
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
+EXAMPLES = Path(__file__).parent.parent / "examples"
 G = "g: 9.81 m/s^2"
 WEIGHT = "loads: {weight: {gravity: g}}\n"
 ATWOOD = f"""
@@ -312,6 +315,7 @@ def test_things_stand_where_the_model_puts_them(name: str, agrees: Agree) -> Non
     for k, (question, formula) in enumerate(known.items()):
         assert question
         agrees(solved(name), f"q{k + 1}", formula)
+    assert not undeclared(solved(name))
 
 
 def test_teeth_across_the_guide_of_their_rack_are_refused() -> None:
@@ -324,3 +328,145 @@ def test_what_is_deduced_about_teeth_and_placed_ends_is_an_assumption() -> None:
     assert rack.assumptions == ("teeth: the teeth of rack run along its guide",)
     hung = fb.System.from_text(PROBLEMS["masses put straight below the rim hang there"][0])
     assert all("hangs straight down" in said for said in hung.assumptions)
+
+
+# -- what nobody gave -------------------------------------------------------------------------
+CART = f"""
+parameters: {{M: 2 kg, m: 1 kg, L: 1 m, v: 1 m/s, th: 30 deg, {G}}}
+bodies: {{cart: {{particle: {{mass: M}}}}, rod: {{rod: {{mass: m, length: L}}}}}}
+connections: {{rail: {{slider: {{body: cart, along: right}}}}, hinge: {{pin: [cart, rod.start]}}DRIVE}}
+{WEIGHT}
+measures: {{x: x of cart, theta: angle of rod from down}}
+"""
+GIVEN = CART.replace("DRIVE", "") + "start: {theta: th, rate(x): v}\n"
+DRIVEN = CART.replace("DRIVE", ", drive: {driver: {measure: x, follows: v*t}}") + "start: {theta: th}\n"
+LEAST = "rate(theta) at the start is not given; it is taken to be that of the least kinetic energy"
+
+
+@pytest.mark.parametrize("model", [GIVEN, DRIVEN], ids=["given", "driven"])
+def test_a_rate_that_nobody_gives_has_the_least_energy_and_is_an_assumption(model: str, agrees: Agree) -> None:
+    """d/dw of m/2 ((v + L/2 w cos th)^2 + (L/2 w sin th)^2) + m L^2/24 w^2 vanishes at w = -3 v cos(th)/(2 L)."""
+    system = fb.System.from_text(model)
+    solution = fb.solve(system, "velocity of theta at start")
+    agrees(solution, "q1", "-3*v*cos(th)/(2*L)")
+    assert solution.assumptions == (LEAST,)
+    assert solution.to_plain()["assumptions"] == [LEAST]
+    assert fb.simulate(system, 0.01).summary()["assumptions"] == [LEAST]
+
+
+def test_rates_that_are_given_are_no_assumption() -> None:
+    given = fb.System.from_text(GIVEN.replace("rate(x): v", "rate(x): v, rate(theta): 0"))
+    assert fb.solve(given, "velocity of theta at start").assumptions == ()
+    assert fb.simulate(given, 0.01).summary()["assumptions"] == []
+
+
+BOOM = """
+space: true
+parameters: {L: 6 m, be: 0.7 rad, bd: 0.2 rad/s, W: 0.4 rad/s, J: 1 kg m^2}
+bodies:
+  boom:
+    body: {mass: 1 kg, inertia: [J, J, J]}
+    turned: [psi about y, beta about z, rho about x]
+    points: {tip: [L, 0, 0]}
+connections:
+  hinge: {spherical: [ground.O, boom]}
+  slew: {driver: {measure: psi, follows: W*t}}
+  luff: {driver: {measure: beta, follows: be + bd*t}}
+questions: [velocity of beta, speed of boom.tip, velocity of rho at start]
+"""
+
+
+def test_the_third_angle_of_a_driven_boom_is_an_assumption(agrees: Agree) -> None:
+    """With equal moments |omega|^2 is least: omega has no component along the boom, which W gives sin(beta) of."""
+    solution = fb.solve(fb.System.from_text(BOOM))
+    agrees(solution, "q1", "bd")
+    agrees(solution, "q2", "L*sqrt(bd**2 + W**2*cos(be + bd*t)**2)")
+    agrees(solution, "q3", "-W*sin(be)")
+    assert [text.split()[0] for text in solution.assumptions] == ["rate(rho)"]
+    assert not undeclared(solution)
+
+
+TOP = """
+space: {up: z}
+parameters: {m: 0.5 kg, l: 0.05 m, I1: 0.002 kg m^2, I3: 6e-4 kg m^2, w3: 170 rad/s}
+bodies:
+  top: {body: {mass: m, inertia: [I1, I1, I3], about: [0, 0, -l]}, points: {tip: [0, 0, -l]}, turned: TURNED}
+connections: {tip: {spherical: [ground.O, top.tip]}}
+start: {psi: 0, theta: MIDDLE, phi: 0, rate(phi): w3}
+questions: [degrees of freedom]
+"""
+
+
+@pytest.mark.parametrize(
+    ("turned", "middle", "instead"),
+    [
+        ("[psi about z, theta about x, phi about z]", "0", "psi about x, theta about y, phi about z"),
+        ("[psi about x, theta about y, phi about z]", "90 deg", "psi about y, theta about x, phi about z"),
+    ],
+)
+def test_a_start_where_angles_are_not_determined_is_refused_by_name(turned: str, middle: str, instead: str) -> None:
+    text = TOP.replace("TURNED", turned).replace("MIDDLE", middle)
+    with pytest.raises(fb.ModelError, match=r"psi and phi turn top about the same axis") as refused:
+        fb.solve(fb.System.from_text(text))
+    assert f"turned: [{instead}]" in str(refused.value)
+    other = fb.System.from_text(TOP.replace("TURNED", f"[{instead}]").replace("MIDDLE", "0"))
+    assert fb.solve(other).degrees_of_freedom == 3
+
+
+# -- what is nothing, and what is equal -------------------------------------------------------
+def test_a_spring_beside_a_bar_of_its_length_pulls_nothing() -> None:
+    """It joins the ends of a rigid bar, whose length does not change: a zero of cancelled parts."""
+    answer = fb.solve(fb.System.load(EXAMPLES / "multi_bar_platform.yaml"), "force in spring")["q1"]
+    assert answer.to_plain()["expression"] == "0"
+    assert answer.value == 0.0
+
+
+def test_bars_of_a_parallelogram_turn_alike(agrees: Agree) -> None:
+    """Three bars of m L^2/3 and the coupler, which m L^2 carries round: T = 2 m L^2 alpha."""
+    system = fb.System.load(EXAMPLES / "parallelogram_with_extra_bar.yaml")
+    agrees(fb.solve(system, "ratio of angular velocity of right to angular velocity of left"), "q1", "1")
+    agrees(fb.solve(system, "acceleration of theta"), "q1", "T/(2*m*L**2)")
+
+
+# -- ends that coincide, sizes out of all bounds ----------------------------------------------
+BALL = f"""
+parameters: {{m: 1 kg, R: 0.2 m, {G}}}
+ground: {{points: {{A: [1 m, 0], B: [2 m, 0]}}}}
+bodies: {{p: {{disk: {{mass: m, radius: R}}}}, b: {{particle: {{mass: m}}, at: [1 m, 0]}}}}
+{WEIGHT}
+"""
+
+
+@pytest.mark.parametrize(
+    ("connection", "message"),
+    [
+        ("{string: {from: ground.A, to: b}}", "at the start ground.A and b are 0 m from each other"),
+        ("{link: [ground.A, b]}", "at the start ground.A and b are in one place"),
+        ("{weld: [ground.A, ground.B]}", "welds ground to itself"),
+        ("{link: [ground.A, ground.B]}", "links ground to itself"),
+        ("{link: [ground.B, b, 1e300 m]}", "1e300 m is too large or too small"),
+    ],
+)
+def test_ends_that_coincide_and_sizes_without_bounds_are_refused(connection: str, message: str) -> None:
+    with pytest.raises(fb.ModelError, match=message):
+        fb.System.from_text(BALL + f"connections: {{it: {connection}}}\n")
+
+
+def test_a_string_that_ends_inside_its_pulley_is_refused() -> None:
+    inside = BALL + "connections: {axle: {pin: [ground.B, p]}, it: {string: {from: b, over: [p], to: ground.A}}}\n"
+    with pytest.raises(fb.ModelError, match=r"put them more than 0.2 m apart"):
+        fb.System.from_text(inside.replace("at: [1 m, 0]", "at: [1.9 m, 0]"))
+
+
+def test_an_angle_of_a_line_without_length_is_refused_in_words() -> None:
+    system = fb.System.from_text(BALL + "measures: {phi: angle of line from ground.A to b}\n")
+    assert "two points coincide" in fb.solve(system, "phi at start")["q1"].reason
+    with pytest.raises(fb.FreebodyError, match="two points coincide"):
+        fb.simulate(system, 0.1)
+
+
+def test_a_stop_on_what_never_changes_is_open_for_ever() -> None:
+    measure = "measures: {d: distance from ground.A to ground.B}\n"
+    system = fb.System.from_text(BALL + measure + "connections: {it: {stop: {measure: d, min: 0.5 m}}}\n")
+    assert fb.solve(system, "d")["q1"].value == 1.0
+    assert fb.simulate(system, 0.1).status.name == "FINISHED"

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, add, evaluate, multiply
-from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import RigidBody
 
 if TYPE_CHECKING:
@@ -55,6 +55,18 @@ def _of_fixed(body: RigidBody, point: Point, along: Direction) -> Expr | None:
         return None
     moved = tuple(add(p, o, -q) for p, o, q in zip(place, point.offset, body.points[name], strict=True))
     return along_of(moved, along)
+
+
+def place_of(names: Names, point: Point) -> tuple[float, float] | None:
+    """Where a point is at the start in numbers, if the model says so: by its body's `at`, or by what holds it."""
+    body = names.known(point.body)
+    if body.start.at is not None and not body.fixed:
+        name, place = body.start.at
+        if body.points[name] != point.offset:
+            return None
+        return number_of(names, place[0]), number_of(names, place[1])
+    x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
+    return None if x is None or y is None else (number_of(names, x), number_of(names, y))
 
 
 @contextmanager

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from freebody.connections.hanging import Hook, askew, hooks_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
-from freebody.connections.standing import ROUND_OFF, is_parallel, number_of, quietly, stands_at
+from freebody.connections.standing import ROUND_OFF, is_parallel, number_of, place_of, quietly, stands_at
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -169,6 +170,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         laid = self._laid(names)
         if laid is None:
             return []
+        self._check_ends(names, laid)
         sections = laid.sections
         rough = rough_drums(self.friction, [drum_name(node) for node in laid.slid_over])
         return [
@@ -209,13 +211,33 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         if any(node is None for node in nodes):
             return None
         way = [node for node in nodes if node is not None]
+        names.laying.append(self)
         for k in range(len(way)):
             hung = [*way[:k], replace(way[k], hangs=True), *way[k + 1 :]]
             if way[k].is_put and self._is_straight_below(names, hung, k):
                 way = hung
+        names.laying.pop()
         leads, turns, arms = self._run(names, way)
         grips = self._grips(names, way)
         return Laid(way, leads, arms, grips, _sections(way, leads, turns, arms, grips))
+
+    def _check_ends(self, names: Names, laid: Laid) -> None:
+        """A lead along the common tangent of two circles needs them apart at the start."""
+        arms = laid.arms
+        for k, lead in enumerate(laid.leads):
+            first, second = laid.way[k], laid.way[k + 1]
+            places = [place_of(names, node.point) for node in (first, second)]
+            if lead is not None or places[0] is None or places[1] is None or first.body == second.body:
+                continue
+            apart = math.dist(places[0], places[1])
+            arm = abs(number_of(names, add(arms[k + 1], negate(arms[k]))))
+            if apart <= arm + ROUND_OFF:
+                wanted = f"more than {arm:.6g} m apart" if arm else "apart"
+                names.problem(
+                    f"at the start {first.point} and {second.point} are {apart:.6g} m from each other, where the "
+                    f"string between them has no direction: put them {wanted} (at)"
+                )
+                return
 
     def _run(self, names: Names, way: list[Node]) -> tuple[list[Direction | None], list[int], list[Expr]]:
         """The constant directions of the leads, the sense in which the string runs round each node, and its arms."""
@@ -394,7 +416,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return set() if laid is None else {body for body, hook in laid.hooks.items() if hook.hangs}
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
-        if point.body not in self.mentions(names):
+        if point.body not in self.mentions(names) or any(other is self for other in names.laying):
             return None
         with quietly(names):
             laid = self._laid(names)

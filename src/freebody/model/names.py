@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, cast
 from freebody.errors import ExpressionError, InputError, Problem, UnitError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, negate, number
 from freebody.language.parser import parse
-from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension, dimension_of, parse_quantity
+from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, RIGHT, Components, Direction, Point
 from freebody.model.elements import Held, Line, Parameter, Plane, Push, RigidBody
@@ -65,6 +65,7 @@ class Names:
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.pushes: list[Push] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
+        self.laying: list[Connection] = []  # strings whose way is being found, which place nothing yet
         self.space = False
         self.up: Components = (ZERO, ONE)
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
@@ -129,6 +130,9 @@ class Names:
         if isinstance(value, (int, float)):
             if not math.isfinite(value):
                 self.problem(f"{value} is not a finite number", None, *path)
+                return ZERO
+            if abs(value) > LARGEST:
+                self.problem(f"{value} is too large to calculate with: sizes go up to {LARGEST:.0e}", None, *path)
                 return ZERO
             return number(value)
         try:

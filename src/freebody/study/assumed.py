@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, free_symbols
-from freebody.language.notation import to_text
+from freebody.language.notation import Stated, to_python
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split, stack
@@ -21,6 +21,7 @@ from freebody.symbolic.motion import rate_not_given
 from freebody.symbolic.tidy import tidy
 
 _SMALL = 1e-9
+_WORD = re.compile(r"[A-Za-z_]\w*")
 
 
 def assumed_at_start(setup: Setup, answers: Sequence[Answer]) -> tuple[str, ...]:
@@ -37,27 +38,25 @@ def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
     meanings += [(symbol, f"what {names[k]} is") for k, symbol in model.start_symbols.items() if k in names]
     used = set[str]().union(*(_symbols(answer) for answer in answers))
     for symbol, meaning in meanings:
-        shown = _shown(symbol)
-        if shown & used or any(to_text(tidy(symbol)) in text for answer in answers for text in answer.conditions):
+        name = to_python(tidy(symbol))
+        if name in used:
             value = ""
             if setup.has_values:
                 with suppress(CannotAnswer, ArithmeticError, KeyError):
                     value = f" ({_number(setup, symbol):.6g} in SI units)"
             yield (
-                f"{to_text(tidy(symbol))} is {meaning} at the start{value}: the model does not say it, and it has no "
-                "formula in the parameters"
+                f"{name} is {meaning} at the start{value}: the model does not say it, and it has no formula in the "
+                "parameters"
             )
 
 
 def _symbols(answer: Answer) -> set[str]:
-    parts: tuple[Expr, ...] = ()
-    if answer.expression is not None:
-        parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
-    return set[str]().union(*(free_symbols(part) for part in parts))
-
-
-def _shown(symbol: Ratio) -> set[str]:
-    return set(free_symbols(tidy(symbol)))
+    """The words in the formulas of an answer and in its conditions and notes."""
+    forms = [answer.expression, *(case.expression for case in answer.cases)]
+    parts = [part for e in forms if e is not None for part in (e if isinstance(e, tuple) else (e,))]
+    said = [*answer.conditions, *answer.notes, *(text for case in answer.cases for text in case.conditions)]
+    texts = [*map(to_python, parts), *(text.expression for text in said if isinstance(text, Stated))]
+    return set(_WORD.findall(" ".join(texts)))
 
 
 def _number(setup: Setup, symbol: Ratio) -> float:

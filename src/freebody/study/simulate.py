@@ -75,7 +75,12 @@ class Simulator:
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
         self.value_at_start = start.value
-        self.engine.align(self.start, 0.0, self.value_at_start)
+        try:
+            self.engine.align(self.start, 0.0, self.value_at_start)
+        except ZeroDivisionError:
+            for measure in system.measures.values():
+                _ = start.acceleration(measure)  # says which one has no value or rate at the start
+            raise
         self._near = self.engine.near()
         _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
         if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:

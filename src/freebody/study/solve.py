@@ -227,7 +227,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         tuple(model.redundant),
         answers,
         phases,
-        assumed_at_start(tree.home.home, answers),
+        assumed_at_start(tree.home, answers),
     )
 
 

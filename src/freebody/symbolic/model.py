@@ -73,6 +73,7 @@ class SymbolicModel:
         self._functions: dict[int, Expr] = {}  # given functions of time and their rates: what they are in numbers
         self.parameters = self._parameters()
         self.constants: dict[str, Ratio] = {}  # hidden start values of incremental rows, by row name
+        self.given_constants: dict[int, Ratio] = {}  # of these: what they are in the parameters
         self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
         self._coordinate_measures: dict[int, Measure] = {}
         self.start_symbols: dict[int, Ratio] = {}  # by coordinate
@@ -452,12 +453,20 @@ class SymbolicModel:
         if all(abs(s.constants.get(row.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
             return self.field.zero
         given = self._given_value(row.measure, row.name)  # type: ignore[arg-type]
-        if given is not None:
+        if given is not None and (len(self.field.terms(given.num)) == 1 or self._is_placed(row.measure)):  # type: ignore[arg-type]
             return given
         name = row.name.replace(".", "_").replace(" ", "_")
         constant = self.field.parameter(f"{name}_0")
         self.constants[row.name] = constant
+        if given is not None:  # as one symbol until an answer contains it: it may stand in many sines
+            self.given_constants[self.field.index(constant)] = given
         return constant
+
+    def _is_placed(self, measure: Measure) -> bool:
+        """Whether the model gives the places and angles of all bodies of a measure."""
+        given = self._given_poses()
+        poses = (self._raw_poses[name] for name in measure.bodies() if name != GROUND)
+        return all(e.generators() <= given.keys() for pose in poses for e in _pose_elements(pose))
 
     def _values_at(self, sample: Sample) -> dict[int, Any]:
         """Values of all generators at a sample; speeds and accelerations that it does not tell are arbitrary."""

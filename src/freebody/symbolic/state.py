@@ -38,9 +38,10 @@ class SymbolicState:
 
     def here(self, x: Ratio) -> Ratio:
         """An element at this instant."""
-        if not self.values:
-            return x
-        return self.model.field.follow(self.model.in_independent_speeds(x), self.values)
+        given = self.model.given_constants
+        if self.values:
+            return self.model.field.follow(self.model.in_independent_speeds(x), {**given, **self.values})
+        return self.model.field.follow(x, given) if self.model.field.ingredients(x) & given.keys() else x
 
     def scalar(self, expr: Expr) -> Ratio:
         return self.model.geometry.scalar(expr)

@@ -39,7 +39,7 @@ from freebody.language.units.dimension import (
     unit_of,
 )
 from freebody.language.units.inference import dimension_of
-from freebody.language.units.quantity import Quantity, parse_quantity
+from freebody.language.units.quantity import LARGEST, Quantity, parse_quantity
 from freebody.language.units.reader import parse_unit
 from freebody.language.units.table import Unit
 
@@ -56,6 +56,7 @@ __all__ = [
     "FORCE",
     "IMPULSE",
     "INERTIA",
+    "LARGEST",
     "LENGTH",
     "MASS",
     "MOMENTUM",

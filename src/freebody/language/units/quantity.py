@@ -29,6 +29,8 @@ class Quantity:
     degrees: Fraction | None = None
 
 
+LARGEST = 1e60  # whose fifth power is a number still
+
 _NUMBER = re.compile(
     r"\s*(?P<sign>[-+−]?)\s*(?P<digits>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+−]?[0-9]+)?)(?P<unit>.*)", re.S
 )
@@ -68,8 +70,11 @@ def _quantity(number: Fraction, unit: Unit, text: str) -> Quantity:
         value = float(exact) * math.pi**unit.pi_power
     except OverflowError:
         value = math.inf
-    if not math.isfinite(value) or (value == 0) != (exact == 0):
-        raise UnitError(f"{text[:60]} is too large or too small to calculate with")
+    if exact != 0 and not 1 / LARGEST <= abs(value) <= LARGEST:
+        raise UnitError(
+            f"{text[:60]} is too large or too small to calculate with: sizes go from {1 / LARGEST:.0e} to "
+            f"{LARGEST:.0e} in SI units"
+        )
     is_exact = unit.is_exact and unit.pi_power == 0
     is_in_degrees = unit.is_exact and unit.is_angle and unit.pi_power == 1
     return Quantity(
