@@ -14,6 +14,7 @@ import pytest
 
 import freebody as fb
 from conftest import formula
+from declared import undeclared
 from freebody.language.parser import parse
 
 FOLDER = Path(__file__).parents[1] / "examples"
@@ -34,6 +35,12 @@ def test_example_is_solved_completely(name: str) -> None:
     assert solution.answers
     assert {a.id: a.reason for a in solution.answers if a.expression is None} == {}
     assert solution.is_complete
+
+
+@example
+def test_every_symbol_of_an_answer_is_introduced(name: str) -> None:
+    """A parameter, a coordinate or measure of the model, the time, or a start value that an assumption explains."""
+    assert undeclared(solved(name)) == set()
 
 
 @example
