@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import along_of, is_parallel, quietly, same_way, stands_at
-from freebody.language.expression import Expr, add
+from freebody.connections.standing import along_of, is_parallel, quietly, stands_at
+from freebody.language.expression import Expr, multiply
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -25,10 +25,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Guide:
-    """A straight guide of a point: the measure across it, what that is held at, and the measure along it."""
+    """A straight guide of a point: the measure across it, and the one along it."""
 
     across: Measure
-    target: Expr | None
     travel: Displacement
 
     @property
@@ -45,7 +44,7 @@ def guide(
     keeps_angle: the body does not turn, so that its `at` is the place of all its points."""
     line = names.line(along, "along") if isinstance(along, str) else None
     direction = names.direction(along, "along", body=names.body(on, "on").name)
-    start, target = names.known(point.body).start, None
+    start = names.known(point.body).start
     origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False
     if through is not None:
         origin = names.point(through, "through")
@@ -57,10 +56,13 @@ def guide(
     elif start.at is not None or start.near is not None:
         is_kept = True
     else:
-        target = _led(names, point, direction.normal(), frozenset({point.body}))
+        level = _led(names, point, direction.normal(), frozenset({point.body}))
+        if level is not None:
+            on_line = Point(GROUND, tuple(multiply(level, c) for c in direction.normal().components), "ground.origin")
+            return Guide(Displacement(point, on_line, direction.normal()), Displacement(point, origin, direction))
     across = Displacement(point, origin, direction.normal())
     kept = Combination(((ONE, across),), LENGTH) if is_kept else across
-    return Guide(kept, target, Displacement(point, origin, direction))
+    return Guide(kept, Displacement(point, origin, direction))
 
 
 def _is_put(names: Names, point: Point, *, keeps_angle: bool) -> bool:
@@ -105,7 +107,7 @@ connections: {it: {slider: {body: block, along: right}}}
         if point.body == direction.body:
             names.problem(f"{point.body} cannot slide on itself; name another body with on")
             return []
-        rows = [Held("normal", "normal force", rail.across, rail.target)]
+        rows = [Held("normal", "normal force", rail.across)]
         if names.known(point.body).turns and names.known(direction.body).turns:
             angle = Angle(point.body, direction.body)
             rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
@@ -125,12 +127,7 @@ connections: {it: {slider: {body: block, along: right}}}
             if self.through is None and body.start.at is not None:
                 return along_of(body.start.at[1], along) if body.points[body.start.at[0]] == point.offset else None
             rail = self._guide(names, point)
-        if rail.target is None and isinstance(rail.across, Combination):
-            return None
-        origin = stands_at(names, rail.travel.origin, along, seen)
-        if origin is None or rail.target is None:
-            return origin
-        return add(origin, rail.target if same_way(names, normal, along) else -rail.target)
+        return stands_at(names, rail.across.origin, along, seen) if isinstance(rail.across, Displacement) else None
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)

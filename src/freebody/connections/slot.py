@@ -41,7 +41,7 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
         if point.body == rail.direction.body:
             names.problem(f"the pin and the slot are both on {point.body}")
             return []
-        return [Held("normal", "normal force", rail.across, rail.target)]
+        return [Held("normal", "normal force", rail.across)]
 
     def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
