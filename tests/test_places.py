@@ -413,6 +413,29 @@ def test_a_start_where_angles_are_not_determined_is_refused_by_name(turned: str,
     assert fb.solve(other).degrees_of_freedom == 3
 
 
+TRUCK = f"""
+parameters: {{M: 5 kg, m: 1 kg, r: 0.1 m, al: 0.2 rad, {G}}}
+bodies:
+  truck:
+    {{rectangle: {{mass: M, width: 3 m, height: 1 m}}, TURNED lines: {{road: {{along: ROAD, through: [0, 0.5 m]}}}}}}
+  pipe: {{ring: {{mass: m, radius: r}}}}
+connections: {{road: {{slider: {{body: truck, along: right}}}}, contact: {{rolling: {{body: pipe, on: truck.road}}}}}}
+{WEIGHT}
+measures: {{x: x of truck, s: travel of pipe along truck.road}}
+questions: [acceleration of x, angle of pipe]
+"""
+
+
+@pytest.mark.parametrize(("turned", "road"), [("angle: al,", "x"), ("near: {angle: al},", "x"), ("", "al")])
+def test_a_slider_keeps_the_angle_that_is_given_or_none(turned: str, road: str, agrees: Agree) -> None:
+    """(M + m) x'' + m cos(al) s'' = 0, m cos(al) x'' + 2 m s'' = -m g sin(al): the guide keeps the truck's angle, which
+    nothing tilts to bring the pipe on its bed; where along it the pipe begins is an assumption."""
+    solution = fb.solve(fb.System.from_text(TRUCK.replace("TURNED", turned).replace("ROAD", road)))
+    agrees(solution, "q1", "m*g*sin(al)*cos(al)/(2*M + m + m*sin(al)**2)")
+    assert [text.split()[0] for text in solution.assumptions] == ["contact_no_slip_0"]
+    assert not undeclared(solution)
+
+
 # -- what is nothing, and what is equal -------------------------------------------------------
 def test_a_spring_beside_a_bar_of_its_length_pulls_nothing() -> None:
     """It joins the ends of a rigid bar, whose length does not change: a zero of cancelled parts."""

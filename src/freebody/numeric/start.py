@@ -14,7 +14,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
+from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
 from freebody.model.elements import RateMeasure, RigidBody, Start
 from freebody.numeric import spatial
@@ -97,8 +100,14 @@ def assembled(
         _refuse_singular(reference, body)
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
-    guess = _guess(reference) if guess is None else guess
+    described = _guess(reference)
+    guess = described if guess is None else guess
     best: Fit | None = None
+    guided = _guided(reference, described)
+    if guided:  # an angle or a place that a guide keeps is that of the description, where the rest fits to it
+        fit = reference.placing.fit(guess, [*equations, *guided], 0.0, {})
+        if fit is not None and fit.error <= ACCEPTED:
+            return fit
     for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {})
         if fit is not None and (best is None or fit.error < best.error):
@@ -116,6 +125,19 @@ def assembled(
     return best
 
 
+def _guided(reference: Reference, described: Array) -> list[Equation]:
+    """What guides keep of an angle or of a place, at its value in a pose."""
+    found: list[Equation] = []
+    g = reference.geometry(described, np.zeros_like(described), 0.0)
+    for row in reference.system.held:
+        if row.target is not None or not isinstance(row.measure, Combination) or len(row.measure.terms) != 1:
+            continue
+        if isinstance(row.measure.terms[0][1], (Angle, Displacement)):
+            here = reference.jet(g, row.measure, row.name).value
+            found.append(Equation.of(row.name, row.measure, Jet(here)))
+    return found
+
+
 def _refuse_singular(reference: Reference, body: RigidBody) -> None:
     """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
     the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
@@ -123,7 +145,8 @@ def _refuse_singular(reference: Reference, body: RigidBody) -> None:
     given = {name: reference.number(reference.system.start[name]) for name in named if name in reference.system.start}
     if len(named) < 3 or named[1] not in given:
         return
-    before, axes, turned = spatial.UNIT, [], dict.fromkeys(named, 0.0) | given
+    before, turned = spatial.UNIT, dict.fromkeys(named, 0.0) | given
+    axes: list[Array] = []
     for turn in body.chain:
         if turn.name:
             axes.append(before @ np.array([reference.number(c) for c in turn.axis]))
@@ -173,9 +196,6 @@ def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | RateM
 
 def _body_equations(reference: Reference) -> list[Equation]:
     """A place or an angle that the model gives to a body at the start."""
-    from freebody.measures.angle import Angle
-    from freebody.measures.displacement import Displacement
-
     equations: list[Equation] = []
     for body in reference.system.moving:
         if body.start.at is not None:

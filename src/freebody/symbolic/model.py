@@ -808,7 +808,15 @@ class SymbolicModel:
         }
         unknowns = {index: self._unknowns[index] for index in absolute}
         try:
-            start = StartPose(self.system, self.field, self._raw_poses, self.parameters, unknowns, self.is_negative)
+            start = StartPose(
+                self.system,
+                self.field,
+                self._raw_poses,
+                self.parameters,
+                unknowns,
+                self.is_negative,
+                self.at_samples,
+            )
             return start.values(self.start_numbers)
         except CannotAnswer:  # too long to write
             return self._given_poses()

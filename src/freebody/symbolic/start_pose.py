@@ -51,8 +51,10 @@ class StartPose:
         parameters: Mapping[str, Ratio],
         unknowns: Mapping[int, Unknown],
         is_negative: Callable[[Ratio], bool],
+        at_samples: Callable[[Ratio], Sequence[float]],
     ) -> None:
-        """poses and unknowns: the absolute coordinates."""
+        """poses and unknowns: the absolute coordinates. at_samples: an element in numbers at the start poses."""
+        self._at_samples = at_samples
         self.field = field
         self._system = system
         self._own = dict(unknowns)
@@ -73,6 +75,7 @@ class StartPose:
         absolute = [index for index, u in unknowns.items() if u.rank[0] != _LINE]
         found = Elimination(f, unknowns, equations, self._lines, lambda x: x.is_zero(), self._straight, _LINE)
         open_ = {u.index: recognised(f, numbers(u.index), is_angle=self._is_angle(u.index)) for u in found.kept}
+        open_ |= {index: x for index, x in self._guesses().items() if self._is(x, numbers(index))}
         known = {index: value for index, value in open_.items() if value is not None}
         values: dict[int, Ratio] = {}
         for index in absolute:
@@ -80,6 +83,21 @@ class StartPose:
             if not any(i in unknowns or f.generators[i].kind == "time" for i in f.ingredients(value)):
                 values[index] = value
         return values
+
+    def _guesses(self) -> dict[int, Ratio]:
+        """Angles and places at which bodies are said to be near."""
+        f, scalar = self.field, self._geometry.scalar
+        found: dict[int, Ratio] = {}
+        for body in self._system.moving:
+            pose, near = self._poses[body.name], body.start.near
+            assert isinstance(pose, Pose)
+            if near is not None and near.angle is not None and body.turns and body.start.angle is None:
+                found[f.index(pose.angle)] = scalar(near.angle)
+        return found
+
+    def _is(self, x: Ratio, numbers: Sequence[float]) -> bool:
+        """Whether an element without coordinates has these values at the samples."""
+        return bool(numbers) and all(abs(a - b) <= ROUND_OFF for a, b in zip(self._at_samples(x), numbers, strict=True))
 
     def _is_angle(self, index: int) -> bool:
         poses = [p for p in self._poses.values() if isinstance(p, Pose)]
