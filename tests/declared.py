@@ -1,5 +1,5 @@
 """Which symbols of a solution nobody introduced: neither parameters, nor coordinates or measures of the model, nor the
-time, nor start values that an assumption explains."""
+time, nor explained by an assumption or by a note of the answer."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import re
 from typing import Any
 
 import freebody as fb
-from freebody.language.expression import free_symbols
+from freebody.language.expression import Symbol, free_symbols
+from freebody.language.notation import to_text
 from freebody.language.parser import parse
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -41,6 +42,8 @@ def undeclared(solution: fb.Solution) -> set[str]:
 
 def _everywhere(part: Any, known: set[str]) -> set[str]:
     if isinstance(part, dict):
+        said = " ".join(n["text"] for n in part.get("notes", ()) if isinstance(n, dict) and n["expression"] is None)
+        known = known | {name for name in symbols_of(part.get("expression")) if to_text(Symbol(name)) in said.split()}
         found = symbols_of(part["expression"]) - known if "expression" in part else set[str]()
         return found.union(*(_everywhere(value, known) for key, value in part.items() if key != "options"))
     if isinstance(part, list):
