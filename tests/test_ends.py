@@ -11,6 +11,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -267,19 +269,26 @@ def test_documents_are_plain_json(capsys: pytest.CaptureFixture[str]) -> None:
 
 # -- signals ----------------------------------------------------------------------------------
 @posix
-@pytest.mark.slow
 @pytest.mark.parametrize("sign", [signal.SIGTERM, signal.SIGINT])
-def test_an_interrupted_simulation_is_printed_and_written(sign: signal.Signals, model: Path) -> None:
+def test_an_interrupted_simulation_is_printed_and_written(
+    sign: signal.Signals, model: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    @contextmanager
+    def bar(_until: float) -> Generator[Callable[[float, int], None]]:
+        yield lambda _now, _steps: os.kill(os.getpid(), sign)
+
+    monkeypatch.setattr("freebody.present.simulation.progress_bar", bar)
+    before = signal.getsignal(signal.SIGTERM)
     out = model.with_name("run.csv")
-    running = program(
-        "simulate", model, "--until", "1e9", "--method", "rk4", "--step", "1e-3", "--every", "1e8", "--out", out
-    )
-    time.sleep(20.0)
-    running.send_signal(sign)
-    printed, _said = running.communicate(timeout=120)
+    steps = ("--method", "rk4", "--step", "1e-3", "--every", "1e5")
+    try:
+        code = ended("simulate", model, "--until", "1e6", *steps, "--out", out, monkeypatch=monkeypatch)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    printed = capsys.readouterr().out
     assert "interrupted at t = " in printed
     assert f"wrote {out}" in printed
-    assert running.returncode == 1
+    assert code == 1
     assert len(out.read_text().splitlines()) >= 2
 
 
