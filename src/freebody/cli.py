@@ -9,7 +9,7 @@ import math
 import os
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, ParamSpec
 
@@ -145,6 +145,13 @@ def _is_of_output(error: OSError) -> bool:
     return error.filename is None and error.errno in (errno.ENOSPC, errno.EFBIG, errno.EIO, errno.EBADF, errno.EDQUOT)
 
 
+def _print_written(paths: Sequence[Path]) -> None:
+    from freebody.language.plain_text import plain
+
+    for path in paths:
+        print(f"wrote {plain(str(path))}")
+
+
 def _print_json(document: Any) -> None:
     """One document of plain JSON: what is no finite number is null."""
     print(json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False))
@@ -233,8 +240,7 @@ def explain(
         written = [] if out is None else found.write(out)
     if out is None:
         print(text)
-    for path in written:
-        print(f"wrote {path}")
+    _print_written(written)
     if not found.is_complete:
         raise typer.Exit(1)
 
@@ -260,8 +266,7 @@ def sheet(
 
         made = make(load_systems(files), solutions=solutions, variants=variants, seed=seed, language=language)
         written = made.write(out)
-    for path in written:
-        print(f"wrote {path}")
+    _print_written(written)
 
 
 @_command
@@ -360,8 +365,7 @@ def simulate(
     with busy("writing"):
         written = _written(result, out, plot, show or [], animate)
     if not as_json:
-        for path in written:
-            print(f"wrote {path}")
+        _print_written(written)
     if not result.status.is_complete:
         raise typer.Exit(1)
 
@@ -495,7 +499,7 @@ def draw(
             perspective=perspective,
             dark=dark,
         )
-    print(f"wrote {written}")
+    _print_written([written])
 
 
 def _listed(texts: list[str] | None) -> list[str]:
@@ -648,8 +652,7 @@ def examples(
             print(f"{example:<34} {title}")
         print("\nCopy one with: freebody examples NAME")
         return
-    for path in copy_examples(None if everything else name, to):
-        print(f"wrote {path}")
+    _print_written(copy_examples(None if everything else name, to))
 
 
 @_command

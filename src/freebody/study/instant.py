@@ -14,7 +14,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.system.system import System
 
-_MOST_STEPS = 200_000  # to the instant that is drawn
+_MOST_STEPS = 50_000  # to the instant that is drawn
 _AT_ONCE = 1e-6  # [s] a motion of which only the start is wanted
 
 
