@@ -107,6 +107,46 @@ def test_every_statement_of_the_json_document_is_for_people_and_for_machines(nam
         assert (entry["value"] is None) <= bool(entry["reason"])
 
 
+TEXT, TEXT_OR_NOTHING, LIST = (str,), (str, type(None)), (list,)
+OF_A_CASE = {"what": TEXT, "conditions": LIST, "expression": (str, list)}
+OF_AN_ANSWER = {
+    **{"id": TEXT, "question": TEXT, "expression": (str, list, type(None)), "latex": TEXT_OR_NOTHING, "unit": TEXT},
+    **{
+        "value": (int, float, list, type(None)),
+        "conditions": LIST,
+        "cases": LIST,
+        "notes": LIST,
+        "reason": TEXT_OR_NOTHING,
+    },
+    **{"choice": TEXT_OR_NOTHING, "options": (dict,), "author_notes": LIST, "evidence": (dict, type(None))},
+}
+OF_A_PHASE = {
+    **{"what": TEXT, "states": (dict,), "requires": LIST, "equations": (dict,), "motion": (dict,), "forces": (dict,)},
+    **{"event": TEXT_OR_NOTHING, "duration": TEXT_OR_NOTHING, "place": (dict, type(None)), "happens_if": LIST},
+    **{"reason": TEXT_OR_NOTHING},
+}
+
+
+def _has_shape(entry: dict[str, Any], shape: dict[str, tuple[type, ...]]) -> bool:
+    return set(shape) <= set(entry) and all(isinstance(entry[key], types) for key, types in shape.items())
+
+
+@example
+def test_the_json_document_has_the_documented_shape(name: str) -> None:
+    document = solved(name).to_plain()
+    for entry in document["answers"]:
+        assert _has_shape(entry, OF_AN_ANSWER), entry["id"]
+        assert all(_has_shape(case, OF_A_CASE) for case in entry["cases"])
+        shown = [entry["expression"]] if isinstance(entry["expression"], str) else entry["expression"] or []
+        for text in shown:
+            formula(text)
+    phases = document.get("phases", {"cases": []})
+    for phase in (p for case in phases["cases"] for p in case["phases"]):
+        assert _has_shape(phase, OF_A_PHASE)
+        for text in (*phase["equations"].values(), *phase["motion"].values(), *phase["forces"].values()):
+            formula(text)
+
+
 @example
 def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
     """The words of a comparison are read by the parser of model files, which knows no Python."""

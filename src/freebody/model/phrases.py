@@ -223,7 +223,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
     forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
     names.problem(
-        f"'{text}' states no measure. " + ("Did you mean: " if close else "Write one of: ") + "; ".join(forms),
+        f"cannot read the measure '{text}'. " + ("Did you mean: " if close else "Write one of: ") + "; ".join(forms),
         None,
         *path,
     )

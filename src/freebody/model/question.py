@@ -762,7 +762,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
 def _event(names: Names, text: str, path: Path) -> Event | None:
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
-        names.problem(f"'{text}' is no condition; write for example x = h", None, *path)
+        names.problem(f"cannot read the condition '{text}'; write for example x = h", None, *path)
         return None
     what = found["what"].strip()
     order: Literal[0, 1] = 0

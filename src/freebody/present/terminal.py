@@ -50,7 +50,7 @@ def system_line(system: System, dof: int, coordinates: tuple[str, ...], dependen
     if coordinates:
         text += f"; {plural(len(coordinates), 'coordinate').split(' ', 1)[1]}: {names}"
     if dependent:
-        text += f"; bound to them: {', '.join(to_text(_name(c)) for c in dependent)}"
+        text += f"; dependent: {', '.join(to_text(_name(c)) for c in dependent)}"
     return text
 
 
