@@ -317,7 +317,13 @@ def simulate(
     method: Annotated[str, typer.Option("--method", help="auto, dop853, dopri5, radau5 or rk4.")] = "auto",
     step: Annotated[str | None, typer.Option("--step", help="The step of a fixed-step method, as 1 ms.")] = None,
     every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
-    max_seconds: Annotated[float, typer.Option("--max-seconds", help="Stop after so long by the clock.")] = 3600.0,
+    max_step: Annotated[str | None, typer.Option("--max-step", help="No step is longer, as 0.01 or 10 ms.")] = None,
+    max_steps: Annotated[
+        int, typer.Option("--max-steps", help="Stop after so many steps: at the same place on every computer.")
+    ] = 10_000_000,
+    max_seconds: Annotated[
+        float, typer.Option("--max-seconds", help="Stop after so long by the clock, compiling not counted.")
+    ] = 3600.0,
     verify: Annotated[bool, typer.Option("--verify", help="Run again, more exactly, and compare.")] = False,
     impact: Annotated[str, typer.Option("--impact", help="Law of impact: newton, poisson or keller.")] = "newton",
     jams: Annotated[
@@ -349,6 +355,8 @@ def simulate(
             step=None if step is None else _seconds(step, "--step"),
             events=event or (),
             every=None if every is None else _seconds(every, "--every"),
+            max_step=None if max_step is None else _seconds(max_step, "--max-step"),
+            max_steps=max_steps,
             max_seconds=max_seconds,
             progress=progress,
             verify=verify,

@@ -24,6 +24,7 @@ from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.engine.motion import MOST_STEPS
 from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
@@ -103,6 +104,7 @@ class Simulator:
         longest: float = math.inf,
         outputs: Array | None = None,
         max_seconds: float = math.inf,
+        max_steps: int = MOST_STEPS,
         progress: Progress | None = None,
         state: Array | None = None,
         start: float = 0.0,
@@ -115,7 +117,7 @@ class Simulator:
         self.engine.count_from(near)
         y = (self.start if state is None else state).copy()
         if self.bounded is not None:
-            options = Options(tolerance, method, step or 0.0, longest, max_seconds, law, jams)
+            options = Options(tolerance, method, step or 0.0, longest, max_seconds, max_steps, law, jams)
             wanted = np.array([until]) if outputs is None else outputs
             return Hybrid(self.bounded, options).run(y, start, until, wanted, near, progress)
         return self.engine.run(
@@ -128,6 +130,7 @@ class Simulator:
             longest=longest,
             outputs=outputs,
             max_seconds=max_seconds,
+            max_steps=max_steps,
             progress=progress,
         )
 
@@ -317,7 +320,9 @@ def simulate(
     values: Mapping[str, float] | None = None,
     events: Sequence[str] = (),
     every: float | None = None,
+    max_step: float | None = None,
     max_seconds: float = math.inf,
+    max_steps: int = MOST_STEPS,
     progress: Progress | None = None,
     verify: bool = False,
     from_result: Simulation | None = None,
@@ -330,14 +335,16 @@ def simulate(
     order 8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts
     and dry friction, of first order in the `step`, which does not locate events. step: of a method without error
     control [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a
-    thousandth of the whole if nothing is said. impact: the law of impact, "newton", "poisson" or "keller". jams: where
-    no contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred
-    times as exact, tells from when on they part.
+    thousandth of the whole if nothing is said. max_step: no step is longer [s]. max_steps: the motion ends after so
+    many steps, on every computer at the same place; max_seconds: after so long by the clock, compiling not counted.
+    impact: the law of impact, "newton", "poisson" or "keller". jams: where no contact force is consistent (Painleve),
+    go on with an impulse that ends the slip. verify: a second run, a hundred times as exact, tells from when on they
+    part.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
     """
-    _check(until, tolerance, method, step, every, max_seconds)
+    _check(until, tolerance, method, step, every, max_step, max_seconds, max_steps)
     law = _law_of_impact(impact)
     by_steps = method == STEPPING
     if by_steps and (events or verify):
@@ -358,14 +365,17 @@ def simulate(
     outputs = _output_times(start, until, every)
     if method == STEPPING:
         assert step is not None
-        return stepped(simulator, until, step, tolerance, outputs, max_seconds, progress, from_result)
+        limits = max_seconds, max_steps
+        return stepped(simulator, until, min(step, max_step or step), tolerance, outputs, limits, progress, from_result)
     course = simulator.run(
         until,
         tolerance=tolerance,
         method=method,
         step=step,
+        longest=max_step or math.inf,
         outputs=outputs,
         max_seconds=max_seconds,
+        max_steps=max_steps,
         progress=progress,
         state=state,
         start=start,
@@ -395,11 +405,11 @@ def stepped(
     step: float,
     tolerance: float,
     outputs: Array,
-    max_seconds: float,
+    limits: tuple[float, int],
     progress: Progress | None,
     before: Simulation | None,
 ) -> Simulation:
-    """A motion by Moreau-Jean time stepping."""
+    """A motion by Moreau-Jean time stepping. limits: seconds and steps."""
     from freebody.numeric.timestepping.run import run_moreau
 
     y = simulator.start if before is None else _last_state(before)
@@ -412,7 +422,8 @@ def stepped(
         step,
         start=0.0 if before is None else before.t_end,
         outputs=outputs,
-        max_seconds=max_seconds,
+        max_seconds=limits[0],
+        max_steps=limits[1],
         progress=progress,
         value=simulator.value_at_start,
     )
@@ -420,7 +431,14 @@ def stepped(
 
 
 def _check(
-    until: float, tolerance: float, method: str, step: float | None, every: float | None, max_seconds: float
+    until: float,
+    tolerance: float,
+    method: str,
+    step: float | None,
+    every: float | None,
+    max_step: float | None,
+    max_seconds: float,
+    max_steps: int,
 ) -> None:
     if not (math.isfinite(until) and until > 0.0):
         raise InputError(f"the motion must last for a positive time, not {until:g} s")
@@ -430,7 +448,9 @@ def _check(
         raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}, {STEPPING}")
     if method == STEPPING and step is None:
         raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
-    for name, value in (("step", step), ("every", every), ("max_seconds", max_seconds)):
+    if max_steps < 1:
+        raise InputError(f"max_steps must be at least 1, not {max_steps}")
+    for name, value in (("step", step), ("every", every), ("max_step", max_step), ("max_seconds", max_seconds)):
         if value is not None and not value > 0.0:
             raise InputError(f"{name} must be positive, not {value:g} s")
     if step is not None and method not in ("rk4", STEPPING):

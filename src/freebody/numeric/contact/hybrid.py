@@ -22,6 +22,7 @@ from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Course, Happening, Status
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.motion import MOST_STEPS, stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 
@@ -41,6 +42,7 @@ class Options:
     step: float = 0.0
     longest: float = math.inf
     max_seconds: float = math.inf
+    max_steps: int = MOST_STEPS
     law: Law = Law.NEWTON
     jams: bool = False  # where no force is consistent: an impulse, instead of the end
     most_events: int = MOST_EVENTS
@@ -61,6 +63,7 @@ class Hybrid:
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
     ) -> Course:
         """The motion from a state; outputs: times at which it is wanted."""
+        self.bounded.free.compile(is_guarded=True)
         began = time.perf_counter()
         t, mode = start, None
         result = self.transition.after(y, t, near, None)
@@ -79,8 +82,10 @@ class Hybrid:
             if t >= until:
                 break
             left = self.options.max_seconds - (time.perf_counter() - began)
-            if left <= 0.0:
-                status, message = Status.TOO_LONG, f"stopped at t = {t:.6g} s after {len(self.phases)} phases"
+            steps_left = self.options.max_steps - sum(phase.course.n_steps for phase in self.phases)
+            if left <= 0.0 or steps_left <= 0:
+                limit = self.options.max_seconds if left <= 0.0 else None
+                status, message = Status.TOO_LONG, stopped(t, f"{len(self.phases)} phases", limit)
                 break
             if n_at_once > MOST_AT_ONCE or len(self.events) > self.options.most_events:
                 status = Status.CHATTER
@@ -104,12 +109,12 @@ class Hybrid:
                 longest=self.options.longest,
                 outputs=np.concatenate(([t], outputs[outputs > t])),
                 max_seconds=left,
+                max_steps=steps_left,
                 progress=progress,
                 guarded=Guarding(
                     sizes,
                     partial(self._is_valid, engine, about),
                     [g for g, (what, k) in enumerate(about) if what == "gap" and k in asleep],
-                    np.array([self.bounded.barriers[k].radius if what == "gap" else np.nan for what, k in about]),
                     self.bounded.turning,
                     partial(self._lasts, mode) if is_soft else None,
                 ),

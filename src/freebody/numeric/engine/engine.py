@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,16 +14,16 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, RateMeasure
-from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Course
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.motion import Motion, Progress
+from freebody.numeric.engine.motion import MOST_STEPS, Motion, Progress
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
-from freebody.numeric.engine.patrol import Guarding
+from freebody.numeric.engine.patrol import Guarding, Programs
 from freebody.numeric.engine.stepping import Run
 from freebody.numeric.engine.tableaus import DOP853, Tableau
 from freebody.numeric.engine.tape import play
@@ -32,17 +33,14 @@ from freebody.numeric.numbers import Numbers
 
 @dataclass(frozen=True)
 class Watch:
-    """Something whose zero is an event: a measure (order 0) or its rate (order 1) minus a value; or, without a
-    measure, a multiplier by its place among the held rows, times `sign`."""
+    """Something whose zero is an event: a measure (order 0) or its rate (order 1) minus a value."""
 
     name: str
-    measure: Measure | RateMeasure | None = None
+    measure: Measure | RateMeasure
     order: int = 0
     value: float = 0.0
     direction: int = 0  # 1: rising only, -1: falling only
     is_terminal: bool = False
-    held: int = -1
-    sign: int = 1
     size: float = 1.0  # what counts as large
 
 
@@ -138,8 +136,7 @@ def packed(numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Me
     for push in numbers.system.pushes:
         packing.push(push)
     for watch in watches:
-        if watch.measure is not None:
-            packing.watch(watch.measure)
+        packing.watch(watch.measure)
     for measure in tracked:
         packing.watch(measure)
     return packing
@@ -192,9 +189,14 @@ class Engine(Packed):
         super().__init__(numbers, packing, mode)
         self.held = [packing.held[k].held for k in (range(len(packing.held)) if mode is None else mode.held)]
         self.pushes = [push for _where, push, _linear, _works in packing.pushed]
-        self.watched_rows = [-1 if w.measure is None else self.rows[w.measure] for w in watches]
+        self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
+
+    @cached_property
+    def guard_programs(self) -> Programs:
+        """What is guarded as programs."""
+        return Programs(self)
 
     def evaluate(self, y: Floats, t: float, n_times: int = 1) -> tuple[Floats, Floats]:
         """Accelerations (n_bodies + 1, 3), in space (n_bodies + 1, 6), and multipliers (n_held,) of a state as it is.
@@ -269,6 +271,16 @@ class Engine(Packed):
         return np.linalg.norm(U[:, rank:], axis=1) > 1e-6
 
     # -- motions ------------------------------------------------------------------------------
+    def compile(self, *, is_guarded: bool = False) -> None:
+        """Compiles what a motion needs, if that has not been done before: that is no part of its time."""
+        idle = self.idle
+        stepping.advance(self.layout, self.room, DOP853, idle, 0)
+        if is_guarded:
+            tables = [np.zeros((0, len(self.layout.guard))) for _ in range(3)]
+            stepping.patrol(self.layout, self.room, idle, np.zeros(0), 0.0, idle.states[0], *tables)
+        if is_guarded or self.watches:
+            enclosures.kernels()
+
     def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> Run:
         n_all = len(tableau.a)
         n, n_held = self.n_coordinates, len(self.order)
@@ -300,14 +312,16 @@ class Engine(Packed):
         longest: float = math.inf,
         outputs: Floats | None = None,
         max_seconds: float = math.inf,
-        max_steps: int = 10_000_000,
+        max_steps: int = MOST_STEPS,
         progress: Progress | None = None,
         guarded: Guarding | None = None,
     ) -> Course:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. tolerance: the error
         allowed in a step, relative to the size of the system (`stepping`). step: the first step, or the only one of a
         method without error control. outputs: times at which the motion is wanted, besides its events and its end.
-        guarded: what is known of the guards of the mode, of which the first violation is the end."""
+        guarded: what is known of the guards of the mode, of which the first violation is the end. max_seconds: by the
+        clock, without what it takes to compile kernels."""
+        self.compile(is_guarded=guarded is not None)
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
         motion = Motion(self, y, start, until, tolerance, method, step, longest, wanted)

@@ -92,11 +92,12 @@ class Implicit:
         run.dense[2] = -Q[:, 2]
         run.dense[1] = -Q[:, 2] - Q[:, 1]
         run.dense[0] = Q[:, 0] + Q[:, 1] + Q[:, 2]
-        y, slope = solver.y.copy(), np.zeros(e.n_y)
+        y, slope, unheld = solver.y.copy(), np.zeros(e.n_y), solver.y.copy()
         if not stepping.visit(e.layout, e.room, run, -1.0, y, t, slope, 0):
             run.count[stepping.TROUBLE] = stepping.NOT_HELD
             return stepping.TOO_SMALL
         solver.y, solver.f = y, slope
+        run.dense[0] += y - unheld  # what is looked at between ends where the next step begins
         run.states[stepping.Y], run.slopes[0] = y, slope
         run.multiplier[:] = e.room.multiplier
         e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
@@ -111,7 +112,7 @@ class Implicit:
         if e.room.info[dynamics.IS_REGULARISED] > 0.0:
             run.count[stepping.REGULARISED] += 1
         self._store_outputs()
-        return stepping.LOOK if e.watches else stepping.PAUSED
+        return stepping.LOOK if run.count[stepping.IS_WATCHED] else stepping.PAUSED
 
     def _store_outputs(self) -> None:
         run, e = self._motion.run, self._engine

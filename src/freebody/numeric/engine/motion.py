@@ -20,9 +20,17 @@ from freebody.numeric.engine.tableaus import METHODS
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine, Watch
+    from freebody.numeric.engine.search import Search
 
+MOST_STEPS = 10_000_000
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
+
+
+def stopped(t: float, after: str, seconds: float | None) -> str:
+    """That a motion was cut, and by what: seconds on the clock, or the number of steps."""
+    by = f"cut by the clock (max_seconds = {seconds:g} s)" if seconds is not None else "cut by max_steps"
+    return f"stopped at t = {t:.6g} s after {after}: {by}"
 
 
 class Motion:
@@ -49,6 +57,8 @@ class Motion:
         clock[stepping.END], clock[stepping.TOLERANCE] = until, tolerance
         clock[stepping.LONGEST], clock[stepping.STEP] = longest, step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
+        self.searches: list[Search] = []  # of what is watched
+        self.notes: list[str] = []
         self.tracks: list[tuple[float, Floats]] = []
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Happening] = []
@@ -73,9 +83,14 @@ class Motion:
                 self.implicit = Implicit(self, float(clock[stepping.STEP]))
             try:
                 while clock[stepping.NOW] < self.until:
-                    if time.perf_counter() - began > max_seconds or count[stepping.STEPS] >= max_steps:
+                    is_late = time.perf_counter() - began > max_seconds
+                    if is_late or count[stepping.STEPS] >= max_steps:
                         status = Status.TOO_LONG
-                        message = f"stopped at t = {clock[stepping.NOW]:.6g} s after {count[stepping.STEPS]} steps"
+                        message = stopped(
+                            float(clock[stepping.NOW]),
+                            f"{count[stepping.STEPS]} steps",
+                            max_seconds if is_late else None,
+                        )
                         jumping = [p.name for p in self.engine.pushes if has_jump(p.law, free_symbols(p.law))]
                         if jumping:
                             message += f"; the law of {', '.join(jumping)} jumps, which takes many small steps"
@@ -111,7 +126,7 @@ class Motion:
                 f"near singular poses steps were accepted with up to {clock[stepping.ALLOWED]:.0e} times the tolerance"
             )
             note = f"{note}; {loose}" if note else loose
-        message = "; ".join(part for part in (message, note) if part)
+        message = "; ".join(part for part in (message, note, *self.notes) if part)
         return self._collected(status, message, time.perf_counter() - began)
 
     def _track(self) -> None:
@@ -157,14 +172,23 @@ class Motion:
         self._store_start()
         self._track()
         if e.watches:
-            self.values_before = self._values()
-            for watch, value in zip(e.watches, self.values_before, strict=True):
-                is_zero = watch.measure is not None and abs(value) <= 1e-12 * watch.size
-                # a reaction that must not change its sign may have the wrong one from the start
-                is_wrong = watch.measure is None and value < -1e-9 * watch.size
-                if is_zero or is_wrong:
-                    self.happenings.append(Happening(self.start, watch.name, "start"))
+            self._begin_searches()
         return True
+
+    def _begin_searches(self) -> None:
+        """What is zero at the start is an event there."""
+        from freebody.numeric.engine.search import Search
+
+        e, tolerance = self.engine, float(self.run.clock[stepping.TOLERANCE])
+        near, self.run.states[stepping.OLD] = e.near(), self.run.states[stepping.Y]
+        for watch, row, value in zip(e.watches, e.watched_rows, self._values(), strict=True):
+            program = e.written.program(row, watch.order)
+            search = Search(program, watch.value, watch.size, tolerance, near)
+            search.begin(value)
+            search.calibrate(self.run, value)
+            self.searches.append(search)
+            if abs(value) <= search.zero:
+                self.happenings.append(Happening(self.start, watch.name, "start"))
 
     def _store_start(self) -> None:
         """Output times that are not after the start get the start."""
@@ -180,15 +204,18 @@ class Motion:
     # -- events -------------------------------------------------------------------------------
     def _values(self) -> list[float]:
         """What is watched, at the instant looked at last."""
-        rows, multiplier = self.engine.room.rows, self.engine.room.multiplier
-        values: list[float] = []
-        for watch, row in zip(self.engine.watches, self.engine.watched_rows, strict=True):
-            if watch.measure is None:
-                values.append(watch.sign * float(multiplier[self.engine.place_of[watch.held]]))
-            else:
-                column = dynamics.VALUE if watch.order == 0 else dynamics.RATE
-                values.append(float(rows[row, column]) - watch.value)
-        return values
+        return [self.derivatives_of(k)[watch.order] for k, watch in enumerate(self.engine.watches)]
+
+    def derivatives_of(self, k: int) -> tuple[float, float, float]:
+        """Value, rate and second derivative of what is watched, at the instant looked at last, counted from where it is
+        zero."""
+        e, watch, row = self.engine, self.engine.watches[k], self.engine.watched_rows[k]
+        value, rate, bias = (float(e.room.rows[row, c]) for c in (dynamics.VALUE, dynamics.RATE, dynamics.BIAS))
+        if watch.order == 0:
+            value -= watch.value
+        else:
+            rate -= watch.value
+        return value, rate, bias + float(e.gradient_of(row) @ e.room.acceleration)
 
     def values_at(self, s: float, y: Floats, t: float) -> list[float]:
         """What is watched at the part s of the last step; y becomes the state there."""
@@ -196,9 +223,9 @@ class Motion:
         stepping.visit(e.layout, e.room, self.run, s, y, t, self._slope, 0)
         return self._values()
 
-    def step_of(self, h: float) -> tuple[Floats, list[float], list[float]] | None:
-        """The state after a step of the given length from where the last step began, what is watched there, and its
-        rates; None if there is no such step."""
+    def step_of(self, h: float) -> Floats | None:
+        """The state after a step of the given length from where the last step began, which is then looked at; None if
+        there is no such step."""
         e, run = self.engine, self.run
         if self.implicit is not None:
             after = self.implicit.state_after(h)
@@ -216,16 +243,24 @@ class Motion:
             return None
         return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
 
-    def _seen(self, state: Floats, t: float) -> tuple[Floats, list[float], list[float]]:
-        e = self.engine
-        values = self.values_at(-1.0, state, t)
-        rates = [0.0 if row < 0 else float(e.room.rows[row, dynamics.RATE]) for row in e.watched_rows]
-        return state, values, rates
+    def _seen(self, state: Floats, t: float) -> Floats:
+        stepping.visit(self.engine.layout, self.engine.room, self.run, -1.0, state, t, self._slope, 0)
+        return state
 
     def say_zero(self, watch: Watch, t: float) -> None:
         """Notes, once, that something is zero throughout."""
-        if all(h.name != watch.name or h.kind != "zero" for h in self.happenings) and watch.measure is not None:
+        if all(h.name != watch.name or h.kind != "zero" for h in self.happenings):
             self.happenings.append(Happening(t, watch.name, "zero"))
+
+    def say_unsearched(self, what: str, part: float) -> None:
+        """Notes that events may have been overlooked in the last step from a part of it on."""
+        begin, end = float(self.run.clock[stepping.BEFORE]), float(self.run.clock[stepping.NOW])
+        t = begin + part * (end - begin)
+        said = (
+            f"{what} was not looked for between t = {t:.9g} s and {end:.9g} s: it happens too often in one step; "
+            "set a shorter longest step (max_step)"
+        )
+        self.notes.append(said)
 
     def add(self, happening: Happening, state: Floats | None) -> None:
         """Notes an event, and the motion at its instant."""

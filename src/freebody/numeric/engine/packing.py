@@ -233,6 +233,13 @@ class Packing:
         found = [(place[old], *rest) for old, rest in self._with_bearing.items()]
         return [item for item in found if item[3] is None or item[3] != 0.0]
 
+    def bearing_of(self, measure: Measure) -> int:
+        """The place in the layout of an elementary measure that counts turns; -1 of another."""
+        if all(kind.name != type(measure).__name__ or not kind.has_bearing for kind in self.measures.kinds):
+            return -1
+        base = self._elementary(measure)
+        return -1 if base is None else self._places()[base.terms[0][0]]
+
     def keys(self) -> dict[tuple[int, _Key], int]:
         """Measures that count turns, with their place in the layout: the same measure has the same key everywhere."""
         return {self.pieces[old]: place for old, place in self._places().items() if old in self._with_bearing}

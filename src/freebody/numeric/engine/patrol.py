@@ -7,40 +7,45 @@ things that touch elsewhere have been put where they do, is counted from there, 
 zero and is asleep says nothing either: the far side of a rod on which something lies, an edge whose end has just been
 passed.
 
-A step is looked at in parts, so short that nothing with corners turns by more than `TURN` in one. In a part the values
-and rates of a gap at both ends make a cubic; where that comes near zero, the gap itself is searched.
+Gaps and slip rates are searched as events are (`search`): however long the step, none falls below zero unnoticed, but
+by less than the resolution. Most gaps are far away, which one enclosure over the whole step shows.
+
+Forces and reserves have no polynomial in a step. They are looked at in at least `N_PARTS` parts of it, so short that
+nothing with corners turns by more than `TURN` in one; where one of them is least between two others, its least value is
+looked for. A dip between two such points is not seen.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.optimize
+from numpy.typing import NDArray
 
-from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine import dynamics, enclosures, stepping
+from freebody.numeric.engine.layout import Floats, floats, ints, pointers
+from freebody.numeric.engine.programs import Program
+from freebody.numeric.engine.search import Search
 
 if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine
     from freebody.numeric.engine.motion import Motion
 
 _optimize: Any = scipy.optimize
-QUARTERS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+N_PARTS = 4
+QUARTERS = np.linspace(0.0, 1.0, N_PARTS + 1)
 TURN = 0.1  # [rad]
 MOST_PARTS = 4000
 ZERO = 1e-12  # by the size of what is guarded
+RESOLUTION = 1e-9
 N_MENDED = 3
 LOOSE = 0.05  # by the size of the system: a foot that is so far beside its edge will not be on it
 SLACK = 1e-9  # by the size of a gap or a slip rate: so far below zero it may begin
-NEAR_ZERO = 0.3  # a dip that does not come below this part of the largest value is not looked into
-MARGIN = 0.02  # of the cubic, by what a gap changes in a part
-PLACES = np.arange(1, 8) / 8.0
-HERMITE = np.array(  # value, rate, value, rate at the ends: at the places between
-    [[(1 + 2 * u) * (1 - u) ** 2, u * (1 - u) ** 2, u * u * (3 - 2 * u), u * u * (u - 1)] for u in PLACES.tolist()]
-)
 
 Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the bearings from which turns are counted
 
@@ -49,14 +54,12 @@ Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the
 class Guarding:
     """What is known of the guards of a mode. sizes: what counts as large of each. is_valid: whether a violation means
     something at the instant that the engine looked at last, up to a part of the system's size. asleep: guards that
-    count only once they have been above zero. distances: of gaps that are a distance without a constant, that constant;
-    else NaN. turning: bodies whose turning moves a gap. lasts: whether the mode can go on in a state, where forces are
-    not unique."""
+    count only once they have been above zero. turning: bodies whose turning moves a gap. lasts: whether the mode can go
+    on in a state, where forces are not unique."""
 
     sizes: Floats
     is_valid: Callable[[int, float], bool]
     asleep: Collection[int]
-    distances: Floats
     turning: Sequence[int]
     lasts: Lasts | None = None
 
@@ -71,6 +74,91 @@ class Violation:
     at_start: bool = False  # where the step began: it fell at once
 
 
+class Programs:
+    """The programs of the guards of a layout that have some, gaps and slip rates, one behind the other."""
+
+    def __init__(self, engine: Engine) -> None:
+        layout, written = engine.layout, engine.written
+        kinds = layout.guard[:, 0]
+        self.guards = np.flatnonzero((kinds == dynamics.GUARD_VALUE) | (kinds == dynamics.GUARD_RATE))
+        self.each: list[Program] = []
+        for g in self.guards.tolist():
+            order = int(kinds[g] == dynamics.GUARD_RATE)
+            program = written.program(int(layout.guard[g, 1]), order, float(layout.guard_factor[g, 0]))
+            self.each.append(program)
+        codes = [program.code for program in self.each]
+        self.inputs = ints(np.unique(np.concatenate([p.inputs for p in self.each])) if codes else [])
+        self.ptr = pointers([code.tolist() for code in codes])
+        self.code = ints(np.concatenate(codes) if codes else [], 2, 3)
+        self.constants = floats(np.concatenate([p.constants for p in self.each]) if codes else [])
+        self.longest = max(map(len, codes), default=1)
+        self.n_turns = np.array([len(program.turns) for program in self.each], dtype=np.intp)
+
+
+class Gaps:
+    """Gaps and slip rates along one motion."""
+
+    def __init__(self, motion: Motion, sizes: Floats) -> None:
+        self.programs = motion.engine.guard_programs
+        self.guards = self.programs.guards
+        n, longest = len(self.guards), self.programs.longest
+        self._powers = np.zeros((motion.engine.n_y, enclosures.N_TERMS))
+        self._terms = np.zeros(enclosures.N_TERMS)
+        self._turns = np.zeros((int(self.programs.n_turns.max(initial=0)) + 1, 3))
+        self._centres, self._radii = np.zeros((longest, 3)), np.zeros((longest, 3))
+        self._searches: dict[int, Search] = {}
+        self._turning = self.programs.n_turns > 0
+        self.signs = np.zeros(n)
+        self._resolutions = RESOLUTION * sizes[self.guards]
+        self._sizes, self._near = sizes, motion.engine.near()
+        self._offsets: Floats | None = None
+
+    def look(self, run: stepping.Run, values: Floats, floor: Floats) -> Floats:
+        """The signs that the guards with programs have throughout the last step; 0 where that is not clear. values: of
+        the guards where it begins; floor: from where each counts."""
+        dense, old = run.dense, run.states[stepping.OLD]
+        enclosures.kernels().powers(dense, old, self.programs.inputs, self._powers)
+        t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+        if self._offsets is None:  # rows count from somewhere: what a program is off by at the beginning is that
+            self._sift(t0, 0.0, np.zeros(len(self.signs)))
+            self._offsets = np.where(self._turning, 0.0, values[self.guards] - self.signs)
+            for k in np.flatnonzero(self._turning).tolist():
+                search = self.search(k)
+                search.calibrate(run, float(values[self.guards[k]]))
+                self._offsets[k] = search.offset
+        self.counted = self._offsets - floor[self.guards]
+        self._sift(t0, h, self.counted)
+        self.signs[self._turning] = 0.0
+        for k, search in self._searches.items():
+            if not search.is_idle:
+                self.signs[k] = 0.0
+        return self.signs
+
+    def _sift(self, t0: float, h: float, offsets: Floats) -> None:
+        enclosures.kernels().sifted(
+            self.programs.code,
+            self.programs.constants,
+            self.programs.ptr,
+            self._powers,
+            t0,
+            h,
+            offsets,
+            self._resolutions,
+            self._terms,
+            self._turns,
+            self._centres,
+            self._radii,
+            self.signs,
+        )
+
+    def search(self, k: int) -> Search:
+        """That of one guard."""
+        if k not in self._searches:
+            size = float(self._sizes[self.guards[k]])
+            self._searches[k] = Search(self.programs.each[k], 0.0, size, 0.0, self._near, self._powers)
+        return self._searches[k]
+
+
 class Patrol:
     """The guards of one motion."""
 
@@ -80,10 +168,12 @@ class Patrol:
         n = len(motion.engine.layout.guard)
         self._kinds = motion.engine.layout.guard[:, 0]
         self._is_gap = self._kinds == dynamics.GUARD_VALUE
-        self._asleep = np.zeros(n, dtype=bool)
-        self._asleep[list(guarding.asleep)] = True
+        self._is_force = ~self._is_gap & (self._kinds != dynamics.GUARD_RATE)
+        self._is_counted = self._is_gap | (self._kinds == dynamics.GUARD_RATE)
+        self._is_counted[list(guarding.asleep)] = False
+        self._gaps: Gaps | None = None
+        self._side = np.zeros(n)  # of gaps and rates: the sign met last
         self._floor: Floats | None = None
-        self._signs = motion.engine.layout.guard_factor[:, 0]
         self._parts = QUARTERS
         self._values, self._rates, self._own = self._room(len(QUARTERS))
         self._one = self._room(1)
@@ -94,13 +184,16 @@ class Patrol:
         return a, b, c
 
     def _divided(self) -> None:
-        """Divides the last step into parts."""
+        """Divides the last step into parts, for the forces; gaps and rates need its beginning only."""
         states = self.motion.run.states
-        border = self.motion.engine.border
-        largest = border.largest_turn(states[stepping.OLD], states[stepping.Y], self.guarding.turning)
-        n_parts = max(4, min(MOST_PARTS, int(largest / TURN) + 1))
+        n_parts = 0
+        if self._is_force.any():
+            largest = self.motion.engine.border.largest_turn(
+                states[stepping.OLD], states[stepping.Y], self.guarding.turning
+            )
+            n_parts = max(N_PARTS, min(MOST_PARTS, int(largest / TURN) + 1))
         if n_parts + 1 != len(self._parts):
-            self._parts = np.linspace(0.0, 1.0, n_parts + 1)
+            self._parts = np.linspace(0.0, 1.0, n_parts + 1) if n_parts else np.zeros(1)
             self._values, self._rates, self._own = self._room(n_parts + 1)
 
     def violation(self) -> Violation | None:
@@ -110,47 +203,124 @@ class Patrol:
         values = self._values
         stepping.patrol(m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own)
         zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
+        if self._gaps is None:
+            self._gaps = Gaps(m, self.sizes)
+        begin = values[0].copy()
         if self._floor is None:
-            is_counted = (self._is_gap & ~self._asleep) | (self._kinds == dynamics.GUARD_RATE)
-            is_low = is_counted & (values[0] < 0.0) & (values[0] >= -SLACK * self.sizes)
-            self._floor = np.where(is_low, values[0], 0.0)
-        self._floor[values[0] > 0.0] = 0.0
+            is_low = self._is_counted & (begin < 0.0) & (begin >= -SLACK * self.sizes)
+            self._floor = np.where(is_low, begin, 0.0)
+        self._floor[begin > 0.0] = 0.0
         values -= self._floor
-        self._asleep &= values[0] <= zero
-        of_force = (self._kinds == dynamics.GUARD_MULTIPLIER) | (self._kinds == dynamics.GUARD_RESERVE)
-        self._search_gaps(zero)
-        self._soft = np.zeros(len(of_force), dtype=bool) if self.lasts is None else of_force
+        found = self._of_gaps(begin, zero)
+        of_forces = self._of_forces(zero, 1.0 if found is None else found[0])
+        if of_forces is not None and (found is None or of_forces[0] <= found[0]):
+            found = of_forces
+        if self.lasts is not None:
+            soft = self._end_of_forces(self._is_force, zero, 1.0 if found is None else found[0])
+            if soft is not None:
+                return soft
+        if found is None:
+            return None
+        s, g = found
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
-        for j in range(1, len(self._parts)):
-            for s, g in sorted(self._found_in(j, zero)):
-                self._at(s)
-                if not self.is_valid(g, 0.0):
-                    continue
-                if s == 0.0:
-                    return Violation(g, t0, run.states[stepping.OLD].copy(), at_start=True)
-                if self.lasts is not None and (soft := self._end_of_forces(of_force, zero, s)) is not None:
-                    return soft
-                t, state = self._mended(g, t0, s, h)
-                return Violation(g, t, state)
-        return None if self.lasts is None else self._end_of_forces(of_force, zero, 1.0)
+        if s == 0.0:
+            return Violation(g, t0, run.states[stepping.OLD].copy(), at_start=True)
+        t, state = self._mended(g, t0, s, h)
+        return Violation(g, t, state)
 
-    def _search_gaps(self, zero: Floats) -> None:
-        """In which parts a gap that is above zero at both ends may fall below, or one below may rise above, and where
-        in a part it may be least. A distance has a kink where two points pass near each other; its square is smooth:
-        +-(d^2 - R^2) for +-(d - R)."""
-        v, h = self._values, float(self.motion.run.clock[stepping.DONE_STEP])
-        rates = self._rates * (h * float(self._parts[1]))
-        k = np.flatnonzero(~np.isnan(self.guarding.distances))
-        if len(k):
-            d = v[:, k] + self._signs[k] * self.guarding.distances[k]  # +-d
-            v, rates = v.copy(), rates.copy()
-            v[:, k] *= np.abs(d) + self.guarding.distances[k]
-            rates[:, k] *= 2.0 * np.abs(d)
-        between = np.tensordot(HERMITE, np.stack([v[:-1], rates[:-1], v[1:], rates[1:]]), axes=1)
-        margin = MARGIN * (np.abs(v[1:] - v[:-1]) + np.abs(rates[1:]) + np.abs(rates[:-1]))
-        self._least = PLACES[between.argmin(axis=0)]
-        self._dips = self._is_gap & (np.minimum(v[:-1], v[1:]) > zero) & (between.min(axis=0) < margin)
-        self._bumps = self._is_gap & (np.maximum(v[:-1], v[1:]) < -zero) & (between.max(axis=0) > -margin)
+    # -- gaps and slip rates ------------------------------------------------------------------
+    def _of_gaps(self, begin: Floats, zero: Floats) -> tuple[float, int] | None:
+        """The first place at which a gap or a slip rate falls below zero, and which."""
+        run, gaps, floor = self.motion.run, self._gaps, self._floor
+        assert gaps is not None
+        assert floor is not None
+        if not len(gaps.guards):
+            return None
+        signs = gaps.look(run, begin, floor)
+        clear = gaps.guards[signs != 0.0]
+        best: tuple[float, int] | None = None
+        was = self._side[gaps.guards]
+        for k in np.flatnonzero((signs == 0.0) | (was * signs < 0.0)).tolist():
+            g = int(gaps.guards[k])
+            s = self._fall(k, g, float(begin[g] - floor[g]), float(zero[g]))
+            if s is not None and (best is None or (s, g) < best):
+                best = s, g
+        self._side[clear] = signs[signs != 0.0]
+        return best
+
+    def _fall(self, k: int, g: int, value: float, zero: float) -> float | None:
+        """Where in the last step a guard first falls below zero, while that means something."""
+        gaps = self._gaps
+        assert gaps is not None
+        search, side = gaps.search(k), float(self._side[g])
+        if side == 0.0:  # it begins
+            is_above = value > zero or (value >= -zero and self._is_counted[g])
+            side = 1.0 if is_above or not self._is_gap[g] else -1.0
+        if search.is_idle:
+            search.begin(side)
+        search.count_from(float(gaps.counted[k]))
+        found = [zero_of for zero_of in search.in_step(self.motion.run) if zero_of.kind != "touch"]
+        if search.unsearched is not None:
+            self.motion.say_unsearched("a contact or a slip", search.unsearched)
+        self._side[g] = search.side
+        for place, after in zip_longest(found, found[1:]):
+            if place.kind != "falling":
+                continue
+            end = 1.0 if after is None else 0.5 * (place.part + after.part)
+            if not (self._value(g, end) < -zero or self._value(g, 0.5 * (place.part + end)) < -zero):
+                self._side[g] = 1.0  # the dense output passes zero by what it is off
+                continue
+            self._at(place.part)
+            if self.is_valid(g, 0.0):
+                return place.part
+            self._side[g] = search.side
+        return None
+
+    # -- forces -------------------------------------------------------------------------------
+    def _of_forces(self, zero: Floats, until: float) -> tuple[float, int] | None:
+        """The first place before another at which a force or a reserve is seen to fall below zero."""
+        if self.lasts is not None or len(self._parts) < 2:
+            return None
+        best: tuple[float, int] | None = None
+        v = self._values
+        is_least = np.zeros(v.shape, dtype=bool)
+        left, right = v[:-2] - v[1:-1], v[2:] - v[1:-1]
+        both = left + right
+        is_least[1:-1] = (left >= 0.0) & (right >= 0.0) & (both > 0.0)
+        # a parabola through three points tells how far below the middle one its least value is
+        drop = np.divide((left - right) ** 2, 8.0 * both, out=np.zeros_like(both), where=is_least[1:-1])
+        reach = 3.0 * drop + 0.02 * (v.max(axis=0) - v.min(axis=0))
+        is_least[1:-1] &= (v[1:-1] > zero) & (v[1:-1] < reach + zero)
+        suspects = self._is_force & ((v < -zero).any(axis=0) | is_least.any(axis=0))
+        for g in np.flatnonzero(suspects).tolist():
+            s = self._first_of_force(g, float(zero[g]), is_least[:, g])
+            if s is not None and s <= until and (best is None or (s, g) < best):
+                self._at(s)
+                if self.is_valid(g, 0.0):
+                    best = s, g
+        return best
+
+    def _first_of_force(self, g: int, zero: float, is_least: NDArray[np.bool_]) -> float | None:
+        """Where a force first falls below zero."""
+        v, parts = self._values[:, g], self._parts
+        value = partial(self._value, g)
+        for j in range(len(parts)):
+            if is_least[j]:
+                around = float(parts[j - 1]), float(parts[j + 1])
+                least = _optimize.minimize_scalar(value, bounds=around, method="bounded", options={"xatol": 1e-9})
+                if least.fun < -zero:
+                    return _root(value, around[0] if around[0] < least.x else 0.0, float(least.x))
+            if j == len(parts) - 1:
+                break
+            low, high, a, b = float(parts[j]), float(parts[j + 1]), float(v[j]), float(v[j + 1])
+            if a < -zero:
+                return low
+            if b < -zero and a > zero:
+                return _root(value, low, high)
+            if b < -zero:
+                peak = _peak(value, low, high, zero)
+                return low if peak is None else _root(value, peak, high)
+        return None
 
     def _end_of_forces(self, of_force: Any, zero: Floats, until: float) -> Violation | None:
         """Where in the last step the forces of the mode cease to be admissible, though they are not unique: one of them
@@ -178,7 +348,7 @@ class Patrol:
                 values = self._at(bad)
                 worst = int(np.where(of_force, values, np.inf).argmin())
                 step = self.motion.step_of(bad * h)
-                state = self._y.copy() if step is None else step[0]
+                state = self._y.copy() if step is None else step
                 return Violation(worst, t0 + bad * h, state, at_start=good == 0.0 and bad < 1e-12)
             good = part
             if part >= until:
@@ -196,105 +366,6 @@ class Patrol:
     def _value(self, g: int, s: float) -> float:
         return float(self._at(s)[g])
 
-    def _signed(self, g: int, sign: float, s: float) -> float:
-        return sign * self._value(g, float(s))
-
-    def _rate(self, g: int, s: float) -> float:
-        self._at(s)
-        return float(self._one[1][0, g])
-
-    def _found_in(self, j: int, zero: Floats) -> Iterator[tuple[float, int]]:
-        """Places in a part at which a guard falls below zero."""
-        a, b = self._values[j - 1], self._values[j]
-        is_asleep = self._asleep if j == 1 else np.zeros_like(self._asleep)
-        is_silent = self._is_gap & ((a < -zero) | ((a <= zero) & is_asleep))
-        falls = ~is_silent & (b < -zero)
-        least = ~self._is_gap & (a > zero) & (b >= -zero) & (np.minimum(a, b) < NEAR_ZERO * self._values.max(axis=0))
-        below = ~self._is_gap & (a < -zero)
-        suspects = ~self._soft & (falls | self._dips[j - 1] | self._bumps[j - 1] | least | below)
-        for g in np.flatnonzero(suspects).tolist():
-            s = self._first(g, j, float(zero[g]))
-            if s is not None:
-                yield s, g
-
-    def _first(self, g: int, j: int, zero: float) -> float | None:
-        """Where in a part a guard first falls below zero."""
-        v = self._values[:, g]
-        low, high, a, b = float(self._parts[j - 1]), float(self._parts[j]), float(v[j - 1]), float(v[j])
-        value = partial(self._value, g)
-        if not self._is_gap[g]:
-            if a < -zero:
-                return low
-            if a > zero and b < -zero:
-                return _root(value, low, high)
-            if b < -zero:
-                peak = _peak(value, low, high, zero, rises=False)
-                return low if peak is None else _root(value, peak, high)
-            if not self._may_dip(v, j):
-                return None
-            least = _optimize.minimize_scalar(value, bounds=(low, high), method="bounded", options={"xatol": 1e-9})
-            return _root(value, low, float(least.x)) if least.fun < -zero else None
-        if self._bumps[j - 1, g]:
-            top = self._turn(g, j, high=True)
-            return self._crossed(g, top, high) if self._value(g, top) > zero else None
-        if self._dips[j - 1, g]:
-            bottom = self._turn(g, j, high=False)
-            return self._crossed(g, low, bottom) if self._value(g, bottom) < -zero else None
-        if a > zero:
-            return self._crossed(g, low, high, a, b)
-        self._at(low)
-        if not self.is_valid(g, LOOSE):
-            return None
-        # it begins at zero: does it rise first?
-        part = (high - low) * float(self.motion.run.clock[stepping.DONE_STEP])
-        rise = float(self._rates[j - 1, g]) * part
-        peak = None if rise < -zero else _peak(value, low, high, zero, rises=rise > 0.0)
-        return low if peak is None else self._crossed(g, peak, high)
-
-    def _turn(self, g: int, j: int, *, high: bool) -> float:
-        """The place in a part at which a gap is least, or greatest: where its rate changes sign."""
-        low, end = float(self._parts[j - 1]), float(self._parts[j])
-        before, after = float(self._rates[j - 1, g]), float(self._rates[j, g])
-        sign = -1.0 if high else 1.0
-        if not high:
-            middle = low + (end - low) * float(self._least[j - 1, g])
-            self._at(middle)
-            if not self.is_valid(g, LOOSE):
-                return low
-        if sign * before < 0.0 < sign * after:
-            return float(_optimize.brentq(partial(self._rate, g), low, end, xtol=1e-12, rtol=1e-9))
-        found = _optimize.minimize_scalar(
-            partial(self._signed, g, sign), bounds=(low, end), method="bounded", options={"xatol": 1e-9}
-        )
-        return float(found.x)
-
-    def _crossed(self, g: int, low: float, high: float, a: float | None = None, b: float | None = None) -> float | None:
-        """Where a gap falls through zero between two places (with the values there), by Newton's method within them;
-        None if it is clear before that it means nothing there."""
-        h = float(self.motion.run.clock[stepping.DONE_STEP])
-        a = self._value(g, low) if a is None else a
-        b = self._value(g, high) if b is None else b
-        s = low + (high - low) * a / (a - b)
-        start, end = low, high
-        for k in range(30):
-            values = self._at(s)
-            if k == 1 and not self.is_valid(g, LOOSE):
-                return None
-            x, slope = float(values[g]), float(self._one[1][0, g]) * h
-            start, end = (s, end) if x > 0.0 else (start, s)
-            after = s - x / slope if slope else end
-            if not start <= after <= end:
-                after = 0.5 * (start + end)
-            if abs(after - s) <= 1e-15 or x == 0.0:
-                return s
-            s = after
-        return s
-
-    def _may_dip(self, v: Floats, j: int) -> bool:
-        """Whether a force may fall below zero between two points at which it is above: if it is least there."""
-        k = int(v.argmin())
-        return 0 < k < len(v) - 1 and j in (k, k + 1) and bool(v[k] < NEAR_ZERO * v.max())
-
     def _mended(self, g: int, t0: float, s: float, h: float) -> tuple[float, Floats]:
         """Time and state of a violation, by steps of their own from the start of the last step."""
         width = min(1e-3, 0.5 * s)
@@ -305,7 +376,7 @@ class Patrol:
             step = m.step_of(at)
             if step is None:
                 break
-            state = step[0]
+            state = step
             stepping.patrol(m.engine.layout, m.engine.room, m.run, np.array([-1.0]), t0 + at, state.copy(), *self._one)
             assert self._floor is not None
             correction = float(self._one[0][0][g] - self._floor[g]) / slope if slope else 0.0
@@ -318,9 +389,9 @@ class Patrol:
         return t0 + at, state
 
 
-def _peak(value: Callable[[float], float], low: float, high: float, zero: float, *, rises: bool) -> float | None:
+def _peak(value: Callable[[float], float], low: float, high: float, zero: float) -> float | None:
     """A place where the value is above zero, in a part at whose beginning it is zero; None if there is none."""
-    for k in range(40 if rises else 12):
+    for k in range(12):
         s = low + (high - low) * 0.5 ** (k + 1)
         if value(s) > zero:
             return s

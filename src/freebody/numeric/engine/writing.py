@@ -19,6 +19,7 @@ from freebody.numeric.engine.complement import held_entries, schur_complement
 from freebody.numeric.engine.layout import Layout, floats, ints, pointers
 from freebody.numeric.engine.ordering import elimination_order
 from freebody.numeric.engine.packing import MASSLESS, Composition, Packing, Where
+from freebody.numeric.engine.programs import Program, Writer
 from freebody.numeric.engine.tapes import Tapes
 
 # what presses a sliding friction, and what is watched; see `dynamics`
@@ -48,6 +49,8 @@ class Written:
         self.n_bodies = packing.n_bodies
         self.width = packing.measures.width
         self._tapes = Tapes(packing.numbers.values)
+        self._writer = Writer(packing.numbers, packing.bearing_of)
+        self._programs: dict[tuple[int, int, float], Program] = {}
         self._write()
 
     # -- everything but what is held ----------------------------------------------------------
@@ -117,6 +120,9 @@ class Written:
         self._masses = self._masses_of(self._driven(slots_of_measure))
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
+        self._measures = {row: measure for measure, row in self.rows.items()}
+        for entry, held in zip(p.held, self._held, strict=True):
+            self._measures.setdefault(held["row"], entry.held.measure)
         self._fixed: dict[str, Any] = {
             **self._masses,
             "constant_force": p.constant_force.ravel().copy(),
@@ -273,6 +279,13 @@ class Written:
     def row_of_rub(self, rub: int) -> int:
         """The row of the slip of dry friction."""
         return self._number[self.packing.rubs[rub].where]
+
+    def program(self, row: int, order: int, sign: float = 1.0) -> Program:
+        """The value (order 0) or the rate (order 1) of a row, up to a constant, by a sign."""
+        key = row, order, sign
+        if key not in self._programs:
+            self._programs[key] = self._writer.program(self._measures[row], order, sign)
+        return self._programs[key]
 
     def row_of_held(self, k: int) -> int:
         """The row that may be held at a place."""
