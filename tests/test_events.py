@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
+from scipy.special import ellipk
 
 import freebody as fb
 from freebody.language.parser import parse
@@ -53,6 +56,7 @@ measures:
   d: distance from ground.C to rotor.P
 start: {theta: 0.1 rad, rate(theta): 1 rad/s}
 """
+EXAMPLES = Path(__file__).parents[1] / "examples"
 METHODS = ["dop853", "dopri5", "radau5", "rk4"]
 
 
@@ -216,6 +220,53 @@ def test_what_was_not_looked_for_is_said(monkeypatch: pytest.MonkeyPatch) -> Non
     assert result.status is Status.FINISHED
     assert "h = 0 was not looked for between t = " in result.message
     assert "max_step" in result.message
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-9, 1e-12])
+def test_a_pendulum_comes_back_to_where_it_was_let_go_once_a_period(tolerance: float) -> None:
+    result = fb.System.load(EXAMPLES / "simple_pendulum.yaml").simulate(
+        20.0, events=["theta = theta_0"], tolerance=tolerance
+    )
+    period = 4.0 * math.sqrt(1.0 / 9.81) * ellipk(math.sin(math.radians(30.0)) ** 2)
+    assert [e.kind for e in result.events] == ["start"] + 9 * ["touch"]
+    assert times_of(result) == pytest.approx([k * period for k in range(1, 10)], rel=10.0 * tolerance + 1e-9)
+
+
+# -- rest in an unstable equilibrium -------------------------------------------------------------
+UPRIGHT = """
+parameters: {m: 2 kg, L: 1.5 m}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: angle of rod from up clockwise}
+start: {theta: 0}
+"""
+
+
+def test_a_rod_that_stands_upright_at_rest_stays_and_that_is_said() -> None:
+    result = model(UPRIGHT).simulate(30.0, events=["theta = 0.9 rad"])
+    assert (result.status, result.t_end, result.events) == (Status.FINISHED, 30.0, ())
+    assert "unstable equilibrium" in result.message
+    assert np.ptp(result.series["theta"][0]) == 0.0
+
+
+@pytest.mark.parametrize("start", [1e-9, 1e-3])
+def test_a_rod_a_little_beside_falls_after_the_time_of_the_closed_form(start: float) -> None:
+    # theta'^2 = 3 g/L (cos theta_0 - cos theta) = 6 g/L sin((theta + theta_0)/2) sin((theta - theta_0)/2); the
+    # quadrature is over u, theta = theta_0 cosh u, which takes the singular end away
+    rate = math.sqrt(1.5 * 9.81 / 1.5)
+    result = model(UPRIGHT.replace("start: {theta: 0}", f"start: {{theta: {start} rad}}")).simulate(
+        20.0, events=["stop when theta = 0.9 rad"]
+    )
+
+    def slope(u: float) -> float:
+        theta = start * math.cosh(u)
+        speed = 2.0 * rate * math.sqrt(math.sin((theta + start) / 2.0) * math.sin((theta - start) / 2.0))
+        return start * math.sinh(u) / speed if u else 1.0 / rate
+
+    expected = quad(slope, 0.0, math.acosh(0.9 / start), epsabs=1e-12, epsrel=1e-12, limit=200)[0]
+    assert result.t_end == pytest.approx(expected, rel=1e-6)
+    assert "equilibrium" not in result.message
 
 
 # -- contact -------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,6 @@ from freebody.model.question import Multiplier
 from freebody.numeric.engine.course import Status
 from freebody.numeric.spatial import gyroscopic
 from freebody.study.dataset import reaction_names
-from freebody.study.quantities import multiplier_row
 from mechanisms import ladder
 
 ROOT = Path(__file__).parents[1]
@@ -309,6 +309,9 @@ def test_a_driver_beyond_its_reach_stops_at_the_limit_with_names() -> None:
     # coupler and rocker in line: 1.1^2 = 0.5^2 + 1 - 2 0.5 cos(theta)
     limit = math.acos((0.25 + 1 - 1.1**2) / 1.0) - math.radians(60)
     assert result.t_end == pytest.approx(limit, abs=1e-4)
+    said = re.search(r"beyond t = ([0-9.]+) s", result.message)
+    assert said is not None
+    assert float(said[1]) == pytest.approx(limit, abs=1e-8)
     assert np.isfinite(result.course.poses).all()
 
 
@@ -437,7 +440,7 @@ def test_tooth_forces_and_tensions_at_the_start_are_those_of_the_closed_forms(na
     result = system.simulate(0.01, every=0.005)
     for question, answer in zip(system.questions, system.solve().answers, strict=True):
         if isinstance(question.quantity, Multiplier) and question.event is None and isinstance(answer.value, float):
-            row = multiplier_row(question.quantity, system)
+            row = next(row for row in system.rows if row.name == question.quantity.row)
             name = reaction_names(system.rows)[system.rows.index(row)]
             assert float(result.dataset[name][0]) == pytest.approx(answer.value, rel=1e-8, abs=1e-10), answer.question
 

@@ -29,6 +29,7 @@ from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
+from freebody.study.at_rest import is_unstable_rest, staying
 from freebody.study.energy import EnergyBalance, energy_balance
 from freebody.system.system import System
 
@@ -367,6 +368,12 @@ def simulate(
         assert step is not None
         limits = max_seconds, max_steps
         return stepped(simulator, until, min(step, max_step or step), tolerance, outputs, limits, progress, from_result)
+    y = simulator.start if state is None else state
+    if is_unstable_rest(simulator, y, start):
+        first = simulator.run(start + 1e-9, outputs=np.array([start]), state=y, start=start, near=near)
+        zero = [h for h in first.happenings if h.kind == "start"]
+        here = (*zero, *(replace(h, kind="zero") for h in zero))
+        return Simulation(system, simulator, staying(first, outputs, here), tolerance)
     course = simulator.run(
         until,
         tolerance=tolerance,

@@ -4,7 +4,7 @@ The statement is run over `Node`, one more scalar of `Geometry[S]`; what is cons
 computed once. A rate is written by the same operations, forward through the value, with the velocities for the
 derivatives of what moves:
 
-    d(x y) = dx y + x dy,  d sqrt(x) = dx / (2 sqrt(x)),  d arg(x, y) = (x dy - y dx) / (x^2 + y^2),  dr = r o (0, w) / 2.
+    d(x y) = dx y + x dy,  d sqrt(x) = dx/(2 sqrt(x)),  d arg(x, y) = (x dy - y dx)/(x^2 + y^2),  dr = r o (0, w)/2.
 
 Programs are evaluated over whole parts of a step (`enclosures`), which kernels of rows cannot be.
 """

@@ -1,8 +1,9 @@
 """The search for zeros of what is watched or guarded along a motion: one `Search` for each, step after step.
 
 What is looked at is the dense output of every step as it is; `enclosures` says what is found for certain. The dense
-output itself is off the motion by about the tolerance: what comes nearer to zero than that, without crossing it or by
-crossing it twice, is a touch, and whether it crosses no number can say.
+output itself is off the motion by what the steps before are off, of which the tolerance is an estimate: what comes
+nearer to zero than that (the resolution), without crossing it or by crossing it twice, is a touch, and whether it
+crosses or misses no number can say.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.stepping import Run
 
 ZERO = 1e-12  # by the size of what is watched: so small is none
-RESOLUTION = 1e-9  # and the tolerance, if that is more: crossings between which it is less are one touch
+RESOLUTION = 1e-9  # and the error of the steps, if that is more: crossings between which it is less are one touch
+A_STEP = 0.1  # of the tolerance, that a step may be off
 MOST_PARTS = 2_000_000  # of one step that are looked at
 N_FOUND = 1024  # events for which there is room in one call
 KINDS = {enclosures.RISING: "rising", enclosures.FALLING: "falling", enclosures.TOUCH: "touch"}
@@ -51,8 +53,8 @@ class Search:
         """target: what the program is searched for. size: what counts as large. near: the bearings, by measure, from
         which turns are counted. powers: of the entries of the state, if others find them."""
         self.program, self.zero = program, ZERO * size
-        self.resolution = max(RESOLUTION, tolerance) * size
-        self._sizes = np.array([-target, self.zero, self.resolution, MOST_PARTS])
+        self._size, self._tolerance = size, tolerance
+        self._sizes = np.array([-target, self.zero, RESOLUTION * size, MOST_PARTS])
         n = len(program.code)
         self._powers = np.zeros((0, enclosures.N_TERMS)) if powers is None else powers
         self._is_shared = powers is not None
@@ -65,6 +67,10 @@ class Search:
         self._stack = np.zeros((64, 2))
         self._info = np.zeros(6)
         self.unsearched: float | None = None  # from which part of the step on nothing was looked at
+
+    def _resolution(self, n_steps: int) -> float:
+        """How near to zero a motion of so many steps tells what happens."""
+        return self._size * max(RESOLUTION, self._tolerance * (1.0 + A_STEP * n_steps))
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -118,6 +124,7 @@ class Search:
     def in_step(self, run: Run) -> Iterator[Zero]:
         """The zeros in the last step."""
         self.look(run)
+        self._sizes[2] = self._resolution(int(run.count[stepping.STEPS]))
         self.unsearched = None
         at = 0.0
         while True:
@@ -136,7 +143,7 @@ class Search:
         side, value = float(self._state[enclosures.SIDE]), self.ends[1]
         if side == 0.0 or not self._state[enclosures.IS_NEAR] or abs(value) > self.zero:
             return None
-        is_steep = abs(float(self._info[5])) > math.sqrt(self.zero * self.resolution)
+        is_steep = abs(float(self._info[5])) > math.sqrt(self.zero * RESOLUTION * self._size)
         return Zero(1.0, "touch" if not is_steep else "falling" if side > 0.0 else "rising")
 
     def _call(self, run: Run, at: float) -> int:

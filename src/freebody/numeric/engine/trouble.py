@@ -35,9 +35,11 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
         drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
         listed = ", ".join(names)
         if drivers:
+            limit = _limit(engine, y, out, t)
             return Status.UNREACHABLE, (
-                f"{', '.join(drivers)} cannot be driven beyond t = {t:.9g} s: {listed} reach the limit of what they "
-                "allow there. Drive within that limit, or change a length"
+                f"{', '.join(drivers)} cannot be driven beyond t = {limit:.9g} s: {listed} reach the limit of what they "
+                f"allow there, with speeds that grow without bound; the motion is followed to t = {t:.9g} s. Drive "
+                "within that limit, or change a length"
             )
         return Status.SINGULAR, (
             f"at t = {t:.9g} s the mechanism reaches a dead point: {listed} hold the same thing there, and its "
@@ -49,6 +51,16 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
         f"the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that "
         "jumps or grows without limit?). Loosen the tolerance, or smooth the load"
     )
+
+
+def _limit(engine: Engine, y: np.ndarray, slope: np.ndarray, t: float) -> float:  # type: ignore[type-arg]
+    """When a driver reaches the limit of a mechanism: coordinates go like the root of the time that is left, so speeds
+    like v = c (t1 - t)^(-1/2) and accelerations like a = v/(2 (t1 - t)); t1 - t = v.v/(2 v.a)."""
+    n = engine.n_coordinates
+    v, a = y[n : 2 * n] / engine.unit, slope[n : 2 * n] / engine.unit
+    growth = 2.0 * float(v @ a)
+    left = float(v @ v) / growth if growth > 0.0 else 0.0
+    return t + left if left < 1e-3 * max(t, float(np.abs(v).max(initial=0.0)) ** -1) else t
 
 
 def _dependent(engine: Engine) -> tuple[list[int], float]:
