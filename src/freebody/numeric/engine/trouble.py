@@ -35,9 +35,9 @@ def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
         drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
         listed = ", ".join(names)
         if drivers:
-            limit = _limit(engine, y, out, t)
+            limit, driven = _limit(engine, y, out, t), ", ".join(drivers)
             return Status.UNREACHABLE, (
-                f"{', '.join(drivers)} cannot be driven beyond t = {limit:.9g} s: {listed} reach the limit of what they "
+                f"{driven} cannot be driven beyond t = {limit:.9g} s: {listed} reach the limit of what they "
                 f"allow there, with speeds that grow without bound; the motion is followed to t = {t:.9g} s. Drive "
                 "within that limit, or change a length"
             )
