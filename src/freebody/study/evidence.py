@@ -10,7 +10,6 @@ from functools import partial
 import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
-from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.model.contact_questions import Change
 from freebody.model.question import Event, Power, Quantity, Small, When, Work
@@ -24,6 +23,7 @@ from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.magnitude import magnitude
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
+from freebody.study.still import is_still
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import find_equilibrium
@@ -32,7 +32,6 @@ INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
 MIN_DRAWS = 5
 N_PANELS = 16
-ROUND_OFF = 1e-10  # an acceleration [m/s^2, rad/s^2] that counts as none
 SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compared absolutely
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
 OF_PARTS = 1e-3  # of the parts of a sum, by the tolerance: differences below that are no differences
@@ -212,7 +211,7 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     start = draw.start()
     if event is None:
         values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
-    elif _is_still(draw, start):
+    elif is_still(start, draw.seen(start).accelerations):
         raise CannotAnswer("it starts at rest, and only round-off accelerates it: numbers would follow that")
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
@@ -248,18 +247,6 @@ def _wanted(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tup
         for c in setup.model.coordinates
         if (measure := setup.model.measure_of(c)) is not None
     ]
-
-
-def _is_still(draw: Draw, start: Snapshot) -> bool:
-    """Whether a system stands in an equilibrium as far as floating-point numbers tell, and nothing depends on time."""
-    system = draw.reference.system
-    laws = [row.target for row in system.held if row.target is not None] + [push.law for push in system.pushes]
-    if start.v.any() or any("t" in free_symbols(law) for law in laws):
-        return False
-    if any(row.general is not None for row in system.held) or any(push.general is not None for push in system.pushes):
-        return False
-    accelerations = draw.seen(start).accelerations
-    return float(np.abs(accelerations).max(initial=0.0)) <= ROUND_OFF * max(1.0, draw.reference.sizes.length)
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:
