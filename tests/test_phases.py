@@ -484,3 +484,49 @@ def test_regions_are_drawn(tmp_path: Path) -> None:
 def test_an_unknown_parameter_of_a_region_is_told() -> None:
     with pytest.raises(fb.InputError, match="no parameter nu"):
         phases(sphere()).regions("theta", "nu")
+
+
+# -- heat of friction beside other work ---------------------------------------------------------
+BELT = """
+parameters: {m: 2 kg, mu: 0.3, v: 3 m/s, g: 9.81 m/s^2}
+bodies:
+  belt: {body: {mass: 1 kg}, at: [0, 0], lines: {top: {along: right}}}
+  block: {particle: {mass: m}, velocity: [0, 0]}
+connections:
+  guide: {slider: {body: belt, along: right}}
+  drive: {driver: {measure: x, follows: v*t}}
+  c: {contact: {between: [block, belt.top], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: {x of belt}, s: {x of block}}
+"""
+
+PULLED = """
+parameters: {m: 2 kg, mu: 0.3, v: 3 m/s, F: 2 N, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}, velocity: [v, 0]}}
+connections: {c: {contact: {between: [block, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}, pull: {force: {at: block, along: right, magnitude: F}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "expected"),
+    [
+        # the block gains m v^2/2, the drive gives mu m g v t = m v^2, and half of it is heat
+        (BELT, "m*v**2/2"),
+        # mu m g over the way v^2/(2 a), a = mu g - F/m
+        (PULLED, "m**2*mu*g*v**2/(2*(m*mu*g - F))"),
+    ],
+)
+def test_heat_is_friction_by_the_way_it_slips_whatever_else_does_work(
+    model: str, expected: str, agrees_text: Agree
+) -> None:
+    agrees_text(shown(solved(model, "energy lost until c stops slipping")), expected)
+
+
+def test_heat_on_a_belt_is_that_of_the_simulated_motion() -> None:
+    # the integral of the friction force by the slip rate; both are linear between events, so the sum is exact
+    result = fb.System.from_text(BELT).simulate(3.0)
+    slip = result.course.velocities[:, 0, 0] - result.course.velocities[:, 1, 0]
+    heat = np.trapezoid(np.abs(result.dataset["c.friction_force"].values * slip), result.course.times)
+    assert heat == pytest.approx(9.0, rel=1e-5)

@@ -22,7 +22,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.questions.instant import names_of, side_of
 from freebody.study.answer import Answer
-from freebody.study.phases.quantities import plain, value_in_mode
+from freebody.study.phases.quantities import only_friction_takes_energy, plain, value_in_mode
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.state import SymbolicState
@@ -92,6 +92,8 @@ def tell_answer(
     assert answer.expression is not None
     lines = tuple(dict.fromkeys(n for end in ends for n in end.values()))
     q = question.quantity
+    if isinstance(q, EnergyLost) and not all(only_friction_takes_energy(leg.phase.system) for leg in way.legs):
+        raise CannotAnswer("other loads do work as well, and the heat of friction is derived from no line here")
     uses = _energies(script, way, ends) if isinstance(q, EnergyLost) else ()
     with script.stage("stage.value", "hint.value"), on_the_way(script, leg.course):
         left = asked_side(context, way, leg, script, question)

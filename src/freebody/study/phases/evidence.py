@@ -19,7 +19,7 @@ from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, Witness
 from freebody.study.magnitude import magnitude
 from freebody.study.phases.pieces import Piece
-from freebody.study.phases.quantities import plain, value_in_mode
+from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import Tree
 from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, follow
 from freebody.study.quantities import energy
@@ -139,7 +139,9 @@ def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> A
         case Change(measure, _name):
             return now.value(measure) - begin.value(measure)
         case EnergyLost():
-            return _energy(tree, seen[0].mode, begin) - _energy(tree, last.mode, now)
+            if all(only_friction_takes_energy(s.mode.system) for s in seen):
+                return _energy(tree, seen[0].mode, begin) - _energy(tree, last.mode, now)
+            return sum(map(_heat, seen))
         case Work(of):
             pushes = [p for p in tree.system.pushes if p.load == of]
             return sum(begin.potential(p) - now.potential(p) for p in pushes)
@@ -148,6 +150,19 @@ def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> A
             return float(np.abs(np.diff(marks)).sum()) / (2 * np.pi)
         case _:
             return value_in_mode(quantity, tree.system, last.mode.system, now)
+
+
+def _heat(seen: Seen) -> float:
+    """What friction turns into heat in one phase: its force by the way that it slips. Raises CannotAnswer where the
+    force changes on the way."""
+    begin, end = seen.mode.snapshot(seen.begin.q, seen.begin.v, seen.begin.t), seen.snapshot()
+    total = 0.0
+    for push in frictions(seen.mode.system):
+        first, last = begin.law(push), end.law(push)
+        if abs(last - first) > 1e-9 * max(abs(first), abs(last)):
+            raise CannotAnswer("the friction changes along the motion, and its heat was not checked in numbers")
+        total -= last * (end.value(push.measure) - begin.value(push.measure))  # type: ignore[arg-type]
+    return total
 
 
 def _energy(tree: Tree, mode: NumericMode, now: Any) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from freebody.model.question import Event, Quantity, Question, When, Work
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Watch
-from freebody.study.phases.quantities import plain, value_in_mode
+from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import Edge, Node, Tree
 from freebody.study.phases.words import label
 from freebody.study.quantities import energy
@@ -221,9 +221,7 @@ def _value_there(
             after, before = there.value(measure), begin.start_instant.value(measure)
             return tree.to_home(phase, after) - tree.to_home(begin, before)
         case EnergyLost():
-            after = energy("total", None, plain(phase.system), there)
-            before = energy("total", None, plain(begin.system), begin.start_instant)
-            return tree.to_home(begin, before) - tree.to_home(phase, after)
+            return _heat(tree, way, first)
         case Turns(body):
             return _turns(tree, body, way, first, notes)
         case Work(of):
@@ -241,6 +239,41 @@ def _value_there(
             if isinstance(value, tuple):
                 return tuple(tree.to_home(phase, v) for v in value)
             return tree.to_home(phase, value)
+
+
+def _heat(tree: Tree, way: _Way, first: First) -> Ratio:
+    """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
+    s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
+    total = tree.home.model.field.zero
+    for k, node in enumerate(way.nodes):
+        phase, last = node.phase, k == len(way.edges)
+        rubbing = frictions(phase.system)
+        if not rubbing:
+            continue
+        zero = first.zero if last else way.edges[k].first.zero  # type: ignore[union-attr]
+        if isinstance(phase.course, Energy):
+            total = total + _energy_lost(tree, phase, zero.values)
+            continue
+        time = None if zero.time is None else tree.to_home(phase, zero.time)
+        if time is None:
+            raise CannotAnswer("the time of the event has no closed form, so neither has the heat of friction")
+        for push in rubbing:
+            power = phase.state.law(push) * phase.state.rate(push.measure)
+            for n, coefficient in enumerate(phase.course.along(power)):
+                total = total - tree.to_home(phase, coefficient) * time ** (n + 1) / (n + 1)
+    return total
+
+
+def _energy_lost(tree: Tree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
+    """What the mechanical energy loses from the beginning of a phase to a state of it."""
+    if not only_friction_takes_energy(phase.system):
+        raise CannotAnswer(
+            "other loads do work as well, and the heat of friction has no closed form; simulate the motion"
+        )
+    there = SymbolicState(phase.model, {**_still(phase), **values})
+    system = plain(phase.system)
+    before, after = (energy("total", None, system, state) for state in (phase.start_instant, there))
+    return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
 def _turns(tree: Tree, body: str, way: _Way, first: First, notes: list[str]) -> Ratio:

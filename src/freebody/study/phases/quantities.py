@@ -10,6 +10,7 @@ from functools import reduce
 from typing import Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import free_symbols
 from freebody.measures.geometry import Direction
 from freebody.model.elements import Push
 from freebody.model.question import Multiplier, Power, Quantity, RatioOf, Wrench
@@ -42,8 +43,20 @@ def _is_contact(name: str, base: System) -> bool:
     return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.rubs)))
 
 
+def frictions(system: System) -> list[Push]:
+    """The dry friction that slides in a mode."""
+    return [p for p in system.pushes if p.load not in system.loads]
+
+
 def _frictions(connection: str, system: System) -> list[Push]:
-    return [p for p in system.pushes if p.load not in system.loads and p.load.partition(".")[0] == connection]
+    return [p for p in frictions(system) if p.load.partition(".")[0] == connection]
+
+
+def only_friction_takes_energy(system: System) -> bool:
+    """Whether what friction turns into heat is what the mechanical energy loses: nothing is driven, and all other loads
+    store what they take."""
+    stores = all(system.loads[p.load].stores_energy for p in plain(system).pushes)
+    return stores and not any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
 
 
 def reaction(row: str, less: Iterable[str], base: System, system: System, state: State[Any]) -> Any:
