@@ -218,14 +218,16 @@ class Ends:
 
     def _at_their_signs(self, reserve: Inequality, draw: Draw) -> Iterator[Condition]:
         """A product that must not be negative, factor by factor: each keeps the sign that it has at a draw. Where two
-        change theirs together, that is another case."""
+        change theirs together, that is another case. Raises CannotAnswer where no parameters satisfy it."""
         x, relation, purpose = reserve
         parts = open_parts(self.field.lowest_terms(x))
         if len(parts) > 1:
             values = [self.number(part, draw) for part in parts]
             parts = [-p if v is not None and v < 0 else p for p, v in zip(parts, values, strict=True)]
         for part in parts:
-            condition, _possible = require(part, relation, purpose)
+            condition, is_possible = require(part, relation, purpose)
+            if not is_possible:
+                raise CannotAnswer(f"this case is empty: {purpose}")
             if condition is not None:
                 yield condition
 
@@ -296,7 +298,10 @@ class Ends:
             drive = self.field.partial(eq.power(failure, motion), self.index)
         found: list[Inequality] = []
         if drive is not None:
-            found.append((sign * self._at_value(drive, at), ">", f"a {_MORE[sign]} one does not hold"))
+            driven = sign * self._at_value(drive, at)
+            if not (failure.slips or failure.opens) and (self.number(driven, here.draw) or 0.0) < 0.0:
+                driven = -driven  # nothing gives way, so the motion has no sense: both are ways to fail
+            found.append((driven, ">", f"a {_MORE[sign]} one does not hold"))
         return found + self._this_way(failure, motion, at), drive is not None
 
     def _this_way(self, failure: Failure, motion: dict[Slot, Ratio], at: Values) -> list[Inequality]:

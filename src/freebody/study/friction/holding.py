@@ -92,9 +92,11 @@ class Holding(Ends):
         if len(parts) > 1:
             return None
         condition, _possible = require(parts[0], ">=")
-        where = [
-            c for reserve in self._this_way(here.failure, motion, {}) for c in self._at_their_signs(reserve, here.draw)
-        ]
+        try:
+            ways = self._this_way(here.failure, motion, {})
+            where = [c for reserve in ways for c in self._at_their_signs(reserve, here.draw)]
+        except CannotAnswer:  # it is never a way to fail
+            return None
         return Barrier(here.words, condition, tuple(without_implied(where)))
 
     def is_met(self, barrier: Barrier, draw: Draw) -> bool:
