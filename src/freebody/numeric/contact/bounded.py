@@ -345,7 +345,9 @@ class Bounded:
             self._rub(k, sliding, at, len(held) + len(closed) + n, now.t)
             for n, (k, sliding) in enumerate(drags.items())
         )
-        return Problem(ContactProblem(A, b, tuple(normals), rubs), tuple(closed), tuple(drags), weighted, len(held))
+        lengths = np.array([1.0 if self.is_angle(self.rows[k]) else self.numbers.length for k in places])
+        matrices = ContactProblem(A, b, tuple(normals), rubs, lengths)
+        return Problem(matrices, tuple(closed), tuple(drags), weighted, len(held))
 
     def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> Rub:
         drag, number = self.drags[k], self.numbers.number

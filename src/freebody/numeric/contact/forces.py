@@ -127,7 +127,7 @@ def _together(
     found = _search_all(system, rules) or _without_breaking_away(system, rules)
     if first is not None and not any(_is_same(system, first, other) for other in found):
         found.append(first)
-    found.sort(key=lambda s: (s.mode != guess, departures(s.mode)))
+    found.sort(key=lambda s: (s.mode != guess, departures(s.mode), _effort(system, s)))
     if first is not None and first.mode == guess and _is_same(system, first, found[0]):
         found[0] = first
     return _outcome(system, found, is_proven=not any(len(p) > 1 for f in system.frictions for p, _ in f.groups))
@@ -271,6 +271,13 @@ def _without_breaking_away(system: Reduced, rules: Rules) -> list[Solution]:
     found = _consistent_modes(system, replace(rules, is_kinetic=True))
     fewest = min((departures(s.mode)[1] for s in found), default=0)
     return [s for s in found if departures(s.mode)[1] == fewest]
+
+
+def _effort(system: Reduced, found: Solution) -> float:
+    """By which outcomes that are alike in all else are told apart in any order of rows: Gauss's constraint,
+    lambda.A lambda, to eight digits."""
+    effort, size = float(found.x @ system.A @ found.x), float(np.abs(found.x) @ system.magnitude @ np.abs(found.x))
+    return round(effort / (size or 1.0), 8)
 
 
 def _is_same(system: Reduced, one: Solution, other: Solution) -> bool:

@@ -29,6 +29,7 @@ from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
+NO_ENERGY = 1e-10  # by the kinetic energy
 ADVICE = "; use time stepping (method moreau, with a step), which does not follow single events"
 Progress = Callable[[float, int], None]
 
@@ -58,6 +59,8 @@ class Hybrid:
         self.events: list[Happening] = []
         self.collisions: list[Collision] = []
         self.several: float | None = None  # when first several outcomes were consistent
+        self.ahead: tuple[float, float] | None = None  # when the most energy was there for a moment, and how much
+        self.shared: dict[str, None] = {}  # dry friction that is pressed by reactions that are not unique
 
     def run(
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
@@ -71,6 +74,7 @@ class Hybrid:
         asleep = result.behind
         forbidden: list[Choice] = []
         n_at_once = 0
+        again: Callable[[], After] | None = None  # what follows if nothing counts as stopped yet
         status, message = Status.FINISHED, ""
         while True:
             y, mode = result.y, result.mode
@@ -98,7 +102,10 @@ class Hybrid:
             self._keep(mode, now)
             engine.count_from(near)
             sizes = self._sizes(engine, guards, y, t)
-            is_soft = bool(mode.closed) and engine.room.info[dynamics.N_LEFT_OUT] > 0.0
+            is_open = engine.is_shared or engine.room.info[dynamics.N_LEFT_OUT] > 0.0
+            if is_open:
+                self._share(engine, mode, y, t)
+            is_soft = bool(mode.closed) and is_open
             course = engine.run(
                 y,
                 until,
@@ -119,6 +126,10 @@ class Hybrid:
                     partial(self._lasts, mode) if is_soft else None,
                 ),
             )
+            if course.status is Status.UNREACHABLE and again is not None:
+                result, again = again(), None  # slips that had nearly stopped go on
+                self._note(mode, result, t)
+                continue
             self.phases.append(Phase(course, engine, mode))
             near = course.near
             y = engine.state_at(course, -1)
@@ -138,16 +149,19 @@ class Hybrid:
                 forbidden = []
             t = course.t_end
             forbidden += self._excluded(what, k, mode, is_progress=is_progress)
-            result = self.transition.after(
+            after = partial(
+                self.transition.after,
                 y,
                 t,
                 near,
                 mode,
                 touched=(k,) if what == "gap" else (),
-                stopped=(k,) if what == "slip" and is_progress else (),
                 left=k if what == "foot" else None,
-                forbidden=forbidden,
+                forbidden=tuple(forbidden),
             )
+            has_stopped = what == "slip" and is_progress
+            result = after(stopped=(k,) if has_stopped else ())
+            again = after if has_stopped else None
             passed = {k} if what == "foot" else set[int]()
             asleep = result.behind | passed | (set[int]() if is_progress else asleep)
             self._note(mode, result, t)
@@ -209,7 +223,61 @@ class Hybrid:
                 )
             )
             result.y[self.bounded.free.at_work] += impact.energy_change
+        gained = result.settled + sum(impact.energy_change for impact in result.impacts)
+        if result.settled > 0.0 and gained > max(0.0 if self.ahead is None else self.ahead[1], self._tiny(result.y)):
+            self.ahead = t, gained
         self.events += events_between(self.bounded, before, result, t)
+
+    def _tiny(self, y: Floats) -> float:
+        """An energy that is none beside that of the motion."""
+        n = self.bounded.free.n_coordinates
+        inverse = self.bounded.inverse_mass
+        kinetic = np.divide(y[n : 2 * n] ** 2, 2.0 * inverse, out=np.zeros(n), where=inverse > 0.0)
+        return NO_ENERGY * float(kinetic.sum())
+
+    def _share(self, engine: Engine, mode: ModeOf, y: Floats, t: float) -> None:
+        """Notes the dry friction whose force depends on how reactions that are not unique are shared, and has them
+        shared by a rule that no order of the connections changes, as long as nothing would have to pull."""
+        b = self.bounded
+        sets, sizes = engine.open_multipliers()
+        if not sets.shape[1]:
+            return
+        row_of = {place: row for row, place in enumerate(b.held_in(mode))}
+        free = {place: sets[row] / sizes[row] for place, row in row_of.items()}
+        pressed = [k for k, state in enumerate(mode.drags) if state is not None and b.drags[k].loads]
+        found = [
+            k
+            for k in pressed
+            if any(np.abs(free[p]).max() > 1e-6 / sizes[row_of[p]] for p in b.drags[k].loads if p in free)
+        ]
+        if not found or not self._matters(engine, mode, free, found):
+            return
+        self.shared |= dict.fromkeys(b.drags[k].rub.row.connection for k in found)
+        if engine.is_shared:
+            return
+        plain = engine.layout
+        engine.share_by_compliance()
+        _accelerations, multipliers = engine.evaluate(y, t)
+        size = float(np.abs(multipliers).max(initial=0.0))
+        if any(b.barriers[k].sign * multipliers[row_of[b.barriers[k].place]] < -1e-9 * size for k in mode.closed):
+            engine.layout, engine.is_shared = plain, False  # something would have to pull
+            engine.evaluate(y, t)
+
+    def _matters(self, engine: Engine, mode: ModeOf, free: dict[int, Floats], found: list[int]) -> bool:
+        """Whether friction as a whole depends on the sharing: not where all that presses rubs along one line with one
+        coefficient."""
+        b = self.bounded
+        if any(len(b.drags[k].loads) != 1 or not b.drags[k].load_sign for k in found):
+            return True
+        total: dict[int, Floats] = {}
+        for k in found:
+            drag, state = b.drags[k], mode.drags[k]
+            c = b.numbers.number(drag.rub.coefficient(state or 1, at_rest=not state))
+            along = engine.gradient_of(drag.row)
+            effect = (state or 1) * c * drag.load_sign * np.outer(along, free[drag.loads[0]])
+            total[bool(state)] = total.get(bool(state), np.zeros_like(effect)) + effect
+        scale = max(float(np.abs(x).max(initial=0.0)) for x in free.values())
+        return any(float(np.abs(x).max(initial=0.0)) > 1e-7 * scale for x in total.values())
 
     @property
     def _advice(self) -> str:
@@ -247,6 +315,18 @@ class Hybrid:
             said = (
                 f"at t = {self.several:.6g} s friction leaves several outcomes consistent; the one that keeps contact "
                 "was taken"
+            )
+            message = f"{message}; {said}" if message else said
+        if self.shared:
+            said = (
+                f"the reactions that press the dry friction of {', '.join(sorted(self.shared))} are not unique in a "
+                "rigid model; they are shared as if all joints yielded alike, and the motion depends on it"
+            )
+            message = f"{message}; {said}" if message else said
+        if self.ahead is not None:
+            said = (
+                f"rebounds too small to be followed end at t = {self.ahead[0]:.6g} s at once, and their friction with "
+                f"them: for that moment the energy is {self.ahead[1]:.2g} J too high"
             )
             message = f"{message}; {said}" if message else said
         if self.transition.is_replaced:

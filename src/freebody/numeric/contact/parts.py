@@ -49,6 +49,7 @@ def separate(problem: ContactProblem) -> list[Part]:
             problem.b[list(rows)],
             tuple(place[row] for row in problem.normals if row in place),
             rubs,
+            None if problem.lengths is None else problem.lengths[list(rows)],
         )
         parts.append(Part(own, rows))
     return parts

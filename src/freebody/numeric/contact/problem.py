@@ -86,6 +86,7 @@ class ContactProblem:
     b: Array
     normals: tuple[int, ...] = ()
     rubs: tuple[Rub, ...] = ()
+    lengths: Array | None = None  # (n,) h: of multipliers that are not unique those with the least sum of (lambda h)^2
 
     @property
     def n(self) -> int:

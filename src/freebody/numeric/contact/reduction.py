@@ -2,7 +2,8 @@
 
     a_B = A_BB l_B + A_BU l_U + b_B = 0     =>     l_B = p + Q l_U,  p = -A_BB^+ b_B,  Q = -A_BB^+ A_BU
 
-Redundant held rows are consistent, so the pseudo-inverse loses nothing; their forces are those of least norm. With
+Redundant held rows are consistent, so the pseudo-inverse loses nothing; their forces are those of least norm, by
+`lengths` where these are given. With
 D = diag(A)^(-1/2) the problem D A D, D b in l/D has a unit diagonal: units and masses of the rows are gone.
 """
 
@@ -88,7 +89,7 @@ def reduced(problem: ContactProblem) -> Reduced:
     D = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
     scale = D[rows]
     coupling = A[np.ix_(rows, held)]
-    p, Q, is_consistent = _held_forces(A, b, D, rows, held)
+    p, Q, is_consistent = _held_forces(A, b, D, rows, held, problem.lengths)
     free, right, size = A[np.ix_(rows, rows)], b[rows], np.abs(b[rows])
     if len(held):
         free, right, size = free + coupling @ Q, right + coupling @ p, size + np.abs(coupling) @ np.abs(p)
@@ -111,12 +112,14 @@ def reduced(problem: ContactProblem) -> Reduced:
 
 
 def _held_forces(
-    A: Array, b: Array, D: Array, rows: NDArray[np.intp], held: NDArray[np.intp]
+    A: Array, b: Array, D: Array, rows: NDArray[np.intp], held: NDArray[np.intp], lengths: Array | None
 ) -> tuple[Array, Array, bool]:
-    """p and Q of l_B = p + Q l_U, and whether the held rows can all keep their accelerations."""
+    """p and Q of l_B = p + Q l_U, and whether the held rows can all keep their accelerations. Of forces that are not
+    unique those that `lengths` make the least."""
     if not len(held):
         return np.zeros(0), np.zeros((0, len(rows))), True
     scale = D[held]
+    idle = np.zeros((len(held), 0))  # forces that do nothing together
     A_B = scale[:, None] * A[np.ix_(held, held)] * scale
     right = -scale[:, None] * np.hstack([b[held, None], A[np.ix_(held, rows)]])
     if _is_regular(A_B):
@@ -126,10 +129,14 @@ def _held_forces(
         kept = values > RANK * len(held) * max(1.0, float(values[-1]))
         basis = vectors[:, kept]
         solved = basis @ ((basis.T @ right) / values[kept, None])
+        idle = scale[:, None] * vectors[:, ~kept]
     left_over = np.abs(A_B @ solved[:, 0] - right[:, 0])
     terms = np.abs(A_B) @ np.abs(solved[:, 0]) + np.abs(right[:, 0])
     is_consistent = bool((left_over <= _CONSISTENT * max(float(terms.max()), 1e-300)).all())
     solved = scale[:, None] * solved
+    if idle.shape[1] and lengths is not None:
+        h = lengths[held, None]
+        solved -= idle @ np.linalg.lstsq(h * idle, h * solved, rcond=1e-12)[0]
     return solved[:, 0], solved[:, 1:], is_consistent
 
 

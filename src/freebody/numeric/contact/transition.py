@@ -56,6 +56,7 @@ class After:
     jammed: int | None = None  # the barrier that took an impulse without a collision
     behind: set[int] = field(default_factory=set[int])  # far sides of what touches: passed through, not met
     handed: set[int] = field(default_factory=set[int])  # a place that ends and those of the same outlines that go on
+    settled: float = 0.0  # work of the friction of rebounds that are too small to be followed
 
 
 class Transition:
@@ -334,7 +335,8 @@ class Transition:
                 along[row] -= slip * c * b.barriers[b.drags[k].of].sign * now.gradients[b.drags[k].keeps]
         weighted = along * b.inverse_mass
         impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
-        result.y[b.free.at_work] += self._push(result.y, weighted, impulse)
+        result.settled += (change := self._push(result.y, weighted, impulse))
+        result.y[b.free.at_work] += change
 
     # -- what stays ---------------------------------------------------------------------------
     def _drags_on(self, now: Instant, closed: Iterable[int], speed: float) -> dict[int, int]:

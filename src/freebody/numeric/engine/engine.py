@@ -30,6 +30,8 @@ from freebody.numeric.engine.tape import play
 from freebody.numeric.engine.writing import Guard, Written
 from freebody.numeric.numbers import Numbers
 
+COMPLIANCE = 1e-5  # of held rows whose multipliers are shared, by the most mobile one
+
 
 @dataclass(frozen=True)
 class Watch:
@@ -192,6 +194,7 @@ class Engine(Packed):
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
+        self.is_shared = False  # whether multipliers that are not unique are the least
 
     @cached_property
     def guard_programs(self) -> Programs:
@@ -207,6 +210,23 @@ class Engine(Packed):
         if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
             raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
         return self.room.acceleration.reshape(self.n_bodies + 1, -1).copy(), multipliers
+
+    def share_by_compliance(self) -> None:
+        """From now on multipliers that are not unique are the least ones, sum of (lambda_i h_i)^2 over the held rows,
+        h_i the size of the system where the row is a length, 1 where it is an angle: as if all joints yielded alike.
+        That depends on no order of rows, on no units, and where bodies are joined by forces on no axes.
+
+        Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the proximal iteration
+        for massless bodies takes back without leaving the range of J: what is left of it is the choice of lambda.
+        Source: Tikhonov regularisation, Hansen, Rank-Deficient and Discrete Ill-Posed Problems, 1998, ch. 5."""
+        L = self.layout
+        held = np.array(L.held_scale)
+        diagonal = np.array(self.room.diagonal)[: len(held)]
+        compliance = COMPLIANCE * float((diagonal * held**2).max(initial=0.0))
+        base = np.array(L.schur_base)
+        base[np.array(L.column_ptr[:-1])] += compliance / held**2
+        self.layout = L._replace(schur_base=base, has_gap=np.ones_like(L.has_gap))
+        self.is_shared = True
 
     def tape_value(self, tape: int, t: float) -> float:
         """The value of a tape at the instant looked at last."""
@@ -261,14 +281,19 @@ class Engine(Packed):
 
     def non_unique(self) -> Any:
         """(n_held,) True for multipliers that are not unique at the instant looked at last."""
+        return np.linalg.norm(self.open_multipliers()[0], axis=1) > 1e-6
+
+    def open_multipliers(self) -> tuple[Floats, Floats]:
+        """Sets of multipliers that do nothing together at the instant looked at last, (n_held, n_sets), each row by its
+        size, and these sizes (n_held,)."""
         J = self.jacobian()
         n = len(J)
         weighted = J.reshape(n, self.n_coordinates) * np.sqrt(self.layout.inverse_mass)
         sizes = np.linalg.norm(weighted, axis=1)
-        scaled = weighted / np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)[:, None]
-        U, singular, _ = np.linalg.svd(scaled, full_matrices=True)
+        sizes = np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)
+        U, singular, _ = np.linalg.svd(weighted / sizes[:, None], full_matrices=True)
         rank = int(np.count_nonzero(singular > 1e-8 * singular.max(initial=0.0)))
-        return np.linalg.norm(U[:, rank:], axis=1) > 1e-6
+        return U[:, rank:], sizes
 
     # -- motions ------------------------------------------------------------------------------
     def compile(self, *, is_guarded: bool = False) -> None:

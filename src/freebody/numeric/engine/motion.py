@@ -363,7 +363,8 @@ class Motion:
                 unique[k] = ~known[0]  # rows that depend on each other everywhere
                 continue
             stepping.visit(e.layout, e.room, self.run, -1.0, states[k].copy(), float(t), out, 1)
-            if e.room.info[dynamics.IS_REGULARISED] > 0.0 or e.room.info[dynamics.N_LEFT_OUT] > 0.0:
+            is_open = e.is_shared or e.room.info[dynamics.N_LEFT_OUT] > 0.0
+            if is_open or e.room.info[dynamics.IS_REGULARISED] > 0.0:
                 mask = e.non_unique()
                 unique[k] = ~mask
                 known.append(mask)
