@@ -484,3 +484,23 @@ def test_scaling_all_forces_scales_the_limits() -> None:
     assert one is not None
     assert seven is not None
     assert [e.value for e in seven] == pytest.approx([7.0 * e.value for e in one], rel=1e-12)
+
+
+# -- nothing gives way: equilibrium alone decides -------------------------------------------------
+WINCH = """
+parameters: {I: 0.3 kg m^2, R: 0.1 m, m: 20 kg, T: 15 N m, g: 9.81 m/s^2}
+bodies: {drum: {body: {inertia: I, radius: R}}, load: {particle: {mass: m}}}
+connections:
+  axle: {pin: [ground.O, drum]}
+  rope: {string: {path: [wound on drum at left, load]}}
+loads: {weight: {gravity: g}, motor: {torque: {on: drum, magnitude: T}}}
+"""
+
+
+@pytest.mark.parametrize("question", ["least T so that it stays at rest", "largest T so that it stays at rest"])
+def test_a_single_value_that_holds_is_both_ends_without_conditions(question: str, agrees: Agree) -> None:
+    # moments about the axle: T = -m g R holds it whichever way it would turn; no case is printed that cannot be
+    solution = fb.solve(fb.System.from_text(WINCH), question)
+    agrees(solution, "q1", "-m*g*R")
+    assert solution["q1"].conditions == ("for all positive parameters",)
+    assert not any(" < 0" in note for note in solution["q1"].notes)

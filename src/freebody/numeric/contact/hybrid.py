@@ -30,6 +30,7 @@ FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
 NO_ENERGY = 1e-10  # by the kinetic energy
+CLOSED = 1e-12  # a gap that is none, by the size of the system
 ADVICE = "; use time stepping (method moreau, with a step), which does not follow single events"
 Progress = Callable[[float, int], None]
 
@@ -74,7 +75,7 @@ class Hybrid:
         asleep = result.behind
         forbidden: list[Choice] = []
         n_at_once = 0
-        again: Callable[[], After] | None = None  # what follows if nothing counts as stopped yet
+        again: Callable[..., After] | None = None  # what follows if nothing counts as stopped yet
         status, message = Status.FINISHED, ""
         while True:
             y, mode = result.y, result.mode
@@ -127,7 +128,9 @@ class Hybrid:
                 ),
             )
             if course.status is Status.UNREACHABLE and again is not None:
-                result, again = again(), None  # slips that had nearly stopped go on
+                # slips that had nearly stopped go on, and gaps that nothing can close any more stay as they are
+                forbidden += [("closed", k, None) for k in self._not_closing(mode, now)]
+                result, again = again(forbidden=tuple(forbidden)), None
                 self._note(mode, result, t)
                 continue
             self.phases.append(Phase(course, engine, mode))
@@ -157,11 +160,10 @@ class Hybrid:
                 mode,
                 touched=(k,) if what == "gap" else (),
                 left=k if what == "foot" else None,
-                forbidden=tuple(forbidden),
             )
             has_stopped = what == "slip" and is_progress
-            result = after(stopped=(k,) if has_stopped else ())
-            again = after if has_stopped else None
+            result = after(stopped=(k,) if has_stopped else (), forbidden=tuple(forbidden))
+            again = after
             passed = {k} if what == "foot" else set[int]()
             asleep = result.behind | passed | (set[int]() if is_progress else asleep)
             self._note(mode, result, t)
@@ -227,6 +229,11 @@ class Hybrid:
         if result.settled > 0.0 and gained > max(0.0 if self.ahead is None else self.ahead[1], self._tiny(result.y)):
             self.ahead = t, gained
         self.events += events_between(self.bounded, before, result, t)
+
+    def _not_closing(self, mode: ModeOf, now: Instant) -> list[int]:
+        """Closed barriers with a gap beyond round-off."""
+        b = self.bounded
+        return [k for k in mode.closed if abs(float(now.values[b.barriers[k].place])) > CLOSED * b.numbers.length]
 
     def _tiny(self, y: Floats) -> float:
         """An energy that is none beside that of the motion."""
