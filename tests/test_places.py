@@ -493,3 +493,25 @@ def test_a_stop_on_what_never_changes_is_open_for_ever() -> None:
     system = fb.System.from_text(BALL + measure + "connections: {it: {stop: {measure: d, min: 0.5 m}}}\n")
     assert fb.solve(system, "d")["q1"].value == 1.0
     assert fb.simulate(system, 0.1).status.name == "FINISHED"
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (("{pin: [ground.O, pulley]}", "{slot: {pin: pulley, along: right}}"), "a is kept straight below pulley"),
+        (("to: b}", "to: b, leads: [right, down]}"), "a stays on the line of its lead"),
+    ],
+)
+def test_what_is_taken_for_granted_of_hanging_bodies_is_an_assumption(changed: tuple[str, str], said: str) -> None:
+    system = fb.System.from_text(ATWOOD.replace(*changed))
+    assert any(said in text for text in system.assumptions)
+    assert fb.System.from_text(ATWOOD).assumptions == ()
+
+
+def test_a_lead_that_cannot_be_vertical_is_an_assumption() -> None:
+    """A movable pulley of radius r between two leads that are not 2 r apart."""
+    model = PROBLEMS["a movable pulley"][0]
+    assert fb.System.from_text(model).assumptions == ()
+    askew = fb.System.from_text(model.replace("C: [-R - 2*r, 0]", "C: [-R - 3*r, 0]"))
+    assert len(askew.assumptions) == 1
+    assert "would be askew" in askew.assumptions[0]

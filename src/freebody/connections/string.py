@@ -397,6 +397,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         for body, hook in laid.hooks.items():
             if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
                 rows.append(hook.row(names))
+                self._note_guided(names, me, rows[-1], hook)
                 if names.known(body).start.at is not None:
                     names.assumptions.append(
                         f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
@@ -408,6 +409,16 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                 "would be askew where these stand"
             )
         return rows
+
+    def _note_guided(self, names: Names, me: str, row: Held, hook: Hook) -> None:
+        """What is taken for granted of a body that hangs on what moves sideways, or beside a level lead."""
+        body, lead = hook.point.body, hook.leads[0]
+        if not is_parallel(names, lead.normal, RIGHT):
+            names.assumptions.append(f"{me}: {body} stays on the line of its lead, as on a smooth guide")
+        elif isinstance(row.measure, Displacement) and row.measure.origin.body != GROUND:
+            names.assumptions.append(
+                f"{me}: {body} is kept straight below {lead.other}, which may move sideways; swings: true lets it swing"
+            )
 
     def hanging(self, names: Names) -> set[str]:
         """The bodies that hang on it."""
