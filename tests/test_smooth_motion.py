@@ -324,10 +324,3 @@ def test_a_formula_that_nobody_would_read_is_told_by_its_size() -> None:
     assert re.search(r"a formula of \d+ operations \(--full", short)
     assert "sin(89" in full.replace("⋅", "").replace("·a", "")
     assert " and b > 0" * 200 in full
-
-
-def test_a_simulation_says_that_what_leaves_an_equilibrium_is_round_off() -> None:
-    upright = fb.System.from_text("freebody: 1\n" + UPRIGHT)
-    assert "round-off" in upright.simulate(0.5).message
-    leaning = fb.System.from_text("freebody: 1\n" + UPRIGHT.replace("theta: 0}", "theta: 0.001 rad}"))
-    assert leaning.simulate(0.5).message == ""

@@ -17,13 +17,14 @@ from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.study.answer import Evidence
+from freebody.study.at_rest import is_unstable_rest
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.magnitude import magnitude
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
-from freebody.study.still import is_still
+from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import find_equilibrium
@@ -211,7 +212,7 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     start = draw.start()
     if event is None:
         values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
-    elif is_still(start, draw.seen(start).accelerations):
+    elif _rests(setup):
         raise CannotAnswer("it starts at rest, and only round-off accelerates it: numbers would follow that")
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
@@ -247,6 +248,12 @@ def _wanted(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tup
         for c in setup.model.coordinates
         if (measure := setup.model.measure_of(c)) is not None
     ]
+
+
+def _rests(setup: Setup) -> bool:
+    """Whether the start is one of rest that only round-off would leave."""
+    simulator = Simulator(setup.system)
+    return is_unstable_rest(simulator, simulator.start, 0.0)
 
 
 def holds(setup: Setup, condition: Condition, draw: Draw, snapshot: Snapshot, *, round_off: float = 0.0) -> bool:

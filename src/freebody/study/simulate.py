@@ -31,7 +31,6 @@ from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
 from freebody.study.at_rest import is_unstable_rest, staying
 from freebody.study.energy import EnergyBalance, energy_balance
-from freebody.study.still import is_still
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -43,7 +42,6 @@ Progress = Callable[[float, int], None]
 N_OUTPUTS = 1001
 STEPPING = "moreau"
 MOST_OUTPUTS = 2_000_000
-IN_EQUILIBRIUM = "it starts at rest in an equilibrium, where it stays: what moves here is round-off that grew"
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
 
 
@@ -86,8 +84,7 @@ class Simulator:
                 _ = start.acceleration(measure)  # says which one has no value or rate at the start
             raise
         self._near = self.engine.near()
-        accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
-        self.is_still = self.bounded is None and is_still(start, accelerations)
+        _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
         if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
 
@@ -393,8 +390,6 @@ def simulate(
         law=law,
         jams=jams,
     )
-    if simulator.is_still and from_result is None:
-        course = replace(course, message="; ".join(part for part in (course.message, IN_EQUILIBRIUM) if part))
     trusted = None
     if verify:
         finer = simulator.run(

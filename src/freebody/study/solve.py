@@ -131,7 +131,8 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
         return _at_rest(system, questions)
-    if system.bounds or system.rubs:
+    lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
+    if system.bounds or system.rubs or (lets_go and any(q.transition is not None for q in questions)):
         return _in_phases(system, questions)
     setup = Setup(system) if setup is None else setup
     try:

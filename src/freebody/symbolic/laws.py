@@ -202,6 +202,10 @@ class Growth(Law):
                 return [], [(ratio - 1, ">")]
             root = field.sqrt(ratio * ratio - 1, self.model.is_negative)
             return [(log(ratio + root), a * root, ratio - 1)], []
+        if a.is_zero():  # from the centre
+            ratio = y / b
+            root = field.sqrt(ratio * ratio + 1, self.model.is_negative)
+            return [(log(ratio + root), b * root, ratio)], []
         if sign_of(y * y - a * a + b * b) is Sign.NEGATIVE:
             return [], [(y * y - a * a + b * b, ">=")]
         root = field.sqrt(y * y - a * a + b * b, self.model.is_negative)
