@@ -351,3 +351,14 @@ def test_a_million_sheets_are_refused(model: Path) -> None:
 
     with pytest.raises(InputError, match="at most"):
         sheet([fb.System.load(model)], variants=1_000_000)
+
+
+def test_a_simulation_shows_no_bar_where_there_is_no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    from freebody.present import simulation
+
+    stream = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", stream)
+    monkeypatch.setattr(simulation, "PATIENCE", -1.0)
+    with simulation.progress_bar(1.0) as update:
+        update(0.5, 10)
+    assert stream.getvalue() == ""

@@ -87,7 +87,7 @@ def _contact_lines(result: Simulation, summary: dict[str, Any], non_unique: list
 
 @contextmanager
 def progress_bar(until: float) -> Generator[Progress]:
-    """Shows simulated time and rate on the error stream if a run takes longer than `PATIENCE`."""
+    """Shows simulated time and rate on a terminal's error stream if a run takes longer than `PATIENCE`."""
     import time
 
     from rich.console import Console
@@ -95,12 +95,13 @@ def progress_bar(until: float) -> Generator[Progress]:
     from rich.progress import Progress as Bar
 
     began = time.perf_counter()
+    console = Console(stderr=True)
     bar: Any = Bar(
         TextColumn("{task.completed:8.4g} of {task.total:g} s"),
         BarColumn(),
         TextColumn("{task.fields[rate]:.3g} s/s"),
         TimeRemainingColumn(),
-        console=Console(stderr=True),
+        console=console,
         transient=True,
     )
     task = bar.add_task("", total=until, rate=0.0)
@@ -109,7 +110,7 @@ def progress_bar(until: float) -> Generator[Progress]:
     def update(now: float, _steps: int) -> None:
         nonlocal shown
         spent = time.perf_counter() - began
-        if not shown and spent > PATIENCE:
+        if not shown and spent > PATIENCE and console.is_terminal:
             before.close()  # one line at a time
             bar.start()
             shown = True
