@@ -35,13 +35,17 @@ def statics_lines(found: Statics) -> Iterator[str]:
 
 def _reserve(found: Statics) -> Iterator[str]:
     if math.isinf(found.reserve):
-        yield "no friction is needed" if not found.fails else f"any friction is enough; without it {found.fails}"
+        yield (
+            "no friction is needed"
+            if not found.fails
+            else f"a millionth of the friction is enough; without it {found.fails}"
+        )
     elif found.holds:
         yield f"friction can carry {number_text(found.reserve)} times what is needed; with less {found.fails}"
     elif found.reserve > 0.0:
         yield f"friction would have to be {number_text(1 / found.reserve)} times as large"
     else:
-        yield "no friction is enough"
+        yield "not even a million times the friction is enough"
 
 
 def _table(reactions: tuple[Reaction, ...]) -> Iterator[str]:

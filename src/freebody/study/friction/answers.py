@@ -103,7 +103,9 @@ class _Answerer:
             case = Case(Failure(), "", zero, (), True)
             return self._finished(ends, [case], (zero,), [0.0], notes, [replace(limits[0], compared=tuple(pairs))])
         if not found:
-            why = "every value keeps the system at rest" if len(signs) > 1 else notes[0]
+            every = all(ends.is_linear and all(_unlimited(c, ends) for c in limit.compared) for limit in limits)
+            why = "every value keeps the system at rest" if every else "at the model's own values no limit was found"
+            why = why if len(signs) > 1 else notes[0]
             return self._plain(None, None, notes=notes[1:] if len(signs) == 1 else notes, reason=why)
         shown = values if self.setup.has_values else []
         if any(main is None for main in found):
@@ -131,8 +133,14 @@ class _Answerer:
                 is_needed = limit.first is not None and limit.first.edge.optimum.value < -ROUND_OFF
                 least = f"{subject} need only be larger than 0" if is_needed else f"{subject} = 0 will do"
                 yield f"there is no lower limit: {least}"
-            else:
+            elif ends.is_linear:  # the linear program has no bound
                 yield f"there is no {end} limit"
+            else:
+                yield f"no {end} limit was found among the values that were tried"
+            limited = sum(not _unlimited(c, ends) for c in limit.compared)
+            if limited:
+                share = f"{limited} of {len(limit.compared)} draws"
+                yield f"with other parameters there is a limit at the {end} end ({share})"
         elif limit.first is not None and limit.first.seen is not None:
             yield f"{end} limit: {limit.first.seen.words}"
         open_ = [c for c in limit.compared if c.case is None and c.seen is not None and not _unlimited(c, ends)]
@@ -193,7 +201,9 @@ class _Answerer:
     def _first(self, ends: ParameterEnds, name: str) -> Answer:
         limit = ends.limit(1)
         if limit.first is None or _is_free(limit, ends):
-            raise CannotAnswer(f"{name} may grow without limit")
+            if ends.is_linear:
+                raise CannotAnswer(f"{name} may grow without limit")
+            raise CannotAnswer(f"no limit of {name} was found among the values that were tried")
         if limit.main is None:
             words = limit.first.seen.words if limit.first.seen else ""
             return self._plain(None, limit.first.edge.value, notes=[f"first: {words}"], reason="it has no closed form")

@@ -61,6 +61,8 @@ class ParameterEnds(Ends):
         value = _LARGE if self.parametric.is_friction else draw.values[self.name]
         problem = self.parametric.problem(self.touching, draw, value)
         why = "" if problem is None else how_it_fails(self.touching, problem, draw)
+        if not (self.parametric.is_linear or self.parametric.is_friction):
+            return f"no value of {self.name} that was tried keeps the system at rest: {why}"
         return f"no value of {self.name} keeps the system at rest: {why}"
 
 
