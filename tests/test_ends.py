@@ -93,6 +93,17 @@ def test_half_a_file_is_not_left_behind(error: BaseException, tmp_path: Path) ->
     assert os.listdir(tmp_path) == ["out.svg"]
 
 
+def test_a_program_that_fails_is_told_without_its_command_line(tmp_path: Path) -> None:
+    def write() -> None:
+        with replaced(tmp_path / "film.mp4"):
+            raise subprocess.CalledProcessError(1, ["ffmpeg", "-f", "rawvideo"])
+
+    with pytest.raises(InputError, match="ended with code 1") as told:
+        write()
+    assert "rawvideo" not in str(told.value)
+    assert os.listdir(tmp_path) == []
+
+
 @posix
 def test_a_link_stays_and_what_it_leads_to_is_replaced(tmp_path: Path) -> None:
     (tmp_path / "real").write_text("old")

@@ -83,5 +83,7 @@ def _beside(target: Path) -> Path:
 
 def _told(path: Path, error: Exception) -> str:
     why = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    if isinstance(error, CalledProcessError):  # its text is the whole command line
+        why = f"the program that writes it ended with code {error.returncode}; is there room on the disk?"
     where = ". Give a file in a folder that exists" if isinstance(error, FileNotFoundError) else ""
     return f"{path} cannot be written: {why}{where}"
