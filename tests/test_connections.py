@@ -5,156 +5,22 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
-from typing import Any
 
-import numpy as np
 import pytest
 
 import freebody as fb
 import freebody.connections  # registers the kinds
 from freebody.connections.base import Connection
-from freebody.numeric.reference import Reference, Snapshot
-from freebody.study.evidence import element_at
-from freebody.study.setup import Setup
-from freebody.system.modes import Mode, in_mode
-from freebody.system.schema import json_schema
+from freebody.testing.conformance import CONNECTION_CHECKS
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 KINDS = sorted(k for k, c in Connection.kinds.items() if c.__module__.startswith("freebody."))
-SEED = 11
-GRAVITY = "loads: {weight: {gravity: 9.81 m/s^2}}\n"
-STEP = 1e-5
-
-kind = pytest.mark.parametrize("kind", KINDS)
 
 
-@functools.cache
-def described(kind: str) -> fb.System:
-    """The smallest model with the connection, with weights, so that there is something to transmit."""
-    return fb.System.from_text(Connection.kinds[kind].example + GRAVITY)
-
-
-def example(kind: str) -> fb.System:
-    """The same; what may open is closed, and what may slip sticks."""
-    system = described(kind)
-    mode = Mode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.rubs})
-    return in_mode(system, mode)[0] if system.bounds or system.rubs else system
-
-
-def somewhere(system: fb.System) -> Snapshot:
-    """A random admissible pose and motion."""
-    reference = Reference(system)
-    q, v = reference.wander(reference.assemble(), np.random.default_rng(SEED), 0.2, 0.3)
-    return reference.snapshot(q, v, 0.3)
-
-
-def own_rows(system: fb.System) -> list[Any]:
-    return [row for row in system.held if row.connection == "it"]
-
-
-def row_of(s: Snapshot, measure: object) -> np.ndarray:
-    """The gradient of a measure along all coordinates."""
-    return s.reference.jet(s.geometry, measure).row(len(s.q))
-
-
-# -- the family -------------------------------------------------------------------------------
-@kind
-def test_connection_is_described_and_in_the_schema(kind: str) -> None:
-    about = Connection.kinds[kind].__doc__ or ""
-    assert about.lstrip().startswith("`")
-    assert f"{kind}:" in about
-    entry = json_schema()["properties"]["connections"]["additionalProperties"]["properties"][kind]
-    assert entry["description"]
-
-
-@kind
-def test_example_is_a_valid_model_that_holds_something(kind: str) -> None:
-    system = example(kind)
-    assert isinstance(system.connections["it"], Connection.kinds[kind])
-    assert own_rows(system)
-    jsonschema = pytest.importorskip("jsonschema")
-    jsonschema.validate(system.document.data, json_schema())
-
-
-@kind
-def test_model_written_back_is_the_same_system(kind: str) -> None:
-    assert fb.System.from_text(described(kind).to_yaml()) == described(kind)
-
-
-@kind
-def test_gradient_is_the_finite_difference_of_the_measure(kind: str) -> None:
-    s = somewhere(example(kind))
-    for row in own_rows(s.reference.system):
-        exact = row_of(s, row.measure)
-        for k in range(len(s.q)):
-            unit = np.eye(len(s.q))[k]
-            if hasattr(row.measure, "terms") and not hasattr(row.measure, "value"):
-                # only its rate means something: linear in the velocities
-                difference = s.reference.snapshot(s.q, unit, s.t, near=s).rate(row.measure)
-            else:
-                ahead, behind = (
-                    s.reference.snapshot(s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(row.measure)
-                    for h in (STEP, -STEP)
-                )
-                difference = (ahead - behind) / (2 * STEP)
-            assert exact[k] == pytest.approx(difference, rel=1e-7, abs=1e-8), f"seed {SEED}, {row.name}, {k}"
-
-
-@kind
-def test_acceleration_is_the_finite_difference_of_the_rate_along_the_motion(kind: str) -> None:
-    s = somewhere(example(kind))
-    for row in own_rows(s.reference.system):
-        ahead, behind = (
-            s.reference.snapshot(
-                s.reference.frame.moved(s.q, h * s.v + h * h / 2 * s.accelerations),
-                s.v + h * s.accelerations,
-                s.t + h,
-                near=s,
-            ).rate(row.measure)
-            for h in (STEP, -STEP)
-        )
-        difference = (ahead - behind) / (2 * STEP)
-        assert s.acceleration(row.measure) == pytest.approx(difference, rel=1e-6, abs=1e-5), f"seed {SEED} {row.name}"
-
-
-@kind
-def test_reactions_do_no_work_on_admissible_velocities(kind: str) -> None:
-    s = somewhere(example(kind))
-    power = 0.0
-    for row in s.reference.system.held:
-        if row.target is not None and "t" in str(row.target):
-            continue
-        terms = row_of(s, row.measure) * s.multiplier(row) * s.v
-        assert abs(terms.sum()) <= 1e-9 * (1 + np.abs(terms).sum()), f"seed {SEED} {row.name}"
-        power += float(terms.sum())
-    assert power == pytest.approx(0.0, abs=1e-8)
-
-
-# what these hold is written in the user's own measures
-@pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("constraint", "velocity_constraint", "driver")])
-def test_action_equals_reaction_on_all_bodies_and_the_ground(kind: str) -> None:
-    """To move and turn everything together, the ground included, changes no measure that joins bodies."""
-    s = somewhere(example(kind))
-    n = 3 if s.reference.system.space else 2
-    places = {b.name: s.reference.pose(s.q, b.name)[:n] for b in s.reference.system.moving} | {"ground": (0.0,) * n}
-    for row in own_rows(s.reference.system):
-        total = np.zeros(6 if n == 3 else 3)
-        for body, place in places.items():
-            push = np.array(s.gradient(row.measure, body))
-            arm, force = (np.pad(np.array(v), (0, 3 - n)) for v in (place, push[:n]))
-            moment = np.cross(arm, force)[-(len(push) - n) :]
-            total += np.concatenate((push[:n], moment + push[n:]))
-        assert total == pytest.approx(np.zeros(len(total)), abs=1e-9), row.name
-
-
-@kind
-def test_both_routes_give_the_same_reactions(kind: str) -> None:
-    setup = Setup(example(kind))
-    for row in own_rows(setup.system):
-        closed = setup.state.multiplier(row)
-        for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
-            (value,) = element_at(setup, closed, draw, snapshot)
-            assert value == pytest.approx(snapshot.multiplier(row), rel=1e-8, abs=1e-8), row.name
+@pytest.mark.parametrize("check", CONNECTION_CHECKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_connection_passes_the_conformance_suite(kind: str, check: str) -> None:
+    CONNECTION_CHECKS[check](kind)
 
 
 # -- one closed form of each ------------------------------------------------------------------

@@ -12,116 +12,23 @@ import pytest
 import freebody as fb
 import freebody.loads  # registers the kinds
 from freebody.loads.base import Load
-from freebody.numeric.reference import Reference, Snapshot
-from freebody.study.evidence import element_at
-from freebody.study.setup import Setup
-from freebody.system.schema import json_schema
+from freebody.numeric.reference import Reference
+from freebody.testing.conformance import LOAD_CHECKS, loaded
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 KINDS = sorted(k for k, c in Load.kinds.items() if c.__module__.startswith("freebody."))
-STORING = [k for k in KINDS if Load.kinds[k].stores_energy]
 SEED = 12
-STEP = 1e-5
-
-kind = pytest.mark.parametrize("kind", KINDS)
 
 
-@functools.cache
-def example(kind: str) -> fb.System:
-    return fb.System.from_text(Load.kinds[kind].example)
-
-
-def somewhere(system: fb.System) -> Snapshot:
-    """A random pose and motion."""
-    reference = Reference(system)
-    q, v = reference.wander(reference.assemble(), np.random.default_rng(SEED), 0.2, 0.3)
-    return reference.snapshot(q, v, 0.3)
-
-
-def shifted(s: Snapshot, h: float) -> Snapshot:
-    return s.reference.snapshot(s.q + h * s.v, s.v, s.t + h, near=s)
-
-
-# -- the family -------------------------------------------------------------------------------
-@kind
-def test_load_is_described_and_in_the_schema(kind: str) -> None:
-    described = Load.kinds[kind]
-    assert f"`{kind}:" in (described.__doc__ or "")
-    entry = json_schema()["properties"]["loads"]["additionalProperties"]["properties"][kind]
-    assert entry["description"]
-
-
-@kind
-def test_example_is_a_valid_model_with_the_load(kind: str) -> None:
-    system = example(kind)
-    assert isinstance(system.loads["it"], Load.kinds[kind])
-    assert [push for push in system.pushes if push.load == "it"]
-    assert fb.System.from_text(system.to_yaml()) == system
-    jsonschema = pytest.importorskip("jsonschema")
-    jsonschema.validate(system.document.data, json_schema())
-
-
-@kind
-def test_load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
-    """Virtual power: the rate of the measure is its gradient times the velocities."""
-    s = somewhere(example(kind))
-    for push in s.reference.system.pushes:
-        bodies = s.reference.system.moving
-        row = np.concatenate([s.gradient(push.measure, b.name)[: 3 if b.turns else 2] for b in bodies])
-        for k in range(len(s.q)):
-            ahead, behind = (
-                s.reference.snapshot(s.q + h * np.eye(len(s.q))[k], s.v, s.t, near=s).value(push.measure)
-                for h in (STEP, -STEP)
-            )
-            assert row[k] == pytest.approx((ahead - behind) / (2 * STEP), rel=1e-7, abs=1e-8), f"seed {SEED} {push}"
-        assert s.rate(push.measure) == pytest.approx(row @ s.v, rel=1e-12), f"seed {SEED} {push.name}"
-
-
-@kind
-def test_free_bodies_accelerate_by_the_load_over_their_mass(kind: str) -> None:
-    """Newton and Euler: M a = gradient * law, where nothing is held."""
-    s = somewhere(example(kind))
-    assert not s.reference.system.held
-    forces = np.zeros(len(s.q))
-    for push in s.reference.system.pushes:
-        bodies = s.reference.system.moving
-        row = np.concatenate([s.gradient(push.measure, b.name)[: 3 if b.turns else 2] for b in bodies])
-        forces += row * s.law(push)
-    assert s.reference.masses * s.accelerations == pytest.approx(forces, rel=1e-12, abs=1e-12)
-
-
-@kind
-def test_both_routes_give_the_same_force(kind: str) -> None:
-    setup = Setup(example(kind))
-    for push in setup.system.pushes:
-        closed = setup.state.law(push)
-        for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
-            (value,) = element_at(setup, closed, draw, snapshot)
-            assert value == pytest.approx(snapshot.law(push), rel=1e-10, abs=1e-10)
-
-
-@pytest.mark.parametrize("kind", STORING)
-def test_power_is_minus_the_rate_of_the_stored_energy(kind: str) -> None:
-    s = somewhere(example(kind))
-    for push in s.reference.system.pushes:
-        fall = (shifted(s, -STEP).potential(push) - shifted(s, STEP).potential(push)) / (2 * STEP)
-        assert s.law(push) * s.rate(push.measure) == pytest.approx(fall, rel=1e-6, abs=1e-7), f"seed {SEED}"
-
-
-@pytest.mark.parametrize("kind", STORING)
-def test_total_energy_is_constant_along_the_motion(kind: str) -> None:
-    s = somewhere(example(kind))
-
-    def energy(now: Snapshot) -> float:
-        return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.pushes)
-
-    end = s.reference.integrate(s, s.t + 1.0).snapshots[-1]
-    assert energy(end) == pytest.approx(energy(s), rel=1e-9)
+@pytest.mark.parametrize("check", LOAD_CHECKS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_load_passes_the_conformance_suite(kind: str, check: str) -> None:
+    LOAD_CHECKS[check](kind)
 
 
 @pytest.mark.parametrize("kind", ["damper", "torsional_damper"])
 def test_dampers_only_take_energy(kind: str) -> None:
-    reference = Reference(example(kind))
+    reference = Reference(loaded(kind))
     q = reference.assemble()
     generator = np.random.default_rng(SEED)
     for _ in range(20):

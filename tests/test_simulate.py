@@ -16,6 +16,7 @@ from freebody.model.question import Multiplier
 from freebody.numeric.engine.course import Status
 from freebody.numeric.spatial import gyroscopic
 from freebody.study.dataset import reaction_names
+from freebody.testing.conformance import order_of
 from mechanisms import ladder
 
 ROOT = Path(__file__).parents[1]
@@ -86,19 +87,12 @@ def test_the_n_four_bar_of_iftomm_a02_passes_its_singular_poses_on_the_right_bra
 # -- accuracy ---------------------------------------------------------------------------------
 @pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("dopri5", 5), ("dop853", 8), ("radau5", 5)])
 def test_a_method_converges_with_its_order(method: str, order: int) -> None:
-    simulator = fb.Simulator(A01)
-    exact = simulator.run(1.0, tolerance=1e-13).poses[-1, 0]
-
-    def run(h: float, tolerance: float) -> tuple[float, int]:
-        course = simulator.run(1.0, tolerance=tolerance, method=method, step=h, longest=h)
-        return float(np.abs(course.poses[-1, 0] - exact).max()), course.n_steps
-
     if method == "radau5":  # its equations are solved as exactly as the tolerance says, so that is what varies
-        (first, n_first), (second, n_second) = run(math.inf, 1e-5), run(math.inf, 1e-9)
+        found = order_of(method, A01, (1e-5, 1e-9), by_tolerance=True)
     else:
         h = {"rk4": 0.02, "dopri5": 0.05, "dop853": 0.125}[method]
-        (first, n_first), (second, n_second) = run(h, 1e-2), run(h / 2, 1e-2)
-    assert math.log(first / second) / math.log(n_second / n_first) > order - 0.6
+        found = order_of(method, A01, (h, h / 2))
+    assert found > order - 0.6
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

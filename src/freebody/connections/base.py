@@ -15,7 +15,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import Attitude, Bound, Held, Rub
-from freebody.model.spec import Spec
+from freebody.model.spec import Heading, Spec
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -59,10 +59,14 @@ class Connection(Spec):
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         found: set[str] = set()
-        for value in self.model_dump().values():
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            # `along: right` is a direction, also where a body is called right; `along: rod.x` is one of a body
+            is_direction = field.annotation in (Heading, Heading | None)
             for text in cast("list[Any]", value) if isinstance(value, list) else [value]:
-                if isinstance(text, str) and text.partition(".")[0] in names.bodies:
-                    found.add(text.partition(".")[0])
+                owner, dot, _point = text.partition(".") if isinstance(text, str) else ("", "", "")
+                if owner in names.bodies and (dot or not is_direction):
+                    found.add(owner)
         return found
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:

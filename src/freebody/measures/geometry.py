@@ -19,6 +19,8 @@ from freebody.language.expression import Expr, Number, number
 GROUND = "ground"
 ZERO: Expr = number(0)
 ONE: Expr = number(1)
+# of a distance, a bearing or the lead of a string between points in one place
+NO_DIRECTION = "two points coincide, so the line between them has no direction"
 
 
 class Scalar(Protocol):

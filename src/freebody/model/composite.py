@@ -28,6 +28,8 @@ class Composite(Shape, kind="composite"):
 
     parts: dict[str, Any]
 
+    example = "{parts: {hub: {disk: {mass: 2 kg, radius: 0.2 m}}, tip: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}}"
+
     def build(self, names: Names) -> Build:
         mass: Expr = ZERO
         moment: Components = names.origin

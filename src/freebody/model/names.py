@@ -19,7 +19,7 @@ from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symb
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
-from freebody.measures.geometry import COMPASS, GROUND, ONE, RIGHT, Components, Direction, Point
+from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
 from freebody.model.elements import Held, Line, Parameter, Plane, Push, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
@@ -316,7 +316,7 @@ class Names:
                     None,
                     *path,
                 )
-                return RIGHT
+                return self.compass["right"]
         angle = self.formula(value, DIMENSIONLESS, *path)
         shown = str(value)
         along = (Call("cos", angle), Call("sin", angle), *self.origin[2:])

@@ -49,6 +49,8 @@ class Shape(Spec):
     kinds: ClassVar[dict[str, type[Shape]]] = {}
     # lengths that may be left open, with the points that depend on them; () where the whole body does
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {}
+    # its fields with values, as a file has them: for documentation and for random models
+    example: ClassVar[str] = ""
 
     def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
         super().__init_subclass__(**rest)
@@ -96,6 +98,8 @@ class Particle(Shape, kind="particle"):
 
     mass: Formula = 0
 
+    example = "{mass: 1 kg}"
+
     def build(self, names: Names) -> Build:
         return Build(names.positive(self, "mass", MASS), ZERO, turns=False)
 
@@ -107,6 +111,8 @@ class Rod(Shape, kind="rod"):
     length: Formula | None = None
 
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"length": ()}
+
+    example = "{mass: 1 kg, length: 1 m}"
 
     def build(self, names: Names) -> Build:
         m, length = names.positive(self, "mass", MASS), names.positive(self, "length", LENGTH)
@@ -133,6 +139,8 @@ class Disk(Shape, kind="disk"):
 
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
+    example = "{mass: 1 kg, radius: 0.2 m}"
+
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
         given = names.optional(self, "inertia", INERTIA)
@@ -151,6 +159,8 @@ class Ring(Shape, kind="ring"):
     axis: Heading = "z"
 
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
+
+    example = "{mass: 1 kg, radius: 0.5 m}"
 
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
@@ -171,6 +181,8 @@ class Sphere(Shape, kind="sphere"):
 
     open_lengths: ClassVar[dict[str, tuple[str, ...]]] = {"radius": ()}
 
+    example = "{mass: 1 kg, radius: 0.1 m}"
+
     def build(self, names: Names) -> Build:
         m, r = names.positive(self, "mass", MASS), names.positive(self, "radius", LENGTH)
         inertia = multiply(number(2), m, power(r, number(2))) / number(5)
@@ -186,6 +198,8 @@ class Cylinder(Shape, kind="cylinder"):
     radius: Formula
     length: Formula
     axis: Heading = "z"
+
+    example = "{mass: 1 kg, radius: 0.1 m, length: 1 m, axis: z}"
 
     def build(self, names: Names) -> Build:
         m, r, length = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("length", LENGTH)))
@@ -217,6 +231,8 @@ class Cone(Shape, kind="cone"):
     height: Formula
     axis: Heading = "z"
 
+    example = "{mass: 1 kg, radius: 0.1 m, height: 0.3 m, axis: z}"
+
     def build(self, names: Names) -> Build:
         m, r, h = (names.positive(self, f, d) for f, d in (("mass", MASS), ("radius", LENGTH), ("height", LENGTH)))
         along = divide(3 * m * _square(r), number(10))
@@ -245,6 +261,8 @@ class Box(Shape, kind="box"):
 
     mass: Formula = 0
     size: list[Formula]
+
+    example = "{mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}"
 
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)
@@ -292,6 +310,8 @@ class Rectangle(Shape, kind="rectangle"):
         "height": ("top", "bottom", *CORNERS),
     }
 
+    example = "{mass: 1 kg, width: 0.4 m, height: 0.2 m}"
+
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)
         w, h = (names.optional(self, side, LENGTH) or ZERO for side in ("width", "height"))
@@ -328,6 +348,8 @@ class Polygon(Shape, kind="polygon"):
 
     mass: Formula = 0
     corners: list[list[Formula]]
+
+    example = "{mass: 1 kg, corners: [[0, 0], [0.3 m, 0], [0, 0.4 m]]}"
 
     def build(self, names: Names) -> Build:
         m = names.positive(self, "mass", MASS)
@@ -383,6 +405,8 @@ class Body(Shape, kind="body"):
     center_of_mass: list[Formula] | None = None
     radius: Formula | None = None
     about: str | list[Formula] = "mass_center"
+
+    example = "{mass: 1 kg, inertia: 0.1 kg m^2, center_of_mass: [0.1 m, 0], radius: 0.2 m}"
 
     def build(self, names: Names) -> Build:
         mass = names.positive(self, "mass", MASS)

@@ -20,6 +20,7 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.progress import busy_with
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -96,6 +97,7 @@ class Explanation:
         return latex_fragment(self.report)
 
 
+@in_words
 def explain(
     system: System,
     question: str | None = None,

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.measures.base import Measure
-from freebody.measures.geometry import Pose, SpatialPose, Vector
+from freebody.measures.geometry import NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.model.elements import Component, RateMeasure
 from freebody.numeric import spatial
 from freebody.numeric.rotation import matrix
@@ -345,7 +345,7 @@ class JetGeometry:
 
     def root(self, x: Jet) -> Jet:
         if x.value <= 0.0:
-            raise CannotAnswer("two points coincide, so the line between them has no direction")
+            raise CannotAnswer(NO_DIRECTION)
         return cast("Jet", _call("sqrt", x))
 
     def _in_space(self, body: str) -> SpatialPose[Jet]:
@@ -391,7 +391,7 @@ class JetGeometry:
         distance2 = v.dot(v)
         square = distance2.value - offset.value**2
         if distance2.value == 0.0:
-            raise CannotAnswer("two points coincide, so the line between them has no direction")
+            raise CannotAnswer(NO_DIRECTION)
         if square <= 0.0:
             raise CannotAnswer(
                 f"the circles overlap: their centres are {math.sqrt(distance2.value):.6g} m apart, their "

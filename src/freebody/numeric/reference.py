@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 
 import numpy as np
 
@@ -65,6 +64,7 @@ class Reference:
         self.placing = Placing(self.frame, self.sizes)
         self._branches: dict[Branch, float] = {}
         self._origins: dict[int, float] | None = None
+        self._without_origin: dict[int, str] = {}  # by number of a measure: why it has no value at the start
 
     def _moments_of(self, body: RigidBody) -> tuple[Array, Array]:
         """Moments of inertia, in space about the principal axes, and these axes."""
@@ -234,9 +234,14 @@ class Reference:
         ]
         origins: dict[int, float] = {}
         for name, measure in everything:
-            with suppress(CannotAnswer):
+            counts = not isinstance(measure, RateMeasure) and measure.incremental
+            try:
                 jet = self.jet(g, measure, name)
-                if not isinstance(measure, RateMeasure) and measure.incremental:
+            except CannotAnswer as error:
+                if counts:
+                    self._without_origin[self.frame.number(measure)] = str(error)
+            else:
+                if counts:
                     origins[self.frame.number(measure)] = jet.value
         self._branches, self._origins = g.angles, origins
 
@@ -249,7 +254,8 @@ class Reference:
             self.assemble()
         origin = (self._origins or {}).get(self.frame.number(measure))
         if origin is None:
-            raise CannotAnswer("only changes of this measure mean something, and it has no value at the start")
+            why = self._without_origin.get(self.frame.number(measure), "a measure that counts from the start")
+            raise CannotAnswer(f"{why}: it has no value at the start")
         return origin
 
     # -- for the engine -----------------------------------------------------------------------

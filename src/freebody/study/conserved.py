@@ -43,6 +43,7 @@ from freebody.study.natural import candidates
 from freebody.study.quantities import axes_of, point_about
 from freebody.study.setup import Setup
 from freebody.study.verdicts import Conservation, Verdicts
+from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
@@ -59,6 +60,7 @@ _MOST_TERMS = 250  # of a formula that is put in order
 _MOST_INSIDE = 5  # parameters inside what moves, of which pairs are tried
 
 
+@in_words
 def conserved(system: System, question: str | None = None) -> Conservation:
     """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
 

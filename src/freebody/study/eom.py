@@ -10,6 +10,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, multiply, numb
 from freebody.language.notation import to_latex, to_python
 from freebody.model.elements import RateMeasure
 from freebody.study.setup import Setup
+from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.spatial.model import symbolic_model
@@ -69,6 +70,7 @@ class Equations:
         return "\\begin{align}\n    " + body + "\n\\end{align}"
 
 
+@in_words
 def equations_of_motion(system: System) -> Equations:
     """Derives the equations; of a system with contacts those that hold at the start. Raises ModelError if the system
     cannot be assembled, CannotAnswer if friction slides at the start."""

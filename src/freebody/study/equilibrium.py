@@ -30,6 +30,7 @@ from freebody.numeric.snapshot import UNIQUE
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 Guess = Mapping[str, str | float]
@@ -125,6 +126,7 @@ def plain_number(x: complex) -> float | list[float]:
     return x.real if x.imag == 0.0 else [x.real, x.imag]
 
 
+@in_words
 def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
     """The equilibria of a system; with guesses (values of named measures, as numbers in SI or as text such as
     "20 deg") only those to which searches from there lead.
@@ -136,6 +138,7 @@ def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
     return search.found(search.from_guesses(guesses) if guesses else search.statics.rests(), bool(guesses))
 
 
+@in_words
 def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibria:
     """The equilibrium nearest to the start, or the one to which a guess leads, alone. Raises as `equilibria`."""
     search = _Search(without_friction(system))

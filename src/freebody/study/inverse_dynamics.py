@@ -34,6 +34,7 @@ from freebody.numeric.split import Split, stack
 from freebody.study.equilibrium import moved_most, unit_of
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import settled
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 # text in `t` and the parameters; a number; a function of t giving (value, rate, acceleration); three arrays of these
@@ -97,6 +98,7 @@ def _plain(x: Array) -> list[float | None]:
     return [None if np.isnan(value) else float(value) for value in x]
 
 
+@in_words
 def inverse_dynamics(system: System, motion: Mapping[str, Course] | None, times: Sequence[float]) -> InverseDynamics:
     """The forces that make named measures follow functions of time, with all reactions.
 

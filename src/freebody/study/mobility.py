@@ -32,6 +32,7 @@ from freebody.study.conflicts import Conflict, conflict
 from freebody.study.draws import SEED, draws
 from freebody.study.gruebler import Gruebler, gruebler
 from freebody.study.mechanism import Motions, Wanted, motions_of
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 Basis = Literal["pose", "symbols", "topology"]
@@ -158,6 +159,7 @@ class Mobility:
         }
 
 
+@in_words
 def mobility(system: System, along: str | None = None, *, modes: bool = False) -> Mobility:
     """Examines a system. `along`: a driver, or a named measure, along which its motion is followed whatever its size;
     `modes`: look for the assembly modes of a large mechanism, too.

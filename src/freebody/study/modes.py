@@ -30,6 +30,7 @@ from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.study.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 At = Literal["equilibrium", "start"]
@@ -178,6 +179,7 @@ class Modes:
         }
 
 
+@in_words
 def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) -> Modes:
     """The small motions of a system about an equilibrium: the one nearest to the model's start, or the one to which
     a guess (values of named measures) leads; or, with at="start", about the start state.

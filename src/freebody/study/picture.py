@@ -17,6 +17,7 @@ from freebody.present.picture.picture import Picture, checked_path
 from freebody.study.free_body import FreeBody, checked_bodies
 from freebody.study.instant import Instant, instant_of
 from freebody.study.touching import closed_bounds
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 VIEW = (30.0, 20.0)
@@ -24,6 +25,7 @@ SHOWN = ("velocity", "acceleration", "force", "instant-centres")
 View = tuple[float, float]
 
 
+@in_words
 def picture(
     system: System,
     *,
@@ -49,6 +51,7 @@ def picture(
     return _in_the_plane(found, acting, show, title)
 
 
+@in_words
 def free_body(
     system: System,
     bodies: Sequence[str],
@@ -95,6 +98,7 @@ def free_body(
     return free_body_picture(scene, poses_of(found.snapshot), bodies, forces, title, dimensions)
 
 
+@in_words
 def draw(
     system: System,
     path: str | Path,

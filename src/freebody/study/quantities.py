@@ -6,6 +6,7 @@ A vector is a pair (x, y) of ground components; in space three, or those along t
 from __future__ import annotations
 
 import math
+import re
 from typing import Any, TypeVar
 
 from freebody.errors import CannotAnswer
@@ -73,7 +74,8 @@ def quantity_value(quantity: Quantity, system: System, state: State[Any]) -> Any
         case RatioOf(top, bottom):
             return quantity_value(top, system, state) / quantity_value(bottom, system, state)
         case _:
-            raise CannotAnswer(f"{type(quantity).__name__} is no property of one instant")
+            words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(quantity).__name__).lower()
+            raise CannotAnswer(f"the {words} is not worked out at one instant; ask for it without at or when")
 
 
 def multiplier(quantity: Multiplier, system: System, state: State[Any]) -> Any:

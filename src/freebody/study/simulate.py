@@ -31,6 +31,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
 from freebody.study.at_rest import is_unstable_rest, staying
 from freebody.study.energy import EnergyBalance, energy_balance
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -311,6 +312,7 @@ class Simulation:
         return Path(path)
 
 
+@in_words
 def simulate(
     system: System,
     until: float,

@@ -40,8 +40,10 @@ from freebody.study.answer import Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
+from freebody.study.parts import groups_of, part_for
 from freebody.study.quantities import body_of_wrench, quantity_value
 from freebody.study.setup import Setup, independent_measures
+from freebody.study.worded import FAILED, cause, in_words
 from freebody.symbolic.conditions import Condition, merged, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached, find_equilibrium, small_oscillations
@@ -101,6 +103,7 @@ class Solution:
         }
 
 
+@in_words
 def solve(system: System, question: str | None = None, *, setup: Setup | None = None) -> Solution:
     """Answers the questions of a system, or one question given in words. setup: of the same system, where there is one
     already.
@@ -129,11 +132,31 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
 
 
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    """The answers, each question about one part of a system in that part."""
+    groups = groups_of(system)
+    parts = [(q, part_for(system, groups, q)) for q in questions]
+    whole = _in_whole(system, [q for q, part in parts if part is None], setup)
+    answers = {a.id: a for a in whole.answers}
+    together: dict[tuple[str, ...], tuple[System, list[Question]]] = {}
+    for q, part in parts:
+        if part is not None:
+            together.setdefault(tuple(part.bodies), (part, []))[1].append(q)
+    assumed = whole.assumed
+    for part, own in together.values():
+        found = _in_whole(part, own, None)
+        answers |= {a.id: a for a in found.answers}
+        assumed = (*assumed, *(text for text in found.assumed if text not in assumed))
+    return replace(whole, answers=tuple(answers[q.id] for q in questions), assumed=assumed)
+
+
+def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
         return _at_rest(system, questions)
-    lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
-    if system.bounds or system.rubs or (lets_go and any(q.transition is not None for q in questions)):
+    if system.bounds or system.rubs:
         return _in_phases(system, questions)
+    lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
+    if lets_go and any(q.transition is not None for q in questions):
+        return _with_changes(system, questions, setup)
     setup = Setup(system) if setup is None else setup
     try:
         model = setup.model
@@ -153,6 +176,15 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
         answers,
         assumed=assumed_at_start(setup, answers),
     )
+
+
+def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
+    """Some questions wait until an ideal string goes slack or a wheel lifts off, which only a motion in phases knows.
+    The others are answered as if these had not been asked."""
+    rest = _in_whole(system, [q for q in questions if q.transition is None], setup)
+    found = _in_phases(system, [q for q in questions if q.transition is not None])
+    answers = {a.id: a for a in (*rest.answers, *found.answers)}
+    return replace(found, answers=tuple(answers[q.id] for q in questions))
 
 
 def _without_contacts(q: Question, transition: Transition) -> Answer:
@@ -286,8 +318,8 @@ class _Solver:
             found = self._find()
         except NeverHappens as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error), never=True)
-        except (CannotAnswer, ZeroDivisionError) as error:
-            reason = str(error) if isinstance(error, CannotAnswer) else "the closed form divides by zero"
+        except (CannotAnswer, *FAILED) as error:
+            reason = str(error) if isinstance(error, CannotAnswer) else cause(self.system, error)
             value, unfinished = self._number_instead()
             return Answer(q.id, q.text, None, self._unit(), value, reason="; ".join((reason, *unfinished)))
         except RoutesDisagree as error:

@@ -28,6 +28,7 @@ import flint
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Number, Symbol, add, divide, multiply, number, power
+from freebody.language.notation import to_text
 
 _flint: Any = flint
 Poly: TypeAlias = Any  # fmpz_mpoly: FLINT ships no type information
@@ -38,6 +39,15 @@ TERM_LIMIT = 60_000
 _LOWEST_TERMS_LIMIT = 1_000_000  # terms times the growth that half-angle tangents may bring
 _QUICK_TERMS = 40
 MAX_POWER = 64
+
+
+class NoValue(CannotAnswer, KeyError):
+    """A part of a formula has no real value at the numbers that are put in."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(f"{name} has no real value here")
+
+    __str__ = Exception.__str__
 
 
 @dataclass(frozen=True)
@@ -659,7 +669,10 @@ class Field:
             return content, [*found, (remaining, 1)]
         unused = remaining.num.unused_gens()
         small = remaining.num.context().drop_gens(unused)
-        unit, factors = remaining.num.project_to_context(small).factor()
+        try:
+            unit, factors = remaining.num.project_to_context(small).factor()
+        except OverflowError:  # FLINT's Python orders factors by machine integers; without factors it is as true
+            return content, [*found, (remaining, 1)]
         found += [(Ratio(self, f.project_to_context(self._context), None), int(e)) for f, e in factors]
         return content * int(unit), found
 
@@ -709,8 +722,11 @@ class Field:
         total: Any = 0
         for monomial, coefficient in self.terms(poly).items():
             term: Any = coefficient
-            for index, exponent in monomial:
-                term = term * values[index] ** exponent
+            try:
+                for index, exponent in monomial:
+                    term = term * values[index] ** exponent
+            except KeyError as error:
+                raise NoValue(to_text(self.generators[error.args[0]].display)) from None
             total = total + term
         return total
 

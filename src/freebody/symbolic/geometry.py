@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate
-from freebody.measures.geometry import GROUND, Pose, SpatialPose, Vector
+from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import atan2, functions
 
@@ -199,12 +200,16 @@ class DualGeometry:
 
     def root(self, x: Dual) -> Dual:
         value = self.plain.root(x.value)
+        if value.is_zero():
+            raise CannotAnswer(NO_DIRECTION)
         return x.chain(value, 1 / (2 * value))
 
     def tangent(self, v: Vector[Dual], offset: Dual) -> tuple[Dual, Dual]:
         """From v = l e + rho n with constant rho:  l da = n . dv,  dl = e . dv + rho da."""
         x, y, rho = v.x.value, v.y.value, offset.value
         length, angle = self.plain.tangent(Vector(x, y), rho)
+        if length.is_zero():
+            raise CannotAnswer(NO_DIRECTION)
         square = x * x + y * y if not rho.is_zero() else length * length
         cos = (length * x + rho * y) / square
         sin = (length * y - rho * x) / square

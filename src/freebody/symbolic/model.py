@@ -33,7 +33,7 @@ from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, Vector
 from freebody.measures.geometry import ZERO as NOTHING
 from freebody.model.elements import Held, Push, RateMeasure
 from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator, NoValue, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, Dual, DualGeometry, FieldGeometry, Tangent, straight_tangent
 from freebody.symbolic.linear import RHS, Row, Solved, solve
@@ -89,6 +89,7 @@ class SymbolicModel:
         self._definitions: list[Equation] = []
         self._line_equations: dict[Any, list[Equation]] = {}
         self._defined_lines: set[Any] = set()
+        self._without_rate: set[int] = set()  # speeds of measures without a rate at a sample
         self._angles: set[int] = set()
         self._make_poses()
         self._raw = self._raw_geometry()
@@ -405,10 +406,12 @@ class SymbolicModel:
             self._definitions = []
             defined.append((label, made, [i for i in self._unknowns if i not in before]))
         self._sample_values = [self._values_at(sample) for sample in self.samples]
+        # a measure without a value at a sample, as the bearing of points that coincide there, is no coordinate
+        without = {label for label, _made, new in defined if not all(map(self._has_values, new))}
         # measures that bring lines of their own are taken only where they add no loop
         fewest: int | None = None
-        with_lines = {d[0] for d in defined if len(d[1]) > 1}
-        dropped: set[str] = set(with_lines)
+        with_lines = {d[0] for d in defined if len(d[1]) > 1} - without
+        dropped: set[str] = with_lines | without
         replaced = {e.name for e in given}
         while True:
             chosen = [d for d in defined if d[0] not in dropped and d[0] not in replaced]
@@ -438,6 +441,15 @@ class SymbolicModel:
                 continue
             self._dropped = {label.removeprefix("define ") for label in dropped}
             return elimination
+
+    def _has_values(self, index: int) -> bool:
+        """Whether an unknown has a value at every sample; the length of a line must not be zero, or it has no angle."""
+        lengths = {line.length for line in self._lines}
+        for values in self._sample_values:
+            value = values.get(index)
+            if value is None or not math.isfinite(value) or (index in lengths and abs(value) < ZERO_TOLERANCE):
+                return False
+        return True
 
     def _angle_by(self, index: int, a: Ratio, b: Ratio, d: Ratio) -> Ratio | None:
         """The angle q with a cos q + b sin q + d = 0, on the branch of the samples; None where that is not clear."""
@@ -489,7 +501,8 @@ class SymbolicModel:
     def _add_arbitrary(self, values: dict[int, Any]) -> None:
         """Speeds and accelerations that nothing tells: by their names, so that no order of questions changes them."""
         for index, generator in self.field.generators.items():
-            if index not in values and generator.kind in ("speed", "acceleration"):
+            is_free = index not in values and index not in self._without_rate
+            if is_free and generator.kind in ("speed", "acceleration"):
                 values[index] = random.Random(to_text(generator.display)).uniform(0.5, 1.5)
 
     def _add_poses(self, values: dict[int, Any], sample: Sample) -> None:
@@ -504,21 +517,24 @@ class SymbolicModel:
                         values[self._speeds[index]] = motion[k]
 
     def _add_speeds(self, values: dict[int, Any]) -> None:
-        """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, and of named measures."""
+        """Speeds of lines, by l da/dt = n . dv/dt and dl/dt = e . dv/dt + offset da/dt, and of named measures. Some
+        have none, as the rate of a distance has where its ends coincide: nothing else waits for them."""
         f = self.field
         for line in self._lines:
+            # a line without length has no direction that could turn
+            if not values.get(line.length) or line.angle not in values:
+                self._without_rate |= {self._speeds[line.angle], self._speeds[line.length]}
+                continue
             vx, vy = (f.evaluate(f.rate(c), values) for c in (line.x, line.y))
             cos, sin = math.cos(values[line.angle]), math.sin(values[line.angle])
-            # a line without length has no direction that could turn
-            length = values[line.length] or math.nan
-            turning = (cos * vy - sin * vx) / length
+            turning = (cos * vy - sin * vx) / values[line.length]
             values[self._speeds[line.angle]] = turning
             values[self._speeds[line.length]] = cos * vx + sin * vy + f.evaluate(line.offset, values) * turning
         for index, value in self._defined.items():
             try:
                 values[self._speeds[index]] = f.evaluate(f.rate(value), values)
-            except ZeroDivisionError:  # a distance of nothing, say
-                values[self._speeds[index]] = math.nan
+            except (NoValue, ZeroDivisionError):
+                self._without_rate.add(self._speeds[index])
 
     def numbers(self, sample: Sample, start: Sample | None = None) -> dict[int, Any]:
         """Values of all generators at a sample with velocities, for evaluating results there; `start` is the same
@@ -747,7 +763,8 @@ class SymbolicModel:
                 ((pose.x, pose.y), body.start.velocity),
                 (
                     (pose.angle,),
-                    None if body.start.angular_velocity is None else (body.start.angular_velocity,),
+                    # a particle has no angle of which this could be the rate
+                    None if body.start.angular_velocity is None or not body.turns else (body.start.angular_velocity,),
                 ),
             ):
                 if given is not None:

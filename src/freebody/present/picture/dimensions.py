@@ -152,7 +152,10 @@ class Dimensions:
         (name,) = names
         if name not in self.system.parameters or self.system.parameters[name].dimension != LENGTH:
             return None
-        one, two = (math.hypot(*(float(evaluate(part, {name: x})) for part in parts)) for x in (1.0, 2.0))
+        try:
+            one, two = (math.hypot(*(float(evaluate(part, {name: x})) for part in parts)) for x in (1.0, 2.0))
+        except (ArithmeticError, ValueError):  # a formula with a gap there is no multiple
+            return None
         if abs(two - 2.0 * one) > 1e-9:
             return None
         for factor, expr in (

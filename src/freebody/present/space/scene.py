@@ -57,7 +57,8 @@ class Scene:
     def poses(self, centers: Array, axes: Array) -> Poses:
         """Those of all bodies, from those of the moving ones: centers (n_times, n_moving, 3) [m], axes
         (n_times, n_moving, 3, 3) with the bodies' axes as columns."""
-        n = len(centers)
+        n, moving = len(centers), len(self.names)
+        centers, axes = centers.reshape(n, moving, 3), axes.reshape(n, moving, 3, 3)  # also where nothing moves
         still = [np.broadcast_to(part, (n, *part.shape)) for part in self.fixed]
         return Poses(np.concatenate((centers, still[0]), axis=1), np.concatenate((axes, still[1]), axis=1))
 

@@ -16,6 +16,7 @@ from freebody.study.draws import Draw
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.failures import how_it_fails, seen
 from freebody.study.friction.touching import Touching
+from freebody.study.worded import in_words
 from freebody.system.system import System
 
 _LARGEST = 1e6  # times the friction that there is
@@ -89,6 +90,7 @@ class Statics:
         }
 
 
+@in_words
 def statics(system: System) -> Statics:
     """Whether the system stays at rest in its start pose, and the reactions that hold it.
 

@@ -17,6 +17,7 @@ from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import Regions, regions
 from freebody.study.phases.tree import Edge, Node, Tree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
+from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -114,6 +115,7 @@ class Phases:
         return region_picture(self.regions(x, y, n), path)
 
 
+@in_words
 def phases(system: System) -> Phases:
     """The phases of a system with contacts or dry friction, in closed form. Raises CannotAnswer where it has none."""
     return phases_of(tree_of(system))

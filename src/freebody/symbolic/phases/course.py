@@ -219,7 +219,11 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
 def course_of(model: SymbolicModel, start: StartState) -> Course:
     """The motion of a model in closed form. Raises CannotAnswer where there is none."""
     f = model.field
-    still = {c.index: start.values[c.index] for c in model.dependent if model.vanishes(model.dependent_speed(c))}
+    resting = [c for c in model.dependent if model.vanishes(model.dependent_speed(c))]
+    unknown = [c.name for c in resting if c.index not in start.values]
+    if unknown:
+        raise CannotAnswer(f"{', '.join(unknown)} at the start has no closed form: a loop decides it")
+    still = {c.index: start.values[c.index] for c in resting}
     moving = [c.name for c in model.dependent if c.index not in still]
     if moving:
         raise CannotAnswer(f"{', '.join(moving)} follow from the others only through a closed loop")

@@ -1,0 +1,70 @@
+"""The doors of the studies: arithmetic that fails on the way becomes a refusal in words.
+
+A quotient by zero has a cause that the user can see: two points that coincide, a measure that is undefined where the
+model starts. Inside, the error tells nothing of that; here the model is known, and the cause is looked for in it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import wraps
+from typing import Concatenate, ParamSpec, TypeVar
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, FreebodyError
+from freebody.measures.base import Measure
+from freebody.model.elements import RateMeasure
+from freebody.numeric.reference import Reference
+from freebody.system.system import System
+
+P = ParamSpec("P")
+T = TypeVar("T")
+FAILED = (ArithmeticError, np.linalg.LinAlgError)
+
+
+def in_words(study: Callable[Concatenate[System, P], T]) -> Callable[Concatenate[System, P], T]:
+    """A study whose arithmetic errors are CannotAnswer with their cause in the model."""
+
+    @wraps(study)
+    def told(system: System, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        try:
+            return study(system, *args, **kwargs)
+        except FAILED as error:
+            raise CannotAnswer(cause(system, error)) from error
+        except RecursionError as error:
+            raise CannotAnswer("the formulas of this model are nested too deeply to be calculated with") from error
+
+    return told
+
+
+def cause(system: System, error: Exception) -> str:
+    """Why the arithmetic of a study failed: the measure without a value at the start, if there is one."""
+    undefined = next(_without_value(system), "")
+    if undefined:
+        return f"{undefined}, so that nothing can be said here; start the model where it has a value"
+    what = "divides by zero" if isinstance(error, ZeroDivisionError) else "leaves the range of floating point"
+    return f"the arithmetic of this study {what} for this model, and no measure of it is without a value at its start"
+
+
+def _without_value(system: System) -> Iterator[str]:
+    """Measures of connections, loads and the user that have no value, or no gradient, at the start."""
+    named: list[tuple[str, Measure | RateMeasure]] = [(row.name, row.measure) for row in system.held]
+    named += [(push.name, push.measure) for push in system.pushes]
+    named += [*system.measures.items()]
+    with suppress(FreebodyError, ArithmeticError, ValueError):
+        reference = Reference(system)
+        q = reference.assemble()
+        geometry = reference.snapshot(q, np.zeros_like(q)).geometry
+        for name, measure in named:
+            try:
+                jet = reference.jet(geometry, measure, name)
+            except FreebodyError as error:
+                yield str(error)
+            except (ArithmeticError, ValueError):
+                yield f"{name} has no value at the start"
+            else:
+                if not math.isfinite(jet.value) or not np.isfinite(jet.row(len(q))).all():
+                    yield f"{name} has no finite value at the start"

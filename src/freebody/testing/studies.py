@@ -1,0 +1,232 @@
+"""Every study of a model, run with a limit of work, and what came of it.
+
+A study ends in an answer or in a refusal that says why. Anything else is a defect: an exception that is no
+`FreebodyError`, two routes that disagree, an answer with neither value nor reason, or no end within the limit.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+import traceback
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+from pathlib import Path
+from tempfile import gettempdir
+from typing import Any
+
+from freebody.api import System
+from freebody.errors import FreebodyError, RoutesDisagree
+from freebody.study.answer import Answer
+
+DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
+UNTIL = 0.05  # s, of a short simulation
+
+
+class End(Enum):
+    """How a study ended."""
+
+    ANSWERED = "answered"
+    REFUSED = "refused"
+    UNTYPED = "untyped"
+    DISAGREE = "disagree"
+    EMPTY = "neither value nor reason"
+    TOO_LONG = "too long"
+
+    @property
+    def is_defect(self) -> bool:
+        return self not in (End.ANSWERED, End.REFUSED, End.TOO_LONG)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one study of one model ended, with the message, and for an exception the place that raised it."""
+
+    study: str
+    end: End
+    message: str = ""
+    place: str = ""
+
+
+class OutOfWork(BaseException):
+    """The limit of processor time is used up. No `Exception`, so that nothing on the way takes it for its own."""
+
+
+@contextmanager
+def limited(seconds: float | None) -> Generator[None]:
+    """At most so much processor time [s] inside; without a limit where the system has no such alarm."""
+    if seconds is None or not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def stop(_number: int, _frame: object) -> None:
+        raise OutOfWork
+
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, seconds, 0.5)  # again and again: the first may be lost in a destructor
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
+
+
+# -- the studies ------------------------------------------------------------------------------
+Study = Callable[[System], "list[Outcome]"]
+
+
+def _of_answers(study: str, answers: tuple[Answer, ...]) -> list[Outcome]:
+    return [outcome_of_answer(f"{study}: {a.question}", a) for a in answers]
+
+
+def outcome_of_answer(study: str, answer: Answer) -> Outcome:
+    """What became of one question."""
+    if any(word in answer.reason for word in DISAGREE):
+        return Outcome(study, End.DISAGREE, answer.reason)
+    if answer.reason:
+        return Outcome(study, End.REFUSED, answer.reason)
+    if answer.is_answered or answer.conditions or answer.cases:
+        return Outcome(study, End.ANSWERED)
+    return Outcome(study, End.EMPTY, f"no expression, no value and no reason for '{answer.question}'")
+
+
+def _solve(system: System) -> list[Outcome]:
+    from freebody.present.terminal import solution_lines
+
+    solution = system.solve()
+    solution_lines(solution)
+    solution.to_plain()
+    return _of_answers("solve", solution.answers)
+
+
+def _eom(system: System) -> list[Outcome]:
+    from freebody.present.terminal import equation_lines
+
+    equations = system.equations_of_motion()
+    equations.to_latex()
+    equation_lines(equations)
+    return _done(equations)
+
+
+def _mobility(system: System) -> list[Outcome]:
+    from freebody.present.mobility import mobility_lines
+
+    found = system.mobility()
+    mobility_lines(found)
+    return _done(found)
+
+
+def _conserved(system: System) -> list[Outcome]:
+    from freebody.present.conservation import conservation_lines
+
+    found = system.conserved()
+    conservation_lines(found)
+    return _done(found)
+
+
+def _equilibrium(system: System) -> list[Outcome]:
+    from freebody.present.statics import equilibrium_lines
+
+    found = system.equilibria()
+    equilibrium_lines(found)
+    return _done(found)
+
+
+def _modes(system: System) -> list[Outcome]:
+    from freebody.present.statics import mode_lines
+
+    found = system.modes()
+    mode_lines(found)
+    return _done(found)
+
+
+def _statics(system: System) -> list[Outcome]:
+    from freebody.present.friction_statics import statics_lines
+
+    found = system.statics()
+    statics_lines(found)
+    return _done(found)
+
+
+def _simulate(system: System) -> list[Outcome]:
+    from freebody.present.simulation import simulation_lines
+
+    found = system.simulate(UNTIL, max_seconds=20.0)
+    simulation_lines(found)
+    found.summary()
+    return [Outcome("", End.ANSWERED if found.status.is_complete else End.REFUSED, found.message)]
+
+
+def _draw(system: System) -> list[Outcome]:
+    picture = system.picture()
+    picture.svg()
+    picture.tikz()
+    system.free_body(*[b.name for b in system.moving[:1]]).svg()
+    return [Outcome("", End.ANSWERED)]
+
+
+def _explain(system: System) -> list[Outcome]:
+    found = system.explain()
+    found.to_text()
+    return [Outcome("", End.ANSWERED)]
+
+
+def _write(system: System) -> list[Outcome]:
+    path = Path(gettempdir()) / "freebody-testing.yaml"
+    path.write_text(system.to_yaml(), encoding="utf-8")
+    is_same = System.load(path) == System.from_text(system.to_yaml(), str(path))
+    return [
+        Outcome("", End.ANSWERED if is_same else End.DISAGREE, "" if is_same else "written back it is another model")
+    ]
+
+
+def _done(found: Any) -> list[Outcome]:
+    to_plain = getattr(found, "to_plain", None)
+    if to_plain is not None:
+        to_plain()
+    return [Outcome("", End.ANSWERED)]
+
+
+@cache
+def studies() -> dict[str, Study]:
+    """All studies by name, the cheap ones first."""
+    return {
+        "write": _write,
+        "solve": _solve,
+        "draw": _draw,
+        "mobility": _mobility,
+        "equilibrium": _equilibrium,
+        "modes": _modes,
+        "statics": _statics,
+        "eom": _eom,
+        "conserved": _conserved,
+        "simulate": _simulate,
+        "explain": _explain,
+    }
+
+
+def run(name: str, system: System, seconds: float | None = None) -> list[Outcome]:
+    """One study of a model, with a limit of processor time [s]: an outcome, or one a question."""
+    try:
+        with limited(seconds):
+            found = studies()[name](system)
+    except OutOfWork:
+        return [Outcome(name, End.TOO_LONG, f"no end after {seconds:g} s of processor time")]
+    except RoutesDisagree as error:
+        return [Outcome(name, End.DISAGREE, str(error))]
+    except FreebodyError as error:
+        is_odd = any(word in str(error) for word in DISAGREE)
+        return [Outcome(name, End.DISAGREE if is_odd else End.REFUSED, str(error))]
+    except Exception as error:
+        return [untyped(name, error)]
+    return [o if o.study else Outcome(name, o.end, o.message, o.place) for o in found]
+
+
+def untyped(study: str, error: Exception) -> Outcome:
+    """An exception that no one expected, with the deepest place in the package."""
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if "freebody" in f.filename]
+    place = " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames[-3:]))
+    return Outcome(study, End.UNTYPED, f"{type(error).__name__}: {error}", place)

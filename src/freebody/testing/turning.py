@@ -1,0 +1,205 @@
+"""A planar model turned by a quarter counter-clockwise: x to y, y to -x, every direction by 90 degrees.
+
+What is fixed in a body stays; what is said in the ground's axes is rewritten: places, velocities, directions, angles of
+bodies, gravity, the phrases of measures and questions. Where a part of a model says a direction in a way that is not
+rewritten here (`left` of a string, x component of), the model is left alone.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, cast
+
+from freebody.connections.base import Connection
+from freebody.loads.base import Load
+from freebody.model.shapes import Shape
+from freebody.model.spec import Heading, Spec
+from freebody.system.system import System
+from freebody.testing.documents import Data, section
+
+_COMPASS = {"right": "up", "up": "left", "left": "down", "down": "right"}
+_AXES = {"x": "up", "y": "left"}  # of the ground, as directions
+_PHRASES: tuple[tuple[str, str], ...] = (
+    (r"^x of (\S+)(?: from (\S+))?$", "up"),
+    (r"^y of (\S+)(?: from (\S+))?$", "left"),
+    (r"^height of (\S+)(?: (?:above|over) (\S+))?$", "left"),
+    (r"^drop of (\S+)(?: (?:below|from) (\S+))?$", "right"),
+)
+
+
+class _Stays(Exception):
+    """Something that this file cannot turn."""
+
+
+def quarter_turn(data: Data, system: System) -> Data | None:
+    """The turned document; None where a part of it cannot be turned."""
+    try:
+        return _turned(data, system)
+    except _Stays:
+        return None
+
+
+def _turned(data: Data, system: System) -> Data:
+    changed = dict(data.items())
+    if "frames" in data:
+        raise _Stays
+    lines = set(section(section(data, "ground"), "lines"))
+    changed["ground"] = _ground(section(data, "ground"))
+    changed["bodies"] = {name: _body(entry, system.bodies[name].turns) for name, entry in data["bodies"].items()}
+    for part, kinds in (("connections", Connection.kinds), ("loads", Load.kinds)):
+        entries = section(data, part)
+        changed[part] = {n: _element(entry, cast("Any", kinds), lines) for n, entry in entries.items()}
+    changed["measures"] = {n: _measure(text, lines) for n, text in section(data, "measures").items()}
+    changed["questions"] = [
+        q | {"find": _question(q["find"], lines, set(changed["measures"]))} for q in data.get("questions", [])
+    ]
+    return changed
+
+
+def _pair(value: Any) -> list[Any]:
+    if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
+        raise _Stays
+    x, y = cast("list[Any]", value)
+    return [_minus(y), x]
+
+
+def _minus(value: Any) -> Any:
+    if value is None:
+        raise _Stays
+    if isinstance(value, (int, float)):
+        return -value
+    text = str(value).strip()
+    if re.match(r"^[\d.]+(e[-+]?\d+)?(\s+[A-Za-z].*)?$", text):
+        return f"-{text}" if float(re.match(r"^[\d.e]+", text)[0]) else text  # type: ignore[index]
+    if re.match(r"^-[\d.]+(e[-+]?\d+)?(\s+[A-Za-z].*)?$", text):
+        return text[1:]
+    if re.search(r"\d\s+[A-Za-z]", text):
+        raise _Stays
+    return f"-({text})"
+
+
+def _heading(value: Any, lines: set[str]) -> Any:
+    """A direction in the ground's axes, turned; a line turns itself, a direction of a body stays."""
+    if isinstance(value, list):
+        return _pair(value)
+    if isinstance(value, (int, float)):
+        return f"pi/2 + ({value})"
+    text = str(value).strip()
+    if text in _COMPASS:
+        return _COMPASS[text]
+    if text in _AXES:
+        return _AXES[text]
+    if (
+        text in lines
+        or ("." in text and not text[0].isdigit() and " " not in text)
+        or text.split(" ")[0] in ("normal", "along")
+    ):
+        return text
+    degrees = re.fullmatch(r"(-?[\d.]+) deg", text)
+    if degrees:
+        return f"{float(degrees[1]) + 90:g} deg"
+    if " " in text:
+        raise _Stays
+    return f"pi/2 + ({text})"
+
+
+def _ground(ground: Data) -> Data:
+    if isinstance(ground.get("points"), list) or set(ground) - {"points", "lines"}:
+        raise _Stays
+    lines: Data = {}
+    for name, line in section(ground, "lines").items():
+        entry: Data = dict(cast("Data", line)) if isinstance(line, dict) else {"along": line}
+        if set(entry) - {"through", "along"}:
+            raise _Stays
+        entry["along"] = _heading(entry.get("along", "right"), set())
+        if isinstance(entry.get("through"), list):
+            entry["through"] = _pair(entry["through"])
+        lines[name] = entry
+    return {"points": {n: _pair(p) for n, p in section(ground, "points").items()}, "lines": lines}
+
+
+def _body(entry: Data, turns: bool) -> Data:
+    changed = dict(entry)
+    if "near" in entry or any(k in entry for k in ("turned", "frame")):
+        raise _Stays
+    if "at" in entry:
+        at = entry["at"]
+        changed["at"] = {p: _pair(v) for p, v in cast("Data", at).items()} if isinstance(at, dict) else _pair(at)
+    if "velocity" in entry:
+        changed["velocity"] = _pair(entry["velocity"])
+    if turns and (entry.get("angle") is not None or "at" in entry or entry.get("fixed")):
+        changed["angle"] = _heading(entry.get("angle", 0), set())
+    elif turns:
+        changed["near"] = {"angle": "pi/2"}
+    kind = next(k for k in entry if k in Shape.kinds)
+    if "radius" not in Shape.kinds[kind].model_fields and not turns:
+        return changed
+    return changed
+
+
+def _element(entry: Any, kinds: dict[str, type[Spec]], lines: set[str]) -> Any:
+    """Fields that are headings turn; defaults that are headings of the ground are written out."""
+    if isinstance(entry, str):
+        entry = {entry: None}
+    ((kind, value),) = cast("Data", entry).items()
+    fields = kinds[kind].from_plain(value)
+    told = [v for n, v in fields.items() if n not in _headings(kinds[kind])]
+    words = set(re.findall(r"[A-Za-z_]\w*", repr(told)))
+    if words & {*_COMPASS, "height", "drop", "of", "below", "above", "at"} or kind == "string":
+        raise _Stays  # directions inside of phrases; a string hangs down
+    for name in () if kind == "rack_and_pinion" else _headings(kinds[kind]):  # a rack's teeth are fixed in it
+        given = fields.get(name, kinds[kind].model_fields[name].default)
+        if isinstance(given, (str, int, float, list)) and fields.get("on", "ground") == "ground":
+            fields[name] = _heading(given, lines)
+    for name in kinds[kind].model_fields:
+        if name == "through" and isinstance(fields.get(name), list):
+            fields[name] = _pair(fields[name])
+    return {kind: fields}
+
+
+def _headings(kind: type[Spec]) -> list[str]:
+    return [name for name, field in kind.model_fields.items() if field.annotation in (Heading, Heading | None)]
+
+
+def _measure(value: Any, lines: set[str]) -> Any:
+    if not isinstance(value, str):
+        return value
+    for pattern, direction in _PHRASES:
+        found = re.match(pattern, value)
+        if found:
+            origin = f" from {found[2]}" if found[2] else ""
+            return f"travel of {found[1]} along {direction}{origin}"
+    found = re.match(r"^((?:travel|displacement|position) of \S+ along )(.+?)( from \S+)?$", value)
+    if found:
+        return f"{found[1]}{_heading(found[2], lines)}{found[3] or ''}"
+    if value.startswith("distance "):
+        return value
+    found = re.match(
+        r"^((?:clockwise )?angle of (?:the )?(?:line from \S+ to \S+|\w+))( from (.+?))?( clockwise)?$", value
+    )
+    if found and "relative" not in value and "against" not in value:
+        return f"{found[1]} from {_heading(found[3] or 'right', lines)}{found[4] or ''}"
+    if re.match(r"^angle of \w+ (?:relative to|against) \w+( clockwise)?$", value):
+        return value
+    raise _Stays
+
+
+_SAFE = re.compile(
+    r"^(?:the )?(?:degrees of freedom|natural frequenc|period of|tension of|(?:size of )?reaction of|normal force of"
+    r"|friction force of|tooth force of|kinetic energy|angular velocity of|angular acceleration of"
+    r"|speed of|acceleration of|velocity of|force in|moment of|power of|ratio of angular|driving torque of"
+    r"|belt force of)"
+)
+
+
+def _question(text: str, lines: set[str], measures: set[str]) -> str:
+    """Questions about measures and sizes stay; a direction in one turns."""
+    found = re.match(r"^(.* along )(\S+|-?[\d.]+ deg)( at start| when .*)?$", text)
+    if found:
+        return f"{found[1]}{_heading(found[2], lines)}{found[3] or ''}"
+    subject = re.match(r"^(?:velocity|acceleration|position|value|rate|time) (?:of )?(\w+)\b", text)
+    if text in measures or (subject and (subject[1] in measures or subject[1] == "when")):
+        return text
+    if not _SAFE.match(text) or re.search(r"\b(x|y) (of|component)|horizontal|vertical|height|drop|\bangle of\b", text):
+        raise _Stays
+    return text

@@ -1,0 +1,277 @@
+"""Random models, mutated files and metamorphic relations: what freebody.testing finds, and that it finds it."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from freebody.connections.base import Connection
+from freebody.loads.base import Load
+from freebody.model.shapes import Shape
+from freebody.system.reader import register_kinds
+from freebody.testing import MUTATIONS, RELATIONS, End, check, mutated, random_model, run
+from freebody.testing.__main__ import main
+from freebody.testing.models import Maker, is_assembled, maker
+from freebody.testing.mutations import read
+from freebody.testing.observing import Observed, observed
+from freebody.testing.patterns import shape_fields
+from freebody.testing.relations import SHORT
+from freebody.testing.studies import Outcome
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+PENDULUM = (EXAMPLES / "simple_pendulum.yaml").read_text(encoding="utf-8")
+
+
+def defects(found: list[Outcome]) -> list[str]:
+    return [f"{o.study}: {o.end.value}: {o.message} ({o.place})" for o in found if o.end.is_defect]
+
+
+# -- random models ----------------------------------------------------------------------------
+def test_a_seed_always_gives_the_same_model() -> None:
+    assert random_model(5).to_yaml() == random_model(5).to_yaml()
+    assert random_model(5) != random_model(6)
+
+
+@pytest.fixture(scope="module")
+def made() -> list[Maker]:
+    """Sixty models, drawn."""
+    found = [maker(seed) for seed in range(60)]
+    for one in found:
+        one.model()
+    return found
+
+
+def test_most_kinds_are_drawn_in_sixty_models(made: list[Maker]) -> None:
+    seen: set[str] = set()
+    for one in made:
+        seen |= {kind for body in one.data["bodies"].values() for kind in body}
+        for section in ("connections", "loads"):
+            seen |= {kind for entry in one.data.get(section, {}).values() for kind in entry}
+    kinds = {*Connection.kinds, *Load.kinds, *Shape.kinds}
+    assert len(kinds - seen) <= len(kinds) / 3, kinds - seen  # the rare ones need a partner that fits
+
+
+def test_reading_a_model_with_one_more_element_never_fails_without_words(made: list[Maker]) -> None:
+    for seed, one in enumerate(made):
+        assert not one.faults, f"seed {seed}: {one.faults[0][1]!r} for {one.faults[0][0]}"
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_random_model_is_answered_or_refused_in_words(seed: int) -> None:
+    system = random_model(seed)
+    if not is_assembled(system):
+        return
+    found = [o for study in ("write", "solve", "draw") for o in run(study, system, 2.0)]
+    assert not defects(found), f"seed {seed}\n{system.to_yaml()}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100, 300))
+def test_every_study_of_a_random_model_is_answered_or_refused_in_words(seed: int) -> None:
+    from freebody.testing import studies
+
+    system = random_model(seed)
+    if is_assembled(system):
+        found = [o for study in studies() for o in run(study, system, 20.0)]
+        assert not defects(found), f"seed {seed}\n{system.to_yaml()}"
+
+
+def test_every_shape_states_an_example_that_can_be_read() -> None:
+    register_kinds()
+    for name, kind in Shape.kinds.items():
+        assert shape_fields(kind), name
+        text = f"bodies: {{b: {{{name}: {kind.example}}}}}\n"
+        assert fb.System.from_text(f"space: true\n{text}".replace("inertia: 0.1 kg m^2", "inertia: [1, 1, 1]")).bodies
+
+
+# -- ends without words, one of each class ----------------------------------------------------
+ENDS = {
+    "the rate of a distance whose ends coincide": """
+bodies: {p: {particle: {mass: 1 kg}}, q: {particle: {mass: 1 kg}}}
+connections: {one: {pin: [p, q]}}
+measures: {u: distance from p to q}
+questions: [{find: acceleration of p}, {find: u}, {find: acceleration of u}]
+""",
+    "an angle of a line whose ends coincide": """
+ground: {points: {A: [0, 0]}}
+bodies: {b: {particle: {mass: 1 kg}, at: [0, 0]}}
+measures: {u: angle of line from ground.A to b}
+questions: [{find: acceleration of u}, {find: velocity of b}]
+""",
+    "a damper between two points of one body": """
+bodies: {p: {rod: {mass: 1 kg, length: 1 m}}}
+loads: {f: {damper: {first: p.start, second: p.start, damping: 2 N s/m}}}
+questions: [{find: acceleration of p}]
+""",
+    "sliding that begins where nothing touches": """
+bodies: {p: {rectangle: {mass: 1 kg, width: 0.2 m, height: 0.1 m}}}
+measures: {u: x of p}
+questions: [{find: u when sliding begins}, {find: energy lost until rolling begins}, {find: acceleration of u}]
+""",
+    "a model in which nothing moves": """
+space: true
+bodies: {p: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}, fixed: true}}
+questions: [{find: natural frequencies}, {find: velocity of p}]
+""",
+}
+
+
+@pytest.mark.parametrize("study", ["solve", "draw", "mobility", "modes", "statics", "eom", "conserved"])
+@pytest.mark.parametrize("name", ENDS)
+def test_it_ends_in_an_answer_or_in_words(name: str, study: str) -> None:
+    assert not defects(run(study, fb.System.from_text(ENDS[name])))
+
+
+def test_a_question_that_waits_for_what_never_happens_changes_no_other_answer() -> None:
+    system = fb.System.from_text(ENDS["sliding that begins where nothing touches"])
+    never, _also, other = system.solve().answers
+    assert never.reason
+    assert other.to_plain()["expression"] == system.solve("acceleration of u")["q1"].to_plain()["expression"] == "0"
+
+
+def test_a_measure_without_a_value_at_the_start_blocks_no_other_answer(agrees: Callable[..., None]) -> None:
+    # on its rail the mass starts at the origin, from where its distance has no rate: x'' = -k x/m all the same
+    system = fb.System.from_text("""
+parameters: {m: 1 kg, k: 100 N/m}
+bodies: {A: {particle: {mass: m}}}
+connections: {r: {slider: {body: A, along: right}}}
+measures: {x: x of A, z: distance from ground.origin to A}
+loads: {spring: {law: {measure: x, force: -k*x}}}
+start: {x: 0}
+questions: [{find: natural frequencies}, {find: acceleration of x}]
+""")
+    solution = system.solve()
+    agrees(solution, "q1", "sqrt(k/m)")
+    agrees(solution, "q2", "-k*x/m")
+
+
+def test_a_direction_is_no_mention_of_a_body_of_that_name() -> None:
+    # a slider along right far away does not hold the body called right, which hangs on the string
+    text = (EXAMPLES / "atwood_machine.yaml").read_text(encoding="utf-8")
+    far = text.replace("connections:", "  far: {particle: {mass: 1 kg}}\nconnections:", 1)
+    far = far.replace("connections:", "connections:\n  rail: {slider: {body: far, along: right}}", 1)
+    values = [fb.System.from_text(t).solve("tension of rope at left")["q1"].value for t in (text, far)]
+    assert values[0] == values[1]
+
+
+# two blocks, a rod and a sliding box that know nothing of each other: each has the answer that it has alone
+STRANGERS = """
+parameters: {m1: 2 kg, F: 3 N, m2: 5 kg, c: 2 N s/m, L: 1 m, g: 9.81 m/s^2, mu: 0.3}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  a: {particle: {mass: m1}}
+  b: {particle: {mass: m2}}
+  rod: {rod: {mass: m1, length: L}}
+  box: {rectangle: {mass: m2, width: 1 m, height: 1 m}}
+connections:
+  r1: {slider: {body: a, along: right}}
+  r2: {slider: {body: b, along: right}}
+  h: {pin: [ground.O, rod.start]}
+  f: {contact: {between: [box, floor], friction: mu}}
+measures: {x1: x of a, x2: x of b, th: angle of rod, s: x of box}
+loads:
+  w: {gravity: g}
+  p: {force: {at: a, along: right, magnitude: F}}
+  d: {law: {measure: x2, force: F - c*rate(x2)}}
+start: {x1: 0, x2: 0, th: 0, s: 0, rate(s): 2 m/s}
+"""
+ALONE = {
+    "work of p when x1 = 1 m": "F",  # times a metre
+    "velocity of x1 when x1 = 1 m": "sqrt(2*F/m1)",
+    "time when rate(x2) = F/(2*c)": "m2*log(2)/c",  # v = F/c (1 - exp(-c t/m2))
+    "velocity of th when th = -90 deg": "-sqrt(3*g/L)",
+    "s when f stops": "2/(mu*g)",  # v0^2/(2 mu g)
+    "kinetic energy of a": "m1*rate(x1)^2/2",
+}
+
+
+@pytest.fixture(scope="module")
+def strangers() -> fb.Solution:
+    asked = "".join(f"  - {{find: '{question}'}}\n" for question in ALONE)
+    return fb.System.from_text(f"{STRANGERS}questions:\n{asked}").solve()
+
+
+@pytest.mark.parametrize("question", ALONE)
+def test_a_question_about_one_part_is_answered_as_if_there_were_no_other(
+    question: str, strangers: fb.Solution, agrees: Callable[..., None]
+) -> None:
+    agrees(strangers, f"q{list(ALONE).index(question) + 1}", ALONE[question].replace("^", "**"))
+
+
+# -- mutated files ----------------------------------------------------------------------------
+@pytest.mark.parametrize("name", sorted(MUTATIONS))
+def test_a_mutated_file_is_read_or_refused_with_a_place(name: str) -> None:
+    texts = [PENDULUM, (EXAMPLES / "block_tips_or_slides.yaml").read_text(encoding="utf-8")]
+    for seed in range(25):
+        rng = random.Random(f"{name} {seed}")
+        text = MUTATIONS[name](rng.choice(texts), rng)
+        found = read(text, 5.0)
+        assert found.end in (End.ANSWERED, End.REFUSED), f"seed {seed}: {found.message} at {found.place} for\n{text}"
+
+
+def test_several_mutations_at_once_are_refused_in_words_too() -> None:
+    for seed in range(60):
+        rng = random.Random(seed)
+        text = mutated(PENDULUM, rng, times=4)
+        found = read(text, 5.0)
+        assert found.end in (End.ANSWERED, End.REFUSED), f"seed {seed}: {found.message} at {found.place} for\n{text}"
+
+
+# -- metamorphic relations --------------------------------------------------------------------
+CHEAP = ("simple_pendulum", "mass_on_spring", "yo_yo", "disk_rolling_down_incline", "atwood_machine")
+
+
+@pytest.fixture(scope="module")
+def before() -> dict[str, Observed]:
+    """What two examples answer as they are."""
+    systems = {name: fb.System.load(EXAMPLES / f"{name}.yaml") for name in CHEAP[:2]}
+    return {name: observed(system, until=SHORT) for name, system in systems.items()}
+
+
+@pytest.mark.parametrize("relation", sorted(RELATIONS))
+@pytest.mark.parametrize("name", CHEAP[:2])
+def test_a_relation_holds_for_an_example(name: str, relation: str, before: dict[str, Observed]) -> None:
+    verdict = check(RELATIONS[relation], before[name].system, before=before[name])
+    assert verdict.holds, verdict.differences
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("relation", sorted(RELATIONS))
+@pytest.mark.parametrize("name", CHEAP[2:])
+def test_a_relation_holds_for_more_examples(name: str, relation: str) -> None:
+    verdict = check(RELATIONS[relation], fb.System.load(EXAMPLES / f"{name}.yaml"))
+    assert verdict.holds, verdict.differences
+
+
+def test_a_quarter_turn_turns_places_directions_and_gravity() -> None:
+    system = fb.System.load(EXAMPLES / "simple_pendulum.yaml")
+    (changed,) = RELATIONS["quarter turn"].change(system, random.Random(0))
+    assert repr(changed.data["loads"]).count("right") == 1  # what fell down falls to the right
+
+
+def test_the_command_prints_a_line_a_relation_and_fails_with_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "spring.yaml"
+    file.write_text((EXAMPLES / "mass_on_spring.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+    assert main([str(file), "--relation", "order", "--relation", "alone"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == str(file)
+    assert [line.split()[0] for line in lines[1:]] == ["order", "alone"]
+    # a law that looks at the alphabetical order of names is found out
+    from freebody.testing import relations
+
+    monkeypatch.setattr(relations, "differences", lambda *_: ["2.0, then 3.0"])
+    assert main([str(file), "--relation", "rename"]) == 1
+    assert "FAIL" in capsys.readouterr().out
+
+
+def test_the_command_refuses_a_file_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "broken.yaml"
+    file.write_text("bodies: {a: {partical: {mass: 1 kg}}}\n", encoding="utf-8")
+    assert main([str(file)]) == 2
+    assert "partical" in capsys.readouterr().err
