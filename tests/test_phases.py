@@ -15,7 +15,7 @@ from conftest import assert_same_function
 from freebody.language.notation import to_python, to_text
 from freebody.model.contact_questions import EnergyLost, Transition, Turns
 from freebody.study.phases.result import Phases, phases
-from freebody.study.phases.witness import follow
+from freebody.study.phases.witness import Stage, follow
 
 FOLDER = Path(__file__).parents[1] / "examples"
 Agree = Callable[[str, str], None]
@@ -157,7 +157,7 @@ def test_rolling_begins_when_the_numeric_route_says_so() -> None:
     assert edge.time is not None
     times = tree.numbers(edge.time)
     for k in edge.sets[:6]:
-        (seen,) = follow(tree.system, [node.phase], tree.sets.one(int(k)), [2.0 * float(times[k])])
+        (seen,) = follow(tree.system, [Stage(node.phase)], tree.sets.one(int(k)), [2.0 * float(times[k])])
         assert seen.event == ("slip ends", "contact.slip", 0)
         assert seen.time == pytest.approx(times[k], rel=1e-10)
 
@@ -388,7 +388,7 @@ measures: {y: {height of ball}}
     found = solved(text, "time when y = r")
     agrees_text(shown(found), "sqrt(2*(H - r)/g)")
     assert found.phases is not None
-    assert "impact" in found.phases.cases[0].phases[0].reason
+    assert found.phases.cases[0].phases[1].impact == "impact of contact"
 
 
 def test_ball_in_a_half_pipe_slips_at_once_if_let_go_too_high() -> None:

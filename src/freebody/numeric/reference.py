@@ -27,7 +27,7 @@ from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.numbers import Numbers
-from freebody.numeric.placing import Equation, Fit, Placing
+from freebody.numeric.placing import Equation, Placing
 from freebody.numeric.rotation import matrix
 from freebody.numeric.sizes import Sizes, typical_length
 from freebody.numeric.snapshot import Snapshot
@@ -116,10 +116,15 @@ class Reference:
         if self.system.mode is not None and guess is None and not extra:
             from freebody.numeric.mobility.modes import chosen
 
-            self._remember(fit)
+            self._remember(fit.q, fit.branches)
             fit = assembled(self, extra, chosen(self, fit.q, self.system.mode))
-        self._remember(fit)
+        self._remember(fit.q, fit.branches)
         return fit.q
+
+    def count_from(self, other: Reference, q: Array) -> None:
+        """Measures of which only changes mean something count from a pose of the same bodies, in which another
+        reference was assembled: what is held here need not hold there."""
+        self._remember(q, other._branches)
 
     def pose_near(self, q: Array, wanted: Sequence[tuple[Measure, float]] = (), t: float = 0.0) -> Array:
         """The nearest pose, by the masses, in which everything that q holds is still held and the `wanted`
@@ -222,9 +227,9 @@ class Reference:
         return Split(stack(rows, len(q)), self.sizes.small_moves)
 
     # -- where measures count from ------------------------------------------------------------
-    def _remember(self, fit: Fit) -> None:
+    def _remember(self, q: Array, branches: Mapping[Branch, float]) -> None:
         """From this pose incremental measures count, and the angles of lines go on from here."""
-        g = self.geometry(fit.q, np.zeros_like(fit.q), 0.0, fit.branches)
+        g = self.geometry(q, np.zeros_like(q), 0.0, branches)
         everything: list[tuple[str, Measure | RateMeasure]] = [
             *((row.name, row.measure) for row in self.system.held),
             *((push.name, push.measure) for push in self.system.pushes),

@@ -23,7 +23,12 @@ def phase_lines(phases: Phases) -> Iterator[str]:
     width = max((len(c.what) for c in phases.cases), default=0)
     for k, case in enumerate(phases.cases, 1):
         mark = "   <- the model's own values" if case.is_own and len(phases.cases) > 1 else ""
-        yield f"    {k}  {case.what:<{width}}   {_conditions(case.conditions) or 'always'}{mark}"
+        where = _conditions(case.conditions) or ("always" if not phases.missing and case.is_exact else "")
+        if not case.is_exact:
+            where = f"{where or 'for some values'} (necessary, not sufficient)"
+        yield f"    {k}  {case.what:<{width}}   {where or 'for some values'}{mark}"
+    if phases.missing:
+        yield from wrapped("", f"elsewhere no case was found: {phases.missing}")
     for text in phases.between:
         yield f"    between them, where {text}, nothing slips at the start"
     told: list[PhaseResult] = []
@@ -52,6 +57,8 @@ def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
         told.append(phase)
         states = ", ".join(f"{name} {state}" for name, state in phase.states.items())
         yield from wrapped("first" if not k else "then", states or phase.what)
+        for name, impulse in phase.impulses:
+            yield from wrapped("", f"{phase.impact}: {name} = {_short(to_text(impulse))}")
         if phase.requires:
             yield from wrapped("", f"needs {_conditions(phase.requires)}")
         if is_known:
@@ -65,6 +72,7 @@ def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
 
 
 def _end(phase: PhaseResult, *, is_last: bool) -> Iterator[str]:
+    """What ends a phase. That nothing else does is said where it is proved, else that nothing was found."""
     if phase.event:
         when = ""
         if phase.duration is not None:
@@ -72,13 +80,21 @@ def _end(phase: PhaseResult, *, is_last: bool) -> Iterator[str]:
         elif phase.place is not None:
             when = f" at {to_text(phase.place[0])} = {to_text(phase.place[1])}"
         first = f", if {_conditions(phase.happens_if)}" if phase.happens_if else ""
-        yield from wrapped("until", f"{phase.event}{when}{first}; no other event comes before")
+        yield from wrapped("until", f"{phase.event}{when}{first}; {_other(phase)} before")
     if phase.reason:
         yield from wrapped("", phase.reason)
     elif is_last and not phase.event:
         yield from wrapped(
-            "until", "no event ends it" + (f", as {_conditions(phase.happens_if)}" if phase.happens_if else "")
+            "until", _never(phase) + (f", as {_conditions(phase.happens_if)}" if phase.happens_if else "")
         )
+
+
+def _other(phase: PhaseResult) -> str:
+    return "no other event comes" if phase.is_proved else "no other event was found"
+
+
+def _never(phase: PhaseResult) -> str:
+    return "no event ends it" if phase.is_proved else "no event was found that ends it"
 
 
 def case_lines(answer: Answer) -> Iterator[str]:

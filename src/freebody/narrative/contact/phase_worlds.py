@@ -20,10 +20,11 @@ from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.draws import Draw
 from freebody.study.phases.evidence import run as followed
+from freebody.study.phases.evidence import stage
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import Piece
 from freebody.study.phases.tree import Tree
-from freebody.study.phases.witness import NumericMode, Seen, follow
+from freebody.study.phases.witness import NumericMode, Seen, Stage, follow
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -95,10 +96,12 @@ class Runs:
 
     def _open(self, k: int) -> Sequence[Seen]:
         """A phase that nothing ends."""
-        tree, phases = self.tree, [n.phase for n in self.piece.nodes]
-        key = ("open", tuple(map(id, phases)), k, None if self.event is None else self.event.text)
+        tree, nodes = self.tree, self.piece.nodes
+        key = ("open", tuple(id(n.phase) for n in nodes), k, None if self.event is None else self.event.text)
         if key not in tree.seen:
-            tree.seen[key] = follow(tree.system, phases, tree.sets.one(k), [_OPEN_END], self.event)
+            tree.seen[key] = follow(
+                tree.system, [stage(tree, n) for n in nodes], tree.sets.one(k), [_OPEN_END], self.event
+            )
         return tree.seen[key]
 
 
@@ -160,7 +163,7 @@ class CourseGlossary(Glossary):
     def _mode(self, run: Run) -> NumericMode:
         if self.place < len(run.seen):
             return run.seen[self.place].mode
-        return NumericMode(self.runs.tree.system, self.phase, run.seen[0].mode.values)
+        return NumericMode(self.runs.tree.system, Stage(self.phase), run.seen[0].mode.values)
 
     def _begin(self, run: Run) -> Snapshot:
         q, v = self._state(run)

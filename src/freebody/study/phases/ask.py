@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,14 +12,27 @@ from freebody.assess.options import judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
-from freebody.model.question import Conserved, Energy, Equilibrium, Freedom, Question, Small
+from freebody.model.question import (
+    Conserved,
+    Energy,
+    Equilibrium,
+    Freedom,
+    Multiplier,
+    Power,
+    Quantity,
+    Question,
+    Small,
+    Wrench,
+)
 from freebody.progress import busy_with
 from freebody.study.answer import Answer, AnswerCase, Evidence
+from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import Piece, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import NO_FORM, Tree, why
-from freebody.study.phases.words import summary
+from freebody.study.phases.words import happening, summary
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import Relation, readable
 
@@ -37,12 +51,17 @@ def answer(tree: Tree, question: Question) -> Answer:
             raise CannotAnswer("the system changes its contacts; ask for a motion, a force, or an energy")
         found = pieces(tree, question)
         parts = _merged(found)
-        evidence = [compare(tree, question, group[0]) for group in parts]
+        evidence = [compare(tree, question, piece) for group in parts for piece in group]
     except NO_FORM as error:
         return Answer(question.id, question.text, None, unit, None, reason=why(error))
     except RoutesDisagree as error:
         return Answer(question.id, question.text, None, unit, None, reason=str(error))
     return _answer(tree, question, parts, evidence, unit)
+
+
+def _may_jump(quantity: Quantity) -> bool:
+    """Whether a change of the contacts can change a value at once: that of forces and accelerations."""
+    return isinstance(quantity, Multiplier | Wrench | Power) or getattr(quantity, "order", 0) == 2
 
 
 def _merged(found: list[Piece]) -> list[list[Piece]]:
@@ -63,15 +82,20 @@ def _shown(piece: Piece) -> Expr | tuple[Expr, ...]:
 
 
 def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: list[Evidence], unit: str) -> Answer:
-    main = parts[0][0]
-    conditions = _conditions(tree, parts[0])
+    regions = sorted((r for group in parts for r in _regions(tree, group)), key=lambda r: int(r.sets[0]))
+    own = regions[0]
+    main = own.piece
     value = _value(tree, main) if tree.system.has_values else None
-    notes = [*main.notes, f"while the system {summary(main.phase)}"] if main.first is None else list(main.notes)
-    if tree.system.has_values and not any(0 in p.sets for p in parts[0]):
-        broken = _broken(tree, parts[0])
+    notes = list(main.notes)
+    if main.first is None:
+        notes.append(f"while the system {summary(main.phase)}")
+    elif main.after is None and _may_jump(question.quantity):
+        notes.append(f"just before {happening(main.first.watch, None)}, while the system {summary(main.phase)}")
+    if tree.system.has_values and 0 not in own.sets:
+        broken = _broken(tree, own)
         notes.append(reworded(f"NOT SO at the model's own values: {broken}", broken))
         value = None
-    cases = tuple(AnswerCase(_shown(group[0]), _conditions(tree, group), summary(group[0].phase)) for group in parts)
+    cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
     judgement: Any = None
     if question.options:
         is_home = main.is_home
@@ -94,7 +118,7 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
         _shown(main),
         unit,
         value,
-        conditions or (_for_all(tree),),
+        own.conditions or (_for_all(tree),),
         tuple(notes),
         choice=None if judgement is None else judgement.choice,
         options={} if judgement is None else judgement.options,
@@ -106,21 +130,42 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
     )
 
 
-def _conditions(tree: Tree, group: list[Piece]) -> tuple[str, ...]:
-    """The conditions of all pieces with one answer; where there are several, those that they share."""
-    lists = [relations(tree, p.conditions) for p in group]
-    shared = [r for r in lists[0] if all(any(_same(r, other) for other in more) for more in lists[1:])]
-    return tuple(r.text() for r in shared)
+@dataclass(frozen=True)
+class _Region:
+    """Where one answer holds: a piece of it, and the conditions of a part of the space of parameters."""
+
+    piece: Piece
+    relations: tuple[Relation, ...]
+    sets: Chosen
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        return tuple(r.text() for r in self.relations)
 
 
-def _same(a: Relation, b: Relation) -> bool:
-    return a.text() == b.text()
+def _regions(tree: Tree, group: list[Piece]) -> list[_Region]:
+    """Pieces with one answer by the fewest regions that their own inequalities cut out; else piece by piece."""
+    alone = [_Region(p, tuple(relations(tree, p.conditions)), p.sets) for p in group]
+    if len(group) < 2:
+        return alone
+    inside = np.full(tree.sets.n, NOTHING)
+    inside[np.concatenate([p.sets for p in group])] = 0
+    different = {(c.element, c.relation): c for p in group for c in p.conditions if c.relation in (">", ">=")}
+    tests = [as_test(c.element, c.relation, tree.numbers(c.element)) for c in different.values()]
+    found = [cell for cell in cells(inside, tree.indices, tests) if cell.label != NOTHING]
+    if len(found) >= len(group) or not all(cell.is_exact for cell in found):
+        return alone
+    regions: list[_Region] = []
+    for cell in found:
+        conditions = [*tree.assumed, *tree.conditions(cell.cuts, cell.sets)]
+        piece = next(p for p in group if cell.sets[0] in p.sets)
+        regions.append(_Region(piece, tuple(relations(tree, conditions)), cell.sets))
+    return regions
 
 
-def _broken(tree: Tree, group: list[Piece]) -> str:
-    for r in relations(tree, group[0].conditions):
-        value = float(tree.numbers(r.element)[0])
-        if not (value > 0 or (r.relation == ">=" and value >= 0)):
+def _broken(tree: Tree, region: _Region) -> str:
+    for r in region.relations:
+        if not holds(r, tree.numbers(r.element))[0]:
             return reworded(f"{r.text()} is not true there", r.text())
     return "the model takes another way there"
 

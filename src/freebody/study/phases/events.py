@@ -1,4 +1,10 @@
-"""What ends a phase first, at every parameter set, and when, as a formula."""
+"""What ends a phase first, at every parameter set, and when, as a formula.
+
+A motion that is uniform is followed along its time. Where energy gives the speed, u^2 = f(q), it is followed along its
+way: in the direction of the start to the next zero of f, where it turns, and back to the zero of f on the other side;
+what has not happened by then never does, since the motion repeats itself. Without such zeros an angle that stands in
+sines and cosines alone goes round for ever.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +15,21 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.numeric.jets import Array
+from freebody.study.phases.decide import NOTHING, Cell, Inequality, Test, as_test, cells
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import Phase, Watch
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import Course, Energy, Uniform, Zero
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.phases.course import Energy, Uniform, Zero
+from freebody.symbolic.signs import Sign, sign_of
 
 _NOW = 1e-9  # a zero at the very start, relative to what the function can become
+_SOON = 1e-12  # [s] a time that is none
+_HERE = 1e-7  # a place that is the one of the start
+_CLOSE = 1e-5  # a place that round-off may put on either side of the start
 N_ALONG = 24  # places on the way at which a speed must be real
+_FAR = 1e4  # how far a way without an end is looked along, by its own size
+_NOT_NEGATIVE = (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO)
 
 
 @dataclass(frozen=True)
@@ -24,12 +38,23 @@ class First:
 
     watch: Watch
     zero: Zero
-    exists: tuple[Ratio, ...]  # positive where it happens at all; elements of the phase's field
-    before: tuple[tuple[Ratio, str], ...] = ()  # positive where it comes first
+    together: tuple[Watch, ...] = ()  # what else happens at the same instant
 
-    @property
-    def conditions(self) -> list[tuple[Ratio, str]]:
-        return [*((x, "it happens") for x in self.exists), *self.before]
+
+Proofs = tuple[tuple[Ratio, ...], ...]  # groups of elements; where all of one group are not negative, it is proved
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a phase ends in one part of the space of parameters; without `first` it lasts. The inequalities are over
+    elements of the phase's field. `unsure`: what ends it at none of the sets, each by the inequalities of which one
+    group must hold for a proof of that."""
+
+    first: First | None
+    sets: Chosen
+    conditions: tuple[Inequality, ...]
+    is_exact: bool
+    unsure: tuple[Proofs, ...] = ()
 
 
 @dataclass
@@ -39,122 +64,281 @@ class _Candidate:
     watch: Watch
     zero: Zero
     reached: Array
-    exists: tuple[Ratio, ...] = field(default=())
+    exists: tuple[Ratio, ...] = field(default=())  # positive where it happens at all
 
 
-def first_events(
-    phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Watch] = ()
-) -> tuple[list[tuple[First, Chosen]], Chosen]:
-    """The events that end a phase, each with the sets at which it comes first, and the sets at which none comes.
-    Raises CannotAnswer where the motion, or an event of it, has no closed form."""
-    course = phase.course
+@dataclass
+class _Found:
+    """What can end a phase, the inequalities that tell which does, and what is known to last by formulas."""
+
+    candidates: list[_Candidate] = field(default_factory=list[_Candidate])
+    tests: list[Test] = field(default_factory=list[Test])
+    unsure: list[Proofs] = field(default_factory=list[Proofs])  # what vanishes at none of the sets
+
+
+def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Watch] = ()) -> list[Outcome]:
+    """The events that end a phase, each with the sets at which it comes first. Raises CannotAnswer where the motion, or
+    an event of it, has no closed form."""
+    watches = (*extra, *phase.watches)
+    match phase.course:
+        case Uniform() as course:
+            found = _in_time(course, watches, sets, indices)
+        case Energy() as course:
+            road = _Road(course, sets, indices)
+            found = road.events(watches)
+            indices = np.setdiff1d(indices, np.flatnonzero(road.too_near))
+            sets.left_out |= road.too_near
+        case _:
+            found = _Found(unsure=[() for _watch in watches])
+    candidates = found.candidates
+    labels = np.full(sets.n, NOTHING)
+    if candidates:
+        times = np.array([c.reached for c in candidates])
+        # what is asked for comes first where it comes together with something else
+        winner = np.argmax(times <= times.min(axis=0) * (1.0 + 1e-9), axis=0)
+        labels = np.where(np.isfinite(times.min(axis=0)), winner, NOTHING)
+    return [_outcome(cell, found) for cell in cells(labels, indices, found.tests)]
+
+
+def _outcome(cell: Cell, found: _Found) -> Outcome:
+    unsure = tuple(found.unsure)
+    if cell.label == NOTHING:
+        return Outcome(None, cell.sets, cell.cuts, cell.is_exact, unsure)
+    chosen = found.candidates[cell.label]
+    with np.errstate(invalid="ignore"):
+        others = [c for c in found.candidates if c.watch is not chosen.watch]
+        same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], 1e-9, 0.0)]
+    needs = tuple((x, ">", "it happens") for x in chosen.exists)
+    cuts = tuple(cut for cut in cell.cuts if not any(cut[0] == x for x, _r, _p in needs))
+    return Outcome(First(chosen.watch, chosen.zero, tuple(same)), cell.sets, (*needs, *cuts), cell.is_exact, unsure)
+
+
+# -- along the time ---------------------------------------------------------------------------
+def _in_time(course: Uniform, watches: Sequence[Watch], sets: Sets, indices: Chosen) -> _Found:
+    model, found = course.model, _Found()
     mine = np.zeros(sets.n, dtype=bool)
     mine[indices] = True
-    candidates: list[_Candidate] = []
-    for watch in (*extra, *phase.watches):
-        candidates += _candidates(course, watch, sets, mine)
-    if not candidates:
-        return [], indices
-    times = np.array([c.reached for c in candidates])[:, indices]
-    # what is asked for comes first where it comes together with something else
-    winner = np.argmax(times <= times.min(axis=0) * (1.0 + 1e-9), axis=0)
-    happens = np.isfinite(times.min(axis=0))
-    found: list[tuple[First, Chosen]] = []
-    winners: set[int] = set(winner[happens].tolist())
-    for k in sorted(winners):
-        mine = indices[happens & (winner == k)]
-        chosen = candidates[k]
-        before = _before(candidates, k, mine)
-        found.append((First(chosen.watch, chosen.zero, chosen.exists, before), mine))
-    found.sort(key=lambda item: int(item[1][0]))
-    return found, indices[~happens]
-
-
-def _before(candidates: Sequence[_Candidate], k: int, mine: Chosen) -> tuple[tuple[Ratio, str], ...]:
-    """Where another event comes at some of the sets at which this one is first, it must come later."""
-    chosen = candidates[k]
-    found: list[tuple[Ratio, str]] = []
-    for j, other in enumerate(candidates):
-        if j == k or other.watch is chosen.watch or not np.isfinite(other.reached[mine]).any():
-            continue
-        if chosen.zero.time is not None and other.zero.time is not None and np.isfinite(other.reached[mine]).all():
-            found.append((other.zero.time - chosen.zero.time, f"before {other.watch.connection} {other.watch.kind}"))
-    return tuple(found)
-
-
-def _candidates(course: Course, watch: Watch, sets: Sets, mine: Mask) -> list[_Candidate]:
-    match course:
-        case Uniform():
-            return _in_time(course, watch, sets, mine)
-        case Energy():
-            return _on_the_way(course, watch, sets, mine)
-        case _:
-            return []
-
-
-def _in_time(course: Uniform, watch: Watch, sets: Sets, mine: Mask) -> list[_Candidate]:
-    model = course.model
-    try:
-        coefficients = course.along(watch.element)
-    except CannotAnswer as error:
-        raise CannotAnswer(f"when {watch.connection} {watch.kind} has no closed form: {error}") from None
-    if len(coefficients) > 3:
-        raise CannotAnswer(f"when {watch.connection} {watch.kind} is a root of degree {len(coefficients) - 1}")
-    numbers = np.array([sets.evaluate(model, c) for c in coefficients])
-    found: list[_Candidate] = []
-    for zero in course.zeros(watch.element):
-        assert zero.time is not None
-        t = sets.evaluate(model, zero.time)
-        # positive before, so it falls through zero
-        slope = sum((k * c * t ** (k - 1) for k, c in enumerate(numbers) if k), np.zeros(sets.n))
-        with np.errstate(invalid="ignore"):
-            size = np.abs(numbers[:, :]).max(axis=0) + 1e-300
-            good = np.isfinite(t) & (t > _NOW) & (slope < 0) | (
-                np.isfinite(t) & (t > _NOW) & (np.abs(slope) < _NOW * size)
+    for watch in watches:
+        try:
+            coefficients = course.along(watch.element)
+        except CannotAnswer as error:
+            raise CannotAnswer(f"when {watch.connection} {watch.kind} has no closed form: {error}") from None
+        n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
+        if len(coefficients) - n_now > 3:
+            raise CannotAnswer(
+                f"when {watch.connection} {watch.kind} is a root of degree {len(coefficients) - 1 - n_now}"
             )
-        good &= mine
-        if good.any():
-            found.append(_Candidate(watch, zero, np.where(good, t, np.inf), (zero.time,)))
+        numbers = np.array([sets.evaluate(model, c) for c in coefficients])
+        n_before = len(found.candidates)
+        for zero in course.zeros(watch.element):
+            assert zero.time is not None
+            t = sets.evaluate(model, zero.time)
+            there = _where(model, watch, zero)
+            good = _falls(numbers, t) & mine & _all_hold(model, there, sets)
+            if good.any():
+                found.candidates.append(_Candidate(watch, zero, np.where(good, t, np.inf), (zero.time, *there)))
+                found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in there]
+        if len(found.candidates) == n_before and not all(sign_of(c) in _NOT_NEGATIVE for c in coefficients[1:]):
+            found.unsure.append(_without_roots(coefficients))
+    found.tests = _times_in_order(course, found.candidates, sets) + found.tests
     return found
 
 
-def _on_the_way(course: Energy, watch: Watch, sets: Sets, mine: Mask) -> list[_Candidate]:
-    model, c = course.model, course.coordinate
-    q0 = sets.evaluate(model, course.start.of(c.index))
-    u0 = sets.evaluate(model, course.start.of(c.speed))
-    a0 = sets.evaluate(
-        model, model.field.follow(model.solved_accelerations[model.accelerations[0]], course.start.values)
-    )
-    way = np.where(np.abs(u0) > _NOW, np.sign(u0), np.sign(a0))
-    found: list[_Candidate] = []
-    value = course.as_function(watch.element)
-    for place in course.places(watch.element):
-        at = sets.evaluate(model, place)
-        distance = way * (at - q0)
-        with np.errstate(invalid="ignore"):
-            good = np.isfinite(at) & (distance > 1e-7)
-        good &= _passable(course, sets, q0, at)
-        # it must be positive on the way there
-        middle = sets.evaluate(model, value, {c.index: 0.5 * (q0 + at)}) * (
-            way if course.is_odd(watch.element) else 1.0
-        )
-        with np.errstate(invalid="ignore"):
-            good &= mine & (middle > 0)
-        if good.any():
-            signs: set[float] = set(np.sign(way[good]).tolist())
-            if len(signs) > 1:
-                raise CannotAnswer(f"whether {c.name} grows or shrinks on the way depends on the parameter values")
-            zero = course.at(place, int(signs.pop()))
-            found.append(_Candidate(watch, zero, np.where(good, distance, np.inf), course.reachable(zero)))
+def _without_roots(c: Sequence[Ratio]) -> Proofs:
+    """A polynomial that is not negative at the start stays so: if nothing pulls it down, or it has no two roots."""
+    if len(c) != 3:
+        return (tuple(c[1:]),)
+    return (c[1], c[2]), (c[2], 4 * c[0] * c[2] - c[1] * c[1])
+
+
+def _where(model: SymbolicModel, watch: Watch, zero: Zero) -> tuple[Ratio, ...]:
+    """What must be positive for the place that touches to exist at that instant."""
+    f = model.field
+    found = (f.lowest_terms(f.follow(model.in_independent_speeds(x), zero.values)) for x in watch.within)
+    return tuple(x for x in found if not x.is_zero())
+
+
+def _all_hold(model: SymbolicModel, elements: Sequence[Ratio], sets: Sets) -> Mask:
+    found = np.ones(sets.n, dtype=bool)
+    with np.errstate(invalid="ignore"):
+        for x in elements:
+            found &= sets.evaluate(model, x) > 0
     return found
 
 
-def _passable(course: Energy, sets: Sets, q0: Array, at: Array) -> Mask:
-    """Where the square of the speed is positive all the way."""
-    good = np.ones(sets.n, dtype=bool)
-    # the last place is the zero itself, up to round-off
-    for share in (*((np.arange(N_ALONG) + 0.5) / N_ALONG), 1.0 - 1e-9):
+def _falls(numbers: Array, t: Array) -> Mask:
+    """Where the polynomial, positive before, falls through zero at the time t."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        slope = sum((k * c * t ** (k - 1) for k, c in enumerate(numbers) if k), np.zeros(len(t)))
+        shares = [np.abs(k * c * t ** (k - 1)) for k, c in enumerate(numbers) if k]
+        size = np.max(shares, axis=0) + 1e-300
+        result: Mask = np.isfinite(t) & (t > _SOON) & (slope < _NOW * size)
+    return result
+
+
+def _times_in_order(course: Uniform, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
+    """That a time is real, that it comes, and that it comes before another one."""
+    model, found = course.model, list[Test]()
+    times = [c.zero.time for c in candidates]
+    for t in times:
+        assert t is not None
+        for g in sorted(model.field.ingredients(t)):
+            if model.field.generators[g].kind == "root" and model.field.generators[g].made_of:
+                inside = model.field.radicand(g)
+                found.append(as_test(inside, ">", sets.evaluate(model, inside), "it happens", "no event ends it"))
+    for t in times:
+        assert t is not None
+        found.append(as_test(t, ">", sets.evaluate(model, t), "it happens", "no event ends it"))
+    for j, one in enumerate(candidates):
+        for k, other in enumerate(candidates[:j]):
+            s, t = times[j], times[k]
+            assert s is not None
+            assert t is not None
+            if one.watch is other.watch:
+                continue
+            words = (f"before {c.watch.connection} {c.watch.kind}" for c in (one, other))
+            found.append(as_test(s - t, ">", sets.evaluate(model, s - t), *words))
+    return found
+
+
+# -- along the way ----------------------------------------------------------------------------
+class _Road:
+    """The way of one coordinate whose speed energy gives, at all sets."""
+
+    def __init__(self, course: Energy, sets: Sets, indices: Chosen) -> None:
+        self.course, self.sets = course, sets
+        self.mine = np.zeros(sets.n, dtype=bool)
+        self.mine[indices] = True
+        model, c = course.model, course.coordinate
+        self.model, self.c = model, c
+        self.start, self.speed = course.start.of(c.index), course.start.of(c.speed)
+        self.push = model.field.follow(model.solved_accelerations[model.accelerations[0]], course.start.values)
+        self.q0, self.u0, self.a0 = (sets.evaluate(model, x) for x in (self.start, self.speed, self.push))
+        self.way = np.sign(np.where(self.u0 != 0.0, self.u0, self.a0))
+        self.too_near = np.zeros(sets.n, dtype=bool)  # sets at which a place cannot be told from the start in numbers
+        self.goes_round = self._is_periodic(course.square)
+        self.turns = self._variants(course.zeros_of(course.square), course.square)
+        self.ahead, self.behind = self._turning(1), self._turning(-1)
+        self.behind = np.where(self.u0 == 0.0, 0.0, self.behind)
+
+    def _is_periodic(self, x: Ratio) -> bool:
+        """Whether the coordinate is an angle that stands in sines and cosines alone."""
+        return self.c.index not in x.generators()
+
+    def _variants(self, places: Sequence[Ratio], of: Ratio) -> list[tuple[Ratio, Array]]:
+        """Zeros of a function with their numbers; of an angle also a turn on and a turn back."""
+        whole = 2 * self.model.field.pi
+        shifts = (0, 1, -1) if self._is_periodic(of) else (0,)
+        listed = [place + k * whole if k else place for k in shifts for place in places]
+        found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
+        for _place, at in found:
+            near = np.abs(at - self.q0) < _CLOSE * self._size(at)
+            if not near[: self.sets.n_near].all():  # else it is the start, however it is written
+                self.too_near |= near
+        return found
+
+    def _size(self, at: Array) -> Array:
+        return np.ones(self.sets.n) if self.goes_round else np.maximum(np.abs(at), np.abs(self.q0))
+
+    def _distance(self, at: Array, direction: int) -> Array:
+        """How far ahead (or behind) of the start a place is; nan at the start itself and on the other side."""
         with np.errstate(invalid="ignore"):
-            place = q0 + share * (at - q0)
-            good &= sets.evaluate(course.model, course.square, {course.coordinate.index: place}) > 0
-    return good
+            d = direction * self.way * (at - self.q0)
+            return np.where(d > _HERE * self._size(at), d, np.nan)
+
+    def _turning(self, direction: int) -> Array:
+        """The distance to the next place where the speed vanishes; inf where there is none."""
+        found = np.full(self.sets.n, np.inf)
+        for _place, at in self.turns:
+            d = self._distance(at, direction)
+            found = np.where(np.isfinite(d), np.fmin(found, d), found)
+        return found
+
+    def events(self, watches: Sequence[Watch]) -> _Found:
+        found = _Found()
+        for watch in watches:
+            places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
+            for place, at in places:
+                found.candidates += self._reached(watch, place, at)
+            if not watch.within:
+                self._require_known(watch, [c for c in found.candidates if c.watch is watch])
+            if watch.within or (not places and sign_of(self.course.as_function(watch.element)) not in _NOT_NEGATIVE):
+                found.unsure.append(())
+        found.tests = self._tests(found.candidates)
+        return found
+
+    def _reached(self, watch: Watch, place: Ratio, at: Array) -> list[_Candidate]:
+        """The place on the way out, and on the way back behind the start."""
+        out, back = self._distance(at, 1), self._distance(at, -1)
+        with np.errstate(invalid="ignore"):  # the start itself is passed on the way back
+            back = np.where((np.abs(at - self.q0) <= _HERE * self._size(at)) & (self.u0 != 0.0), 0.0, back)
+        with np.errstate(invalid="ignore"):
+            roads = (
+                (1, np.where(out <= self.ahead * (1 + _NOW), out, np.inf)),
+                (
+                    -1,
+                    np.where(
+                        np.isfinite(self.ahead) & (back <= self.behind * (1 + _NOW)), back + 2 * self.ahead, np.inf
+                    ),
+                ),
+            )
+        found: list[_Candidate] = []
+        for turned, length in roads:
+            good = self.mine & np.isfinite(length)
+            for sign in (1, -1):
+                here = good & (self.way * turned == sign)
+                if here.any():
+                    zero = self.course.at(place, sign)
+                    if turned < 0:
+                        zero = Zero(None, zero.values, zero.at)
+                    there = _where(self.model, watch, zero)
+                    here &= _all_hold(self.model, there, self.sets)
+                    exists = (*self.course.reachable(zero), *there)
+                    found.append(_Candidate(watch, zero, np.where(here, length, np.inf), exists))
+        return found
+
+    def _require_known(self, watch: Watch, own: Sequence[_Candidate]) -> None:
+        """Up to its first zero a watched function must be positive and the speed real: zeros without a closed form
+        show there. Raises CannotAnswer."""
+        first = np.min([c.reached for c in own], axis=0) if own else np.full(self.sets.n, np.inf)
+        value = self.course.as_function(watch.element)
+        is_odd = self.course.is_odd(watch.element)
+        out = np.minimum(first, self.ahead)
+        endless = 2 * np.pi if self.goes_round else _FAR * np.maximum(np.abs(self.q0), 1.0)
+        out = np.where(np.isfinite(out), out, endless)
+        back = np.where(np.isfinite(first) | ~np.isfinite(self.ahead), 0.0, np.minimum(self.behind, endless))
+        missed = np.zeros(self.sets.n, dtype=bool)
+        shares = (np.arange(N_ALONG) + 0.5) / N_ALONG
+        for share in shares:
+            for d in (share * out, -share * back):
+                place = {self.c.index: self.q0 + self.way * d}
+                f, square = (self.sets.evaluate(self.model, x, place) for x in (value, self.course.square))
+                sign = self.way if is_odd else 1.0
+                with np.errstate(invalid="ignore"):
+                    missed |= (d != 0) & ((sign * f < 0) | (square < 0))
+                if is_odd:
+                    break  # its sign turns with the speed: on the way back it has ended
+        if (missed & self.mine & ~self.too_near & (self.way != 0)).any():
+            raise CannotAnswer(f"when {watch.connection} {watch.kind} has no closed form")
+
+    def _tests(self, candidates: Sequence[_Candidate]) -> list[Test]:
+        """That a place is real and is reached; which way it goes first, and which place is nearer."""
+        found: list[Test] = []
+
+        def add(x: Ratio, relation: str = ">", purpose: str = "", against: str = "") -> None:
+            found.append(as_test(x, relation, self.sets.evaluate(self.model, x), purpose, against))
+
+        for c in candidates:
+            for x in c.exists:
+                add(x, ">", "it happens", "no event ends it")
+        for place, _at in self.turns:
+            for x in self.course.real(place):
+                add(x)
+        add(self.push if self.speed.is_zero() else self.speed)
+        places = [c.zero.at for c in candidates if c.zero.at is not None]
+        listed = [*dict.fromkeys(places), *(place for place, _at in self.turns)]
+        for j, place in enumerate(listed):
+            add(place - self.start)
+            for other in listed[:j]:
+                add(place - other)
+        return found

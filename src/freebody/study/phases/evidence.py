@@ -5,6 +5,7 @@ The numbers come from `witness`: the one place where another simulation could be
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -20,18 +21,22 @@ from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, Witness
 from freebody.study.magnitude import magnitude
 from freebody.study.phases.pieces import Piece
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import Tree
-from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, follow
+from freebody.study.phases.tree import Node, Tree
+from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, Stage, before_impact, begun, follow, struck
 from freebody.study.quantities import energy
+from freebody.system.system import System
 
 N_CHECKED = 5
+ROUND_OFF = 1e-12  # of rates at the start [SI]
 _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are left to other sets
 
 
 def compare(tree: Tree, question: Question, piece: Piece) -> Evidence:
     """Raises RoutesDisagree on a difference, CannotAnswer if too little could be compared."""
-    if piece.first is None and piece.time is not None and isinstance(question.quantity, When):
-        return _slips(tree, question, piece)
+    if piece.at_start and isinstance(question.quantity, When):
+        return _at_once(tree, question, piece)
+    if piece.at_start and isinstance(question.quantity, EnergyLost | Change | Work | Turns):
+        return _since_the_start(tree, question, piece)
     if piece.first is None:
         return _at_instants(tree, question, piece)
     return _along_motion(tree, question, piece)
@@ -39,7 +44,7 @@ def compare(tree: Tree, question: Question, piece: Piece) -> Evidence:
 
 # -- one instant ------------------------------------------------------------------------------
 def _at_instants(tree: Tree, question: Question, piece: Piece) -> Evidence:
-    at_start = question.at_start or piece.time is not None
+    at_start = question.at_start or piece.at_start
     where = "at the start" if at_start else "at random poses and speeds"
     witness = Witness(question.text, f"floating-point solve of all bodies and contacts {where}", INSTANT_TOLERANCE)
     phase = piece.phase
@@ -47,10 +52,9 @@ def _at_instants(tree: Tree, question: Question, piece: Piece) -> Evidence:
         if len(witness.pairs) >= N_CHECKED:
             break
         values = tree.sets.one(int(k))
-        mode = NumericMode(tree.system, phase, values)
-        reference = mode.references[0]
         try:
-            q, v = mode.start()
+            mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), values)
+            reference = mode.references[0]
             begin = reference.snapshot(q, v)
             draw = Draw(mode.values, reference, q)
             if not at_start:
@@ -69,16 +73,46 @@ def _at_instants(tree: Tree, question: Question, piece: Piece) -> Evidence:
     return witness.evidence()
 
 
-def _slips(tree: Tree, question: Question, piece: Piece) -> Evidence:
-    """At rest at the start, the frictions that slide must be accelerated their way."""
-    witness = Witness(question.text, "floating-point accelerations of the slips at the start", INSTANT_TOLERANCE)
+def stage(tree: Tree, node: Node) -> Stage:
+    """A phase as the numeric route follows it."""
+    touching = None if node.phase.mode.closed <= tree.closed else tree.closed
+    if node.impact is None:
+        opens = tree.closed if node.phase.mode.closed < tree.closed else frozenset[str]()
+        return Stage(node.phase, touching, (), opens)
+    return Stage(node.phase, touching, node.impact.hits, node.impact.before.kept)
+
+
+def _at_once(tree: Tree, question: Question, piece: Piece) -> Evidence:
+    """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
+    derivatives of a gap the first that does not vanish is positive."""
+    witness = Witness(question.text, "floating-point rates and accelerations at the start", INSTANT_TOLERANCE)
     for k in piece.sets[:N_CHECKED]:
-        mode = NumericMode(tree.system, piece.phase, tree.sets.one(int(k)))
-        q, v = mode.start()
+        mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(int(k)))
         now = mode.snapshot(q, v, 0.0)
-        signs = [(s, now.acceleration(mode.rubs[n].row.measure)) for n, s in mode.mode.states.items() if s]
-        time = 0.0 if all(s * a > 0 for s, a in signs) else np.inf
-        witness.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, int(k)), time)
+        if question.transition is not None and question.transition.kind == "opens":
+            rows = [tree.bound_row(name) for name in (tree.closed | tree.moving) - mode.mode.closed]
+            signs = [(row.sign, now.rate(row.measure), now.acceleration(row.measure)) for row in rows]
+            begins = all((s * u if abs(u) > ROUND_OFF else s * a) > 0 for s, u, a in signs)
+        else:
+            states = [(s, now.acceleration(mode.rubs[n].row.measure)) for n, s in mode.mode.states.items() if s]
+            begins = all(s * a > 0 for s, a in states)
+        draw = Draw(mode.values, mode.references[0], q)
+        witness.compare(draw, _home_numbers(tree, piece, int(k)), 0.0 if begins else np.inf)
+    return witness.evidence()
+
+
+def _since_the_start(tree: Tree, question: Question, piece: Piece) -> Evidence:
+    """What is counted from the start is nothing at the start, but for the energy that an impact takes."""
+    witness = Witness(question.text, "floating-point energies before and after the impact", INSTANT_TOLERANCE)
+    node = piece.nodes[-1]
+    for k in piece.sets[:N_CHECKED]:
+        values = tree.sets.one(int(k))
+        mode, q, v = begun(tree.system, stage(tree, node), values)
+        lost = 0.0
+        if node.impact is not None and isinstance(question.quantity, EnergyLost):
+            before, _q, _v = before_impact(tree.system, node.impact.before.kept, values)
+            lost = _energy(before, mode.system) - _energy(mode.snapshot(q, v, 0.0), mode.system)
+        witness.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, int(k)), lost)
     return witness.evidence()
 
 
@@ -99,7 +133,10 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
         exact = _home_numbers(tree, piece, int(k))
         if not np.isfinite(exact).all() or (ends is not None and not 0 < ends[k] < _LONGEST):
             continue
-        seen = run(tree, question.event, piece, int(k), None if ends is None else float(ends[k]))
+        try:
+            seen = run(tree, question.event, piece, int(k), None if ends is None else float(ends[k]))
+        except CannotAnswer:
+            continue
         expected = piece.first.watch
         event = seen[-1].event
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
@@ -124,15 +161,21 @@ def run(tree: Tree, event: Event | None, piece: Piece, k: int, end: float | None
     )
     if key not in tree.seen:
         until = [MAX_TIME if end is None else 1.5 * end] * len(piece.nodes)
-        phases = [n.phase for n in piece.nodes]
-        tree.seen[key] = follow(tree.system, phases, tree.sets.one(k), until, event)
+        stages = [stage(tree, n) for n in piece.nodes]
+        tree.seen[key] = follow(tree.system, stages, tree.sets.one(k), until, event)
     return tree.seen[key]
 
 
 def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> Any:
     last = seen[-1]
-    now = last.snapshot()
+    mode, now = last.mode, last.snapshot()
+    values, first = seen[0].mode.values, piece.nodes[0]
+    if piece.after is not None and piece.after.impact is not None:  # the value just after an impact
+        mode = NumericMode(tree.system, stage(tree, piece.after), values)
+        now = mode.snapshot(last.q, struck(tree.system, values, last.q, last.v, piece.after.impact.hits), last.time)
     begin = seen[0].begin
+    if first.impact is not None:
+        begin, _q, _v = before_impact(tree.system, first.impact.before.kept, values)
     match quantity:
         case When():
             return last.time
@@ -140,8 +183,8 @@ def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> A
             return now.value(measure) - begin.value(measure)
         case EnergyLost():
             if all(only_friction_takes_energy(s.mode.system) for s in seen):
-                return _energy(tree, seen[0].mode, begin) - _energy(tree, last.mode, now)
-            return sum(map(_heat, seen))
+                return _energy(begin, mode.system) - _energy(now, mode.system)
+            return sum(map(_heat, seen)) + _taken_by_impacts(seen, begin, now)
         case Work(of):
             pushes = [p for p in tree.system.pushes if p.load == of]
             return sum(begin.potential(p) - now.potential(p) for p in pushes)
@@ -149,7 +192,15 @@ def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> A
             marks = [begin.value(Angle(body)), *(s.snapshot().value(Angle(body)) for s in seen)]
             return float(np.abs(np.diff(marks)).sum()) / (2 * np.pi)
         case _:
-            return value_in_mode(quantity, tree.system, last.mode.system, now)
+            return value_in_mode(quantity, tree.system, mode.system, now)
+
+
+def _taken_by_impacts(seen: Sequence[Seen], begin: Any, now: Any) -> float:
+    """Between the end of a phase and the beginning of the next; `begin` and `now` are before and after all of them."""
+    before = [begin, *(s.snapshot() for s in seen)]
+    after = [*(s.begin for s in seen), now]
+    systems = [*(s.mode.system for s in seen), seen[-1].mode.system]
+    return sum(_energy(a, s) - _energy(b, s) for a, b, s in zip(before, after, systems, strict=True))
 
 
 def _heat(seen: Seen) -> float:
@@ -165,5 +216,5 @@ def _heat(seen: Seen) -> float:
     return total
 
 
-def _energy(tree: Tree, mode: NumericMode, now: Any) -> float:
-    return float(energy("total", None, plain(mode.system), now))
+def _energy(now: Any, system: System) -> float:
+    return float(energy("total", None, plain(system), now))

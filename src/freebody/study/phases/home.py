@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence, Set
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -31,13 +32,16 @@ from freebody.system.system import System
 _ZERO = 1e-9
 _TOUCHES = 1e-8  # a gap that is none, by the size of the system
 _LONG_ANGLE = 3
+_N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
 
 class Home:
     """A system at its start, without friction: conditions, times and values of all phases are elements of its field."""
 
     def __init__(self, system: System) -> None:
-        self.closed = closed_at_start(system)
+        touching = closed_at_start(system)
+        self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
+        self.closed = touching - self.moving
         free = Mode.of(self.closed, {})
         self.home = Setup(in_mode(system, free)[0])
         self.system = _with_angles(system, self.home)
@@ -48,18 +52,18 @@ class Home:
         self.constants = dict(self._constants())
         self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}
         self.assumed: list[Condition] = []
-        self.indices: Chosen = np.flatnonzero(self._admissible())
+        self.indices: Chosen = np.flatnonzero(self._admissible(touching))
 
-    def _admissible(self) -> Any:
+    def _admissible(self, touching: frozenset[str]) -> Any:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
         found = np.ones(self.sets.n, dtype=bool)
         state, express = self.home.start_instant, self.home.model.elimination.express
         needed = [(state.here(express(x)), ">", "as at the start") for x in self.home.model.assumed]
         for bound in self.system.bounds:
-            if bound.name not in self.closed and not bound.within:
+            if bound.name not in touching and not bound.within:
                 needed.append((self._gap(bound), ">=", f"{bound.row.connection} is open at the start"))
         for row in [r for r in self.system.held if r.unilateral] + [b.row for b in self.system.bounds]:
-            if row.name in self.closed and isinstance(row.measure, Distance) and row.target is not None:
+            if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
                 target = self.home.model.geometry.scalar(row.target)  # a circle in a ring is the smaller one
                 needed.append((target, ">", f"{row.connection} fits"))
         for x, relation, purpose in needed:
@@ -111,7 +115,9 @@ class Home:
             signs = set(np.sign(self.numbers(x)[sets]).tolist()) - {0.0}
             return int(signs.pop()) if len(signs) == 1 else 0
 
-        found = [c for x, relation, purpose in elements for c in parted(x, relation, purpose, sign_at)]
+        equal = [Condition(x.numerator(), relation, purpose) for x, relation, purpose in elements if relation == "="]
+        open_ones = [item for item in elements if item[1] != "="]
+        found = equal + [c for x, relation, purpose in open_ones for c in parted(x, relation, purpose, sign_at)]
         # what is not so at every set of the branch is no condition of it
         return [c for c in found if not (self.numbers(c.element)[sets] < -_ZERO).any()]
 
@@ -209,6 +215,28 @@ def _far_sides(system: System, closed: Set[str]) -> set[str]:
         return set()
     reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
     return far_sides(reference, assembled_touching(reference), touched)
+
+
+def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
+    """Of the bounds that touch when the motion begins those whose gap grows or shrinks by the rates that are given,
+    where these contradict that all of them keep touching."""
+    own = {b.name: b for b in system.bounds if b.name in touching}
+    if not own or not (system.start_rates or any(b.start.velocity or b.start.angular_velocity for b in system.moving)):
+        return frozenset()
+    found: set[str] = set()
+    for k in range(_N_STARTS):
+        values = draw_parameters(system, random.Random(SEED + k), 1.0)
+        held = Reference(in_mode(system, Mode.of(touching, {}))[0], values)
+        q = held.assemble()
+        with suppress(CannotAnswer):
+            held.velocities(q)
+            continue
+        free = Reference(in_mode(system, Mode.of(touching - own.keys(), {}))[0], values)
+        g = free.geometry(free.assemble(), free.velocities(q), 0.0)
+        rates = {name: free.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
+        largest = max(map(abs, rates.values()))
+        found |= {name for name, rate in rates.items() if abs(rate) > _ZERO * largest}
+    return frozenset(found)
 
 
 def _exists(reference: Reference, q: Array, bound: Bound, slack: float) -> bool:

@@ -1,7 +1,8 @@
 """Many random parameter sets at once: which branch of a case distinction is taken by which of them.
 
-Coefficients of friction are drawn between 0 and 1.2, acute angles over their range, everything else within a factor of
-four of the file's value (of 1 where there is none). The first set is that of the file where it gives all values.
+Coefficients of friction are drawn between 0 and 1.2, of restitution between 0 and 1, acute angles over their range,
+everything else within a factor of four of the file's value (of 1 where there is none); behind these come sets over
+up to five decades, for what is rare. The first set is that of the file where it gives all values.
 """
 
 from __future__ import annotations
@@ -16,18 +17,22 @@ from numpy.typing import NDArray
 
 from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
+from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.phases.relations import Relation
 from freebody.system.system import System
 
 Chosen = NDArray[np.intp]  # indices of parameter sets
 Mask = NDArray[np.bool_]
 
 N_SETS = 400
+N_WIDE = 600
 _SEED = 11
 _SPREAD = 1.4
 _MOST_FRICTION = 1.2
+_WIDEST = 5.8  # e^5.8: two decades and a half
 
 _FUNCTIONS = SimpleNamespace(
     pi=math.pi,
@@ -48,13 +53,37 @@ def coefficients_of_friction(system: System) -> tuple[str, ...]:
     return tuple(n for n, p in system.parameters.items() if n in used and p.dimension == DIMENSIONLESS)
 
 
+def coefficients_of_restitution(system: System) -> set[str]:
+    """Parameters that are coefficients of restitution."""
+    return {str(getattr(bound.restitution, "name", "")) for bound in system.bounds} & system.parameters.keys()
+
+
+def _far(p: Parameter, center: float, share: Array, width: Array) -> Array:
+    """Values over up to five decades; angles no farther than they are drawn near. share: from -1 to 1."""
+    if p.acute:
+        near = 0.5 * math.pi * 10.0 ** (-3.0 * np.abs(share))
+        return np.where(share > 0, near, 0.5 * math.pi - near)
+    return (center or 1.0) * np.exp(share * (np.minimum(width, _SPREAD) if p.is_angle else width))
+
+
+def holds(r: Relation, numbers: Array) -> Mask:
+    """Where a relation is satisfied, by the values of its element. One that was solved is turned where its divisor is
+    negative; the element is not."""
+    if r.relation in ("=", "!="):
+        return (numbers == 0) == (r.relation == "=")
+    with np.errstate(invalid="ignore"):
+        return numbers >= 0 if r.relation in (">=", "<=") else numbers > 0
+
+
 class Sets:
     """Parameter sets as arrays, by name. Pairs of static and kinetic coefficients are drawn in their order."""
 
-    def __init__(self, system: System, n: int = N_SETS) -> None:
+    def __init__(self, system: System, n: int = N_SETS, n_wide: int = N_WIDE) -> None:
         rng = np.random.default_rng(_SEED)
-        friction = set(coefficients_of_friction(system))
+        friction, restitution = set(coefficients_of_friction(system)), coefficients_of_restitution(system)
         self.values: dict[str, Array] = {}
+        width = np.random.default_rng(_SEED + 1).uniform(0.0, _WIDEST, n_wide)
+        wide = np.random.default_rng(_SEED + 2)
         for p in system.parameters.values():
             if p.form is not None:
                 continue
@@ -63,6 +92,8 @@ class Sets:
                 drawn = rng.uniform(0.03, math.pi / 2 - 0.03, n)
             elif p.name in friction:
                 drawn = rng.uniform(0.0, _MOST_FRICTION, n)
+            elif p.name in restitution:
+                drawn = rng.uniform(0.02, 0.98, n)
             else:
                 drawn = (center or 1.0) * np.exp(rng.uniform(-_SPREAD, _SPREAD, n))
                 if p.sign == "any":
@@ -71,7 +102,14 @@ class Sets:
                 drawn[0] = p.value
                 if p.sign == "any" or p.acute or n < 2:
                     drawn[1 : n // 8] = p.value
-            self.values[p.name] = drawn
+            share = wide.uniform(-1.0, 1.0, n_wide)
+            if p.name in friction:
+                far = 10.0 ** (2.0 * share - 1.0)
+            elif p.name in restitution:
+                far = 0.5 + 0.499 * share
+            else:
+                far = _far(p, center, share, width) * (wide.choice((-1.0, 1.0), n_wide) if p.sign == "any" else 1.0)
+            self.values[p.name] = np.concatenate([drawn, far])
         for rub in system.rubs:
             pairs = ((rub.static, rub.kinetic), (rub.static_back, rub.kinetic_back))
             for static, kinetic in pairs:
@@ -79,7 +117,8 @@ class Sets:
                 if s != k and s in self.values and k in self.values:
                     low, high = np.minimum(self.values[s], self.values[k]), np.maximum(self.values[s], self.values[k])
                     self.values[s], self.values[k] = high, low
-        self.n = n
+        self.n, self.n_near = n + n_wide, n
+        self.left_out = np.zeros(self.n, dtype=bool)  # sets whose numbers are too near a border to tell
         self.constants: dict[str, Array] = {}  # start values that a model has symbols for
         self._known: dict[int, tuple[int, dict[int, Any]]] = {}
         self._models: list[SymbolicModel] = []  # keeps the keys above alive
@@ -88,6 +127,7 @@ class Sets:
         """Other sets, of which all values are given."""
         other = object.__new__(Sets)
         other.values, other.n = values, len(next(iter(values.values())))
+        other.n_near, other.left_out = other.n, np.zeros(other.n, dtype=bool)
         other._known, other._models, other.constants = {}, [], {}
         return other
 

@@ -13,6 +13,7 @@ from freebody.language.expression import ZERO, free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
 from freebody.model.elements import Bound, Held, Parameter, Rub, Start
 from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, Draw
@@ -48,17 +49,18 @@ class Placed:
 class Watch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
-    kind: str  # "slip ends", "opens", "slips", "touches"
+    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends"
     name: str  # of the bound or the friction
     element: Ratio
     direction: int = 0  # in which it begins to slip
+    within: tuple[Ratio, ...] = ()  # not negative where the place at which it touches exists
 
     @property
     def connection(self) -> str:
         return self.name.partition(".")[0]
 
 
-class _Given(Setup):
+class Given(Setup):
     """A system set up for given parameter sets, without drawing."""
 
     def __init__(self, system: System, values: Sequence[Mapping[str, float]]) -> None:
@@ -91,18 +93,18 @@ class Phase:
         if loads:
             # any number will do for the loads while they are symbols: they move nothing at an instant
             unknown = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
-            trial = _Given(replace(system, parameters=unknown), [{**v, **dict.fromkeys(loads, 1.0)} for v in values])
+            trial = Given(replace(system, parameters=unknown), [{**v, **dict.fromkeys(loads, 1.0)} for v in values])
             solved = solve_loads(trial.model, loads, named_rows(trial.system), trial.model.is_negative)
             system = with_loads(system, trial.model, solved)
             determinant = solved.determinant
-            setup = _Given(system, values)
+            setup = Given(system, values)
             if not determinant.generators() & {c.speed for c in trial.model.coordinates}:
                 with suppress(CannotAnswer, ExpressionError):
                     names = {c.name: setup.model.field.variable(c.index) for c in setup.model.coordinates}
                     expr = trial.model.field.expression(determinant)
                     self.determinant = setup.model.geometry.apply(expr, names)
         else:
-            setup = _Given(system, values)
+            setup = Given(system, values)
         self.setup: Setup = setup
         self.system = system
         self.model = self.setup.model
@@ -122,7 +124,7 @@ class Phase:
             return {}
         parameters = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
         known = [{**v, **dict.fromkeys(loads, 1.0)} for v in values[:1]]
-        model = _Given(replace(system, parameters=parameters), known).model
+        model = Given(replace(system, parameters=parameters), known).model
         found: dict[str, list[str]] = {}
         for name in sticking:
             if name not in model.redundant:
@@ -212,8 +214,9 @@ class Phase:
         for name in [row.name for row in self.base.held if row.unilateral] + list(self.bounds):
             if name in self.mode.closed:
                 found.append(Watch("opens", name, self.normal(self.rows[name])))
+                found += [Watch("edge ends", name, x) for x in self.spans(name)]
             elif name in self.bounds:
-                found.append(Watch("touches", name, self.gap(self.bounds[name].row)))
+                found.append(Watch("touches", name, self._nearness(self.bounds[name].row), within=self.spans(name)))
         for name, state in states.items():
             rub = self.rubs[name]
             if state:
@@ -221,6 +224,16 @@ class Phase:
             elif name not in self.dropped:
                 found += self._limits(rub)
         return tuple(found)
+
+    def spans(self, name: str) -> tuple[Ratio, ...]:
+        """How far the place of a bound is from the ends of the edge on which it lies; none for what has no ends."""
+        g, found = self.model.geometry, list[Ratio]()
+        for span in self.bounds[name].within if name in self.bounds else ():
+            measure: Any = span.measure
+            value: Ratio = measure.value(g)
+            found += [] if span.low is None else [value - g.scalar(span.low)]
+            found += [] if span.high is None else [g.scalar(span.high) - value]
+        return tuple(x for x in found if not x.is_zero())
 
     def _limits(self, rub: Rub) -> list[Watch]:
         """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
@@ -235,6 +248,16 @@ class Phase:
     def base_row(self, name: str) -> Held:
         """A row of the system, or of its bounds, whether it is held now or not."""
         return next(row for row in (*self.base.held, *(b.row for b in self.base.bounds)) if row.name == name)
+
+    def _nearness(self, row: Held) -> Ratio:
+        """A gap, or that of the squares of a distance and its limit: a polynomial where the distance is a root."""
+        if not isinstance(row.measure, Distance) or row.target is None:
+            return self.gap(row)
+        f = self.model.field
+        value, target = row.measure.value(self.model.geometry), self.model.geometry.scalar(row.target)
+        if not any(f.generators[g].kind == "root" and not f.is_constant_generator(g) for g in value.generators()):
+            return self.gap(row)
+        return row.sign * self.model.field.lowest_terms(value * value - target * target)
 
     def gap(self, row: Held) -> Ratio:
         """How far a bound is from being closed."""

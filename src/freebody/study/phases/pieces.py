@@ -9,7 +9,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.model.contact_questions import Change, EnergyLost, Transition, Turns
-from freebody.model.question import Event, Quantity, Question, When, Work
+from freebody.model.question import Event, OfMeasure, Quantity, Question, When, Work
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Watch
@@ -23,6 +23,7 @@ from freebody.symbolic.phases.course import Energy
 from freebody.symbolic.state import SymbolicState, law_polynomial
 
 Elements = Ratio | tuple[Ratio, ...]
+_NONE = 1e-12  # a distance or a speed that is none [SI]
 
 
 @dataclass
@@ -38,10 +39,16 @@ class Piece:
     sets: Chosen
     time: Ratio | None = None  # of the event, since the start
     notes: list[str] = field(default_factory=list[str])
+    after: Node | None = None  # the phase behind the impact that the event is: the value is that just after it
 
     @property
     def phase(self) -> Phase:
-        return self.nodes[-1].phase
+        return self.nodes[-1].phase if self.after is None else self.after.phase
+
+    @property
+    def at_start(self) -> bool:
+        """Whether what is asked for comes at the very start."""
+        return self.first is None and self.time is not None
 
 
 @dataclass(frozen=True)
@@ -70,13 +77,24 @@ def pieces(tree: Tree, question: Question) -> list[Piece]:
     else:
         found = [_at_instant(tree, question, way) for way in roots]
     if not found:
-        asked = (
-            question.transition.text if question.transition is not None else str(getattr(question.event, "text", ""))
-        )
-        reasons = [n.reason for way in roots for n in way.nodes if n.reason] + tree.reasons
-        raise CannotAnswer(reasons[0] if reasons else f"'{asked}' never happens, whatever the parameters are")
+        raise CannotAnswer(_not_found(tree, question))
     found.sort(key=lambda p: int(p.sets[0]))
     return found
+
+
+def _not_found(tree: Tree, question: Question) -> str:
+    """That something never happens is said where every way through the phases is known to its end."""
+    asked = question.transition.text if question.transition is not None else str(getattr(question.event, "text", ""))
+    nodes = list(tree.nodes())
+    reasons = [n.reason for n in nodes if n.reason] + tree.reasons
+    stops = [e.stops for n in nodes for e in n.edges if e.stops]
+    known = not tree.lost and all(n.is_exact and all(e.is_exact and e.is_proved for e in n.edges) for n in nodes)
+    if known and not reasons and not stops:
+        return f"'{asked}' never happens, whatever the parameters are"
+    if reasons:
+        return reasons[0]
+    where = f"'{asked}' does not happen in the phases that were found"
+    return f"{where}; {stops[0]}" if stops else f"{where}, at none of {tree.sets.n} parameter sets"
 
 
 # -- one instant ------------------------------------------------------------------------------
@@ -91,7 +109,14 @@ def _at_instant(tree: Tree, question: Question, way: _Way) -> Piece:
     if is_home:
         homes = tuple(tree.to_home(phase, p) for p in parts)
         value = homes if isinstance(value, tuple) else homes[0]
-    return Piece(value, is_home, [way.last], None, list(way.conditions), way.last.sets)
+    notes = [_just_after(way.last)] if way.last.impact is not None and question.at_start else []
+    return Piece(value, is_home, [way.last], None, list(way.conditions), way.last.sets, notes=notes)
+
+
+def _just_after(node: Node) -> str:
+    assert node.impact is not None
+    when = " at the start" if node.depth == 0 else ""
+    return f"just after the {node.impact.words}{when}"
 
 
 def _elements(tree: Tree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
@@ -113,8 +138,9 @@ def _still(phase: Phase) -> dict[int, Ratio]:
 # -- events of contacts -----------------------------------------------------------------------
 def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list[_Way]) -> Iterator[Piece]:
     for way in ways:
-        if not way.edges and asked.kind == "slips":
-            yield from _slips_at_once(tree, question, asked, way)
+        if not way.edges and (at_once := _at_once(tree, asked, way.last)):
+            yield _at_the_start(tree, question, way, at_once)
+            continue
         for edge in way.last.edges:
             if edge.first is None:
                 continue
@@ -122,75 +148,140 @@ def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list
                 yield _piece(tree, question, way, edge.first, edge.conditions, edge.sets)
                 continue
             for node in edge.nodes:
+                ends = asked.kind == "opens" and edge.first.watch.kind == "edge ends"
+                if ends and _is_left(node, asked, edge.first.watch.connection):
+                    conditions = [*edge.conditions, *node.conditions]
+                    yield _piece(tree, question, way, edge.first, conditions, node.sets)
+                    continue
                 sticks = node.phase.mode.states.get(edge.first.watch.name) == 0
                 if asked.kind == "rolls" and sticks and _is_meant(asked, edge.first.watch):
                     yield _piece(tree, question, way, edge.first, [*edge.conditions, *node.conditions], node.sets)
+                elif asked.kind == "opens" and _rebounds(node, asked):
+                    conditions = [*edge.conditions, *node.conditions]
+                    yield _piece(tree, question, way, edge.first, conditions, node.sets, after=node)
                 else:
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
 
 
-def _slips_at_once(tree: Tree, question: Question, asked: Transition, way: _Way) -> Iterator[Piece]:
-    """Where nothing slips at the start and yet a friction cannot hold, slipping begins then."""
-    phase = way.last.phase
-    for name, state in phase.mode.states.items():
-        if state and tree.slips[name].is_zero() and (not asked.of or name.partition(".")[0] in asked.of):
-            zero = tree.home.model.field.zero
-            if isinstance(question.quantity, When):
-                value: Elements = zero
-            else:
-                value = _elements(tree, phase, question.quantity, phase.start_instant)
-                parts = value if isinstance(value, tuple) else (value,)
-                homes = tuple(tree.to_home(phase, p) for p in parts)
-                value = homes if isinstance(value, tuple) else homes[0]
-            notes = [f"{label(name)} cannot hold at the start: it slips at once"]
-            yield Piece(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
-            return
+def _is_left(node: Node, asked: Transition, connection: str) -> bool:
+    """Whether no place of a connection touches any more, where an edge has ended."""
+    still = {name.partition(".")[0] for name in node.phase.mode.closed}
+    return _is_named(asked, connection) and connection not in still
+
+
+def _rebounds(node: Node, asked: Transition) -> bool:
+    """Whether a phase begins with an impact that parts what is meant."""
+    hits = () if node.impact is None else node.impact.hits
+    return any(name not in node.phase.mode.closed and _is_named(asked, name.partition(".")[0]) for name in hits)
+
+
+def _at_once(tree: Tree, asked: Transition, node: Node) -> str:
+    """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, or what touches parts."""
+    phase = node.phase
+    if asked.kind == "slips":
+        for name, state in phase.mode.states.items():
+            is_still = name in tree.slips and tree.slips[name].is_zero()
+            if state and is_still and _is_named(asked, name.partition(".")[0]):
+                return f"{label(name)} cannot hold at the start: it slips at once"
+    if asked.kind == "opens":
+        for name in sorted((tree.closed | tree.moving) - phase.mode.closed):
+            if _is_named(asked, name.partition(".")[0]):
+                return f"{label(name)} touches at the start only: it opens at once"
+    return ""
+
+
+def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> Piece:
+    phase, zero = way.last.phase, tree.home.model.field.zero
+    notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
+    if way.last.impact is None and isinstance(question.quantity, OfMeasure) and question.quantity.order < 2:
+        state = tree.home.start_instant  # places and velocities are those of the start, as it is written there
+        x = state.rate(question.quantity.measure) if question.quantity.order else state.value(question.quantity.measure)
+        value: Elements = tree.home.model.field.lowest_terms(x)
+    else:
+        value = _value(tree, question.quantity, way, phase, phase.start_instant, zero, notes)
+    return Piece(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
+
+
+def _is_named(asked: Transition, connection: str) -> bool:
+    return not asked.of or connection in asked.of
 
 
 def _is_meant(asked: Transition, watch: Watch) -> bool:
     kind = {"rolls": "slip ends"}.get(asked.kind, asked.kind)
-    return watch.kind == kind and (not asked.of or watch.connection in asked.of)
+    return watch.kind == kind and _is_named(asked, watch.connection)
 
 
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(tree: Tree, question: Question, event: Event, ways: list[_Way]) -> Iterator[Piece]:
     for way in ways:
-        node = way.last
-        watch = _watch(tree, node, event)
-        found, _never = first_events(node.phase, tree.sets, node.sets, [watch])
-        for first, sets in found:
-            if first.watch is watch:
-                elements = [(tree.to_home(node.phase, x), ">", why) for x, why in first.conditions]
-                conditions = tree.conditions(elements, sets)
-                yield _piece(tree, question, way, first, conditions, sets)
-        for edge in node.edges:
-            mine = [sets for first, sets in found if edge.first is not None and first.watch is edge.first.watch]
-            for after in edge.nodes:
-                later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
-                if len(later):
-                    yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))])
+        for watch, sets, given in _watches(tree, way.last, event):
+            yield from _in_phase(tree, question, event, way, watch, sets, given)
 
 
-def _watch(tree: Tree, node: Node, event: Event) -> Watch:
-    """The distance from the value, positive at the beginning of the phase."""
+def _in_phase(
+    tree: Tree, question: Question, event: Event, way: _Way, watch: Watch, sets: Chosen, given: list[Condition]
+) -> Iterator[Piece]:
+    """In the last phase of a way, or in those that follow it."""
+    node = way.last
+    outcomes = first_events(node.phase, tree.sets, sets, [watch])
+    for outcome in outcomes:
+        if outcome.first is not None and outcome.first.watch is watch:
+            conditions = [*given, *tree.outcome_conditions(node.phase, outcome)]
+            yield _piece(tree, question, way, outcome.first, conditions, outcome.sets)
+    for edge in node.edges:
+        mine = [o.sets for o in outcomes if edge.first and o.first and o.first.watch is edge.first.watch]
+        for after in edge.nodes:
+            later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
+            if len(later):
+                yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))])
+
+
+def _watches(tree: Tree, node: Node, event: Event) -> Iterator[tuple[Watch, Chosen, list[Condition]]]:
+    """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets
+    for which it has this sign."""
     phase = node.phase
     value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
     difference = value - phase.model.geometry.scalar(event.value)
-    at_first = tree.numbers(tree.to_home(phase, phase.start_instant.here(difference)))[node.sets]
-    signs = set(np.sign(at_first[np.abs(at_first) > 1e-9]).tolist())
-    if len(signs) > 1:
-        raise CannotAnswer(f"whether '{event.text}' is reached from below or above depends on the parameter values")
-    return Watch("is reached", event.text, -difference if signs == {-1.0} else difference)
+    left, place = node.sets, f"'{event.text}' is reached from this side"
+    x = difference
+    for _derivative in range(3):
+        at_first = tree.to_home(phase, phase.start_instant.here(phase.model.in_independent_speeds(x)))
+        numbers = tree.numbers(at_first)[left]
+        for sign in (1, -1):
+            mine = left[sign * numbers > _NONE]
+            if len(mine):
+                watch = Watch("is reached", event.text, sign * difference)
+                given = tree.conditions([(sign * at_first, ">", place)], mine) if len(mine) < len(node.sets) else []
+                yield watch, mine, given
+        left = left[~(np.abs(numbers) > _NONE)]
+        if not len(left):
+            return
+        x = phase.model.field.substitute(phase.model.rate(x), phase.model.solved_accelerations)
 
 
 # -- the value there --------------------------------------------------------------------------
-def _piece(tree: Tree, question: Question, way: _Way, first: First, conditions: list[Condition], sets: Chosen) -> Piece:
+def _piece(
+    tree: Tree,
+    question: Question,
+    way: _Way,
+    first: First,
+    conditions: list[Condition],
+    sets: Chosen,
+    after: Node | None = None,
+) -> Piece:
     notes: list[str] = []
     time = _total(tree, way, first)
     if isinstance(course := way.last.phase.course, Energy) and course.coordinate.speed not in first.zero.values:
         notes.append("that it gets so far was checked at many parameter values; there is no short condition for it")
-    value = _value_there(tree, question.quantity, way, first, time, notes)
-    return Piece(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes)
+    phase = way.last.phase
+    there = SymbolicState(phase.model, {**_still(phase), **first.zero.values})
+    if after is not None:
+        phase, there = after.phase, after.phase.start_instant
+        notes.append(_just_after(after))
+    elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
+        notes.append(f"just before the impact of {label(hits[0].name)}, which comes at the same instant")
+    value = _value(tree, question.quantity, way, phase, there, time, notes, first, after)
+    return Piece(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
 
 def _total(tree: Tree, way: _Way, first: First) -> Ratio | None:
@@ -203,11 +294,18 @@ def _total(tree: Tree, way: _Way, first: First) -> Ratio | None:
     return None if first.zero.time is None else total + tree.to_home(way.last.phase, first.zero.time)
 
 
-def _value_there(
-    tree: Tree, quantity: Quantity, way: _Way, first: First, time: Ratio | None, notes: list[str]
+def _value(
+    tree: Tree,
+    quantity: Quantity,
+    way: _Way,
+    phase: Phase,
+    there: SymbolicState,
+    time: Ratio | None,
+    notes: list[str],
+    first: First | None = None,
+    after: Node | None = None,
 ) -> Elements:
-    phase = way.last.phase
-    there = SymbolicState(phase.model, {**_still(phase), **first.zero.values})
+    """The quantity at an instant of a phase, by the parameters alone; `first` ends the last phase of the way there."""
     begin = way.nodes[0].phase
     match quantity:
         case When():
@@ -218,10 +316,11 @@ def _value_there(
                 )
             return time
         case Change(measure, _name):
-            after, before = there.value(measure), begin.start_instant.value(measure)
-            return tree.to_home(phase, after) - tree.to_home(begin, before)
+            last, earlier = there.value(measure), begin.start_instant.value(measure)
+            return tree.to_home(phase, last) - tree.to_home(begin, earlier)
         case EnergyLost():
-            return _heat(tree, way, first)
+            collisions = (_taken_by_impact(tree, node) for node in (*way.nodes, *(() if after is None else (after,))))
+            return sum(collisions, _heat(tree, way, first))
         case Turns(body):
             return _turns(tree, body, way, first, notes)
         case Work(of):
@@ -241,7 +340,7 @@ def _value_there(
             return tree.to_home(phase, value)
 
 
-def _heat(tree: Tree, way: _Way, first: First) -> Ratio:
+def _heat(tree: Tree, way: _Way, first: First | None) -> Ratio:
     """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
     s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
     total = tree.home.model.field.zero
@@ -250,7 +349,10 @@ def _heat(tree: Tree, way: _Way, first: First) -> Ratio:
         rubbing = frictions(phase.system)
         if not rubbing:
             continue
-        zero = first.zero if last else way.edges[k].first.zero  # type: ignore[union-attr]
+        ends = first if last else way.edges[k].first
+        if ends is None:
+            continue
+        zero = ends.zero
         if isinstance(phase.course, Energy):
             total = total + _energy_lost(tree, phase, zero.values)
             continue
@@ -276,7 +378,17 @@ def _energy_lost(tree: Tree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio
     return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
-def _turns(tree: Tree, body: str, way: _Way, first: First, notes: list[str]) -> Ratio:
+def _taken_by_impact(tree: Tree, node: Node) -> Ratio:
+    """What the mechanical energy loses in the collision with which a phase begins."""
+    if node.impact is None:
+        return tree.home.model.field.zero
+    setup, phase = node.impact.before.setup, node.phase
+    before = energy("total", None, plain(setup.system), node.impact.before.now)
+    after = energy("total", None, plain(phase.system), phase.start_instant)
+    return tree.to_home(setup, before) - tree.to_home(phase, after)
+
+
+def _turns(tree: Tree, body: str, way: _Way, first: First | None, notes: list[str]) -> Ratio:
     """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
     from freebody.measures.angle import Angle
 
@@ -284,7 +396,8 @@ def _turns(tree: Tree, body: str, way: _Way, first: First, notes: list[str]) -> 
     total = home.zero
     for k, node in enumerate(way.nodes):
         phase = node.phase
-        values = way.edges[k].first.zero.values if k < len(way.edges) else first.zero.values  # type: ignore[union-attr]
+        ends = way.edges[k].first if k < len(way.edges) else first
+        values = phase.start.values if ends is None else ends.zero.values
         end = SymbolicState(phase.model, {**_still(phase), **values})
         angle = Angle(body)
         a, b = (tree.to_home(phase, s.value(angle)) for s in (phase.start_instant, end))

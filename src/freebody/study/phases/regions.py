@@ -13,7 +13,7 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
-from freebody.study.phases.numbers import coefficients_of_friction
+from freebody.study.phases.numbers import coefficients_of_friction, holds
 
 if TYPE_CHECKING:
     from freebody.study.phases.result import Phases
@@ -54,12 +54,10 @@ def regions(phases: Phases, x: str, y: str, n: int) -> Regions:
     sets = tree.sets.at(values)
     index = np.full(n * n, -1)
     for k, case in enumerate(phases.cases):
-        holds = np.ones(n * n, dtype=bool)
+        inside = np.ones(n * n, dtype=bool)
         for relation in case.relations:
-            numbers = sets.evaluate(tree.home.model, relation.element)
-            with np.errstate(invalid="ignore"):
-                holds &= numbers >= 0 if relation.relation == ">=" else numbers > 0
-        index = np.where(holds & (index < 0), k, index)
+            inside &= holds(relation, sets.evaluate(tree.home.model, relation.element))
+        index = np.where(inside & (index < 0), k, index)
     labels, shown = zip(*(_labelled(phases, name, axis) for name, axis in zip((x, y), axes, strict=True)), strict=True)
     cases = tuple(c.what for c in phases.cases)
     conditions = tuple(", ".join(c.conditions) or "always" for c in phases.cases)

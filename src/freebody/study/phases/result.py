@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
+
+import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.notation import reworded, stated_plain, to_python
 from freebody.model.elements import Held
-from freebody.study.phases.numbers import coefficients_of_friction
+from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import Regions, regions
-from freebody.study.phases.tree import Edge, Node, Tree, tree_of
+from freebody.study.phases.tree import Edge, Impact, Node, Tree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require
@@ -42,6 +44,9 @@ class PhaseResult:
     place: tuple[Expr, Expr] | None = None  # coordinate and its value at the event, where there is no time
     happens_if: tuple[str, ...] = ()  # inequalities that make this event the one that ends it
     reason: str = ""  # why there is no closed form, or why nothing follows
+    impact: str = ""  # with which it begins
+    impulses: tuple[tuple[str, Expr], ...] = ()
+    is_proved: bool = True  # that nothing else ends it follows from formulas
 
     def to_plain(self) -> dict[str, Any]:
         return {
@@ -56,6 +61,9 @@ class PhaseResult:
             "place": None if self.place is None else {to_python(self.place[0]): to_python(self.place[1])},
             "happens_if": list(map(stated_plain, self.happens_if)),
             "reason": self.reason or None,
+            "impact": self.impact or None,
+            "impulses": {name: to_python(e) for name, e in self.impulses},
+            "proved": self.is_proved,
         }
 
 
@@ -68,6 +76,7 @@ class Case:
     phases: tuple[PhaseResult, ...]
     is_own: bool  # the one of the model's own values
     n_sets: int  # parameter sets that were seen to take it
+    is_exact: bool = True  # the conditions are sufficient, too
     relations: tuple[Relation, ...] = field(default=(), compare=False, repr=False)
 
     def to_plain(self) -> dict[str, Any]:
@@ -76,6 +85,7 @@ class Case:
             "conditions": list(map(stated_plain, self.conditions)),
             "is_own": self.is_own,
             "sets": self.n_sets,
+            "exact": self.is_exact,
             "phases": [p.to_plain() for p in self.phases],
         }
 
@@ -89,6 +99,7 @@ class Phases:
     n_sets: int
     reasons: tuple[str, ...]  # modes that could not be looked at, and why
     between: tuple[str, ...]  # equations on which nothing slips at the start, between cases
+    missing: str  # why there is no case at some parameter sets; empty where there is one at all
     tree: Tree = field(compare=False, repr=False)
 
     def to_plain(self) -> dict[str, Any]:
@@ -97,6 +108,7 @@ class Phases:
             "parameter_sets": self.n_sets,
             "left_out": list(self.reasons),
             "between": list(map(stated_plain, self.between)),
+            "missing": self.missing or None,
         }
 
     @property
@@ -128,7 +140,21 @@ def phases_of(tree: Tree) -> Phases:
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)
     between = tuple(_equation(x) for x in tree.boundaries)
-    return Phases(tree.system, tuple(cases), tree.sets.n, tuple(dict.fromkeys(tree.reasons)), between, tree)
+    reasons = tuple(dict.fromkeys(tree.reasons))
+    return Phases(tree.system, tuple(cases), tree.sets.n, reasons, between, _missing(tree, reasons), tree)
+
+
+def _missing(tree: Tree, reasons: Sequence[str]) -> str:
+    """Why no case was found at some parameter sets."""
+    covered = np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
+    if tree.sets.left_out[np.setdiff1d(tree.indices, covered)].all():
+        return ""
+    return reasons[-1] if reasons else "no state of the contacts was found that is consistent with the start"
+
+
+def _sets(path: Path) -> Chosen:
+    node, edge = path[-1]
+    return node.sets if edge is None else edge.sets
 
 
 def _equation(x: Ratio) -> str:
@@ -171,21 +197,26 @@ def relations(tree: Tree, conditions: list[Condition]) -> list[Relation]:
 
 def _case(tree: Tree, path: Path) -> Case:
     found = relations(tree, path_conditions(tree, path))
-    last_node, last_edge = path[-1]
-    sets = last_node.sets if last_edge is None else last_edge.sets
+    sets = _sets(path)
     shown = [
         _phase(tree, node, edge, path[k + 1][0] if k + 1 < len(path) else None) for k, (node, edge) in enumerate(path)
     ]
     is_own = tree.system.has_values and 0 in sets
     texts = tuple(r.text() for r in found)
-    return Case(_title([p.what for p in shown]), texts, tuple(shown), is_own, len(sets), tuple(found))
+    is_exact = all(n.is_exact and (e is None or e.is_exact) for n, e in path)
+    return Case(_title(shown), texts, tuple(shown), is_own, len(sets), is_exact, tuple(found))
 
 
-def _title(what: list[str]) -> str:
+def _title(shown: Sequence[PhaseResult]) -> str:
     """slides, then rolls"""
     words: list[str] = []
-    for k, word in enumerate(what):
-        words.append("slides back" if word == "slides" and k and what[k - 1] == "slides" else word)
+    for k, phase in enumerate(shown):
+        word = phase.what
+        if phase.impact:
+            word = "rebounds" if word == "flies" else f"{word} after the impact"
+        elif word == "slides" and k and shown[k - 1].what == "slides":
+            word = "slides back"
+        words.append(word)
     return ", then ".join(words)
 
 
@@ -216,6 +247,18 @@ def _phase(tree: Tree, node: Node, edge: Edge | None, following: Node | None) ->
         place,
         happens,
         why,
+        "" if node.impact is None else node.impact.words,
+        () if node.impact is None else _impulses(tree, node.impact),
+        edge is None or edge.is_proved,
+    )
+
+
+def _impulses(tree: Tree, impact: Impact) -> tuple[tuple[str, Expr], ...]:
+    """Impulses as their reactions are counted: at a bound a push is positive."""
+    rows = {row.name: row for row in tree.system.rows}
+    return tuple(
+        (f"impulse of {rows[name].reaction} of {label(name)}", readable(rows[name].sign * x))
+        for name, x in impact.impulses.items()
     )
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -23,11 +23,16 @@ import numpy as np
 
 from freebody.effort import allowed
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.study.phases.events import First, first_events
+from freebody.model.elements import Bound, Held, Rub
+from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
+from freebody.study.phases.events import First, Outcome, Proofs, first_events
 from freebody.study.phases.home import Home
-from freebody.study.phases.numbers import Chosen, Mask
+from freebody.study.phases.impact import Blow, Collision
+from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Placed, Watch, has_lines
+from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
+from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import Mode, ideal_bounds
@@ -36,10 +41,12 @@ from freebody.system.system import System
 MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_CANDIDATES = 48
+MAX_IMPACTS = 2  # one after the other, in formulas
 _ZERO = 1e-9
+_EFFORT = 1000  # what an effort is told by
+_NONE = 1e-12  # a rate that is none, beside the others
 # what can go wrong with formulas that are too long, or that have no value
 NO_FORM = (CannotAnswer, ExpressionError, OverflowError, ZeroDivisionError)
-_LONG_ANGLE = 3
 
 
 def why(error: Exception) -> str:
@@ -57,10 +64,26 @@ class Edge:
     sets: Chosen  # indices of the parameter sets that take this way
     nodes: list[Node] = field(default_factory=list["Node"])
     stops: str = ""  # why nothing follows
+    is_exact: bool = True  # the conditions tell it from the other ends
+    is_proved: bool = True  # that nothing else ends the phase follows from formulas
 
     @property
     def watch(self) -> Watch | None:
         return None if self.first is None else self.first.watch
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A collision with which a phase begins: what hits, and the impulses by row in the home field; `before` is the
+    state just before."""
+
+    hits: tuple[str, ...]
+    impulses: Mapping[str, Ratio]
+    before: Collision
+
+    @property
+    def words(self) -> str:
+        return "impact of " + ", ".join(dict.fromkeys(label(name) for name in self.hits))
 
 
 @dataclass
@@ -73,6 +96,25 @@ class Node:
     depth: int
     edges: list[Edge] = field(default_factory=list[Edge])
     reason: str = ""  # why its motion has no closed form
+    impact: Impact | None = None  # with which it begins
+    n_impacts: int = 0  # so far
+    is_exact: bool = True
+    known: tuple[Condition, ...] = ()  # what holds on the way to it
+
+
+@dataclass(frozen=True)
+class Instant:
+    """A state in which a phase begins: what touches without parting, slips by friction, and what comes from before."""
+
+    placed: Placed
+    closed: frozenset[str]
+    slips: Mapping[str, Ratio]
+    before: Mapping[str, int] = field(default_factory=dict[str, int])
+    excluded: tuple[str, int] | None = None
+    impact: Impact | None = None
+    n_impacts: int = 0
+    known: tuple[Condition, ...] = ()  # what holds on the way to it
+    given: tuple[Condition, ...] = ()  # what makes it the state that follows
 
 
 class Tree(Home):
@@ -82,66 +124,186 @@ class Tree(Home):
         super().__init__(system)
         self.n_nodes = 0
         self.reasons: list[str] = []
+        self.lost: dict[int, str] = {}  # parameter sets for which nothing follows on the start, and why
         self.seen: dict[Any, Any] = {}  # motions in numbers, kept for other questions
-        self.slips = {
-            rub.name: self.at_start(self.home.state.rate(rub.row.measure))
-            for rub in self.system.rubs
-            if not rub.of or rub.of in self.closed
-        }
-        self.boundaries = [x for x in self.slips.values() if self.changes_sign(x, self.indices)]
-        self.roots = self._follow(Placed(), self.closed, self.slips, {}, self.indices, 0)
+        self.slips: dict[str, Ratio] = {}  # at the start, where nothing collides
+        self.roots: list[Node] = []
+        self.boundaries: list[Ratio] = []
+        rates = {name: self.at_start(self.home.state.rate(self._bound(name).row.measure)) for name in self.moving}
+        rates = {name: self._bound(name).row.sign * x for name, x in rates.items()}
+        for signs, sets in self._by_sign(rates, self.indices):
+            self._begin(rates, signs, sets)
+        self.roots.sort(key=lambda node: int(node.sets[0]))
+
+    def nodes(self) -> Iterator[Node]:
+        """All of them, from the start on."""
+        left = list(self.roots)
+        while left:
+            node = left.pop(0)
+            yield node
+            left += [after for edge in node.edges for after in edge.nodes]
+
+    # -- the start --------------------------------------------------------------------------------
+    def _bound(self, name: str) -> Bound:
+        return next(b for b in self.system.bounds if b.name == name)
+
+    def bound_row(self, name: str) -> Held:
+        """Of a bound, or of a connection that cannot pull."""
+        return next(
+            row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
+        )
+
+    def _by_sign(self, rates: Mapping[str, Ratio], indices: Chosen) -> Iterator[tuple[dict[str, int], Chosen]]:
+        """The sets by the signs of the rates at which gaps change."""
+        if not rates:
+            yield {}, indices
+            return
+        numbers = {name: self.numbers(x)[indices] for name, x in rates.items()}
+        largest = np.max([np.abs(v) for v in numbers.values()], axis=0)
+        table = np.array([np.sign(np.where(np.abs(v) > _NONE * largest, v, 0.0)) for v in numbers.values()]).T
+        for row in np.unique(table, axis=0)[::-1]:
+            mine = indices[(table == row).all(axis=1)]
+            yield dict(zip(numbers, row.astype(int).tolist(), strict=True)), mine
+
+    def _begin(self, rates: Mapping[str, Ratio], signs: Mapping[str, int], sets: Chosen) -> None:
+        """The velocities of the start decide: a gap of zero that grows opens at once, one that shrinks is an impact."""
+        given: list[Condition] = []
+        for name, sign in signs.items():
+            if sign:
+                what = "opens at once" if sign > 0 else "is struck at once"
+                given += self.conditions([(sign * rates[name], ">", f"{name.partition('.')[0]} {what}")], sets)
+            else:
+                given.append(Condition(rates[name].numerator(), "=", f"{name.partition('.')[0]} keeps touching"))
+        hits = tuple(sorted(name for name, sign in signs.items() if sign < 0))
+        closed = self.closed | {name for name, sign in signs.items() if sign == 0}
+        if hits:
+            nodes = self._struck(Instant(Placed(), closed, {}, given=tuple(given)), hits, sets, 0)
+        else:
+            here = self.home.state
+            slips = {r.name: self.at_start(here.rate(r.row.measure)) for r in self._rubbing(closed)}
+            self.slips |= slips
+            self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
+            nodes = self._follow(Instant(Placed(), closed, slips, given=tuple(given)), sets, 0)
+        self.roots += nodes
+        gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
+        reason = self.reasons[-1] if self.reasons else "no state of the contacts is consistent with the start"
+        self.lost |= dict.fromkeys(gone.tolist(), reason)
+
+    def _rubbing(self, closed: frozenset[str]) -> list[Rub]:
+        return [rub for rub in self.system.rubs if not rub.of or rub.of in closed]
+
+    # -- impacts ----------------------------------------------------------------------------------
+    def _struck(self, instant: Instant, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[Node]:
+        """The phases that follow on a collision. Where it has no closed form there is none, and a reason more."""
+        found: list[Node] = []
+        try:
+            collision = Collision(self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3))
+            blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
+        except NO_FORM as error:
+            self.reasons.append(why(error))
+            return []
+        labels = np.full(self.sets.n, NOTHING)
+        for k, (_blow, _elements, tests) in enumerate(blows):
+            holds = np.all([t.holds & t.known for t in tests], axis=0) if tests else np.ones(self.sets.n, dtype=bool)
+            labels[holds & (labels == NOTHING)] = k
+        for cell in cells(labels, indices, [t for _b, _e, tests in blows for t in tests]):
+            if cell.label == NOTHING:
+                self.reasons.append(f"no outcome of the impact of {_connections(hits)} was found at some values")
+                continue
+            blow, elements, _tests = blows[cell.label]
+            impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
+            given = self.conditions([*elements, *cell.cuts], cell.sets)
+            now = replace(instant, impact=Impact(hits, impulses, collision), n_impacts=instant.n_impacts + 1)
+            now = replace(now, given=(*instant.given, *given))
+            nodes = self._after_blow(collision, blow, now, cell.sets, depth)
+            for node in nodes:
+                node.is_exact = node.is_exact and cell.is_exact
+            found += nodes
+        return found
+
+    def _tested(self, collision: Collision, blow: Blow) -> tuple[list[Inequality], list[Test]]:
+        elements = [(self.to_home(collision.setup, x), relation, purpose) for x, relation, purpose in blow.conditions]
+        return elements, [self._test(x, relation, purpose) for x, relation, purpose in elements]
+
+    def _after_blow(
+        self, collision: Collision, blow: Blow, instant: Instant, indices: Chosen, depth: int
+    ) -> list[Node]:
+        """A contact without rebound stays closed; what rebounds opens."""
+        values = {**collision.start.values, **blow.speeds}
+        after = SymbolicState(collision.model, values)
+        try:
+            placed = self.placed(collision.setup, values)
+            rates = {
+                b.name: b.row.sign * self.to_home(collision.setup, after.rate(b.row.measure)) for b in collision.hits
+            }
+            touching = collision.kept | rates.keys()
+            slips = {r.name: self.to_home(collision.setup, after.rate(r.row.measure)) for r in self._rubbing(touching)}
+        except NO_FORM as error:
+            self.reasons.append(why(error))
+            return []
+        found: list[Node] = []
+        for signs, sets in self._by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
+            closed = touching - {name for name, sign in signs.items() if sign}
+            own = {r.name: slips[r.name] for r in self._rubbing(closed)}
+            found += self._follow(replace(instant, placed=placed, closed=closed, slips=own), sets, depth)
+        return found
 
     # -- which modes follow -----------------------------------------------------------------------
-    def _follow(
-        self,
-        placed: Placed,
-        closed: frozenset[str],
-        slips: Mapping[str, Ratio],
-        before: Mapping[str, int],
-        indices: Chosen,
-        depth: int,
-        excluded: tuple[str, int] | None = None,
-    ) -> list[Node]:
+    def _test(self, x: Ratio, relation: str, purpose: str) -> Test:
+        """An inequality at all sets; where it may be an equality, near the file's values up to round-off."""
+        numbers = self.numbers(x)
+        test = as_test(x, relation, numbers, purpose)
+        if relation == "=":
+            return replace(test, holds=np.abs(numbers) <= _NONE)
+        near = np.abs(numbers) <= _ZERO * min(1.0, float(np.nanmedian(np.abs(numbers[: self.sets.n_near]))))
+        near &= np.arange(self.sets.n) < self.sets.n_near
+        return replace(test, holds=test.holds & ~near if relation == ">" else test.holds | near)
+
+    def _follow(self, instant: Instant, indices: Chosen, depth: int) -> list[Node]:
         """The phases that begin in a state, each with the parameter sets for which it does."""
         left = indices
-        found: list[Node] = []
-        failed: list[list[tuple[Ratio, str, Mask]]] = []  # the checks of the modes tried before, where they fail
-        for mode in self._candidates(closed, slips, before, excluded, left):
+        phases: list[tuple[Phase, list[Inequality]]] = []
+        labels = np.full(self.sets.n, NOTHING)
+        tests: list[Test] = []
+        for mode in self._candidates(instant, left):
             if not len(left) or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
-                phase = self._phase(mode, placed, left)
-                checks = list(self._checks(phase, closed, slips, excluded))
-                holds = np.ones(self.sets.n, dtype=bool)
-                elements: list[tuple[Ratio, str, str]] = []
-                fails: list[tuple[Ratio, str, Mask]] = []
-                for x, relation, purpose in checks:
-                    value = self.to_home(phase, x)
-                    numbers = self.numbers(value)
-                    passes = numbers > _ZERO if relation == ">" else numbers >= -_ZERO
-                    holds &= passes
-                    elements.append((value, relation, purpose))
-                    fails.append((value, relation, ~passes))
+                phase = self._phase(mode, instant.placed, left)
+                checks = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in self._checks(phase, instant)]
+                checks += _without_slip(mode, instant)
+                own = [self._test(*check) for check in checks]
             except NO_FORM as error:
                 self.reasons.append(why(error))
                 continue
+            tests += [t for t in own if t.relation != "="]
+            holds = np.all([t.holds & t.known for t in own], axis=0) if own else np.ones(self.sets.n, dtype=bool)
             mine = left[holds[left]]
-            if not len(mine):
-                failed.append(fails)
-                continue
-            elements += _opposites(failed, mine)
-            failed.append(fails)
-            left = left[~holds[left]]
-            self.n_nodes += 1
-            conditions = self.conditions(elements, mine)
-            found.append(Node(phase, conditions, mine, depth))
+            if len(mine):
+                labels[mine] = len(phases)
+                phases.append((phase, checks))
+                self.n_nodes += 1
+                left = left[~holds[left]]
+        if not phases:
+            return []
+        found: list[Node] = []
+        for cell in cells(labels, indices, [replace(t, against="") for t in tests]):
+            if cell.label != NOTHING:
+                phase, checks = phases[cell.label]
+                cuts = [cut for cut in cell.cuts if not any(cut[:2] == check[:2] for check in checks)]
+                conditions = self.conditions([*checks, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
+                node = Node(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
+                node.impact, node.n_impacts, node.known = instant.impact, instant.n_impacts, instant.known
+                found.append(node)
         for node in found:
             self._end(node)
-        found.sort(key=lambda node: int(node.sets[0]))
         return found
 
     def _phase(self, mode: Mode, placed: Placed, left: Chosen) -> Phase:
         phase = Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
+        if placed.bodies is None and self._parts_too_early(phase):
+            placed = self.placed(self.home, self.home.start.values)
+            return Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
         if placed.bodies is None and mode.closed != self.closed and has_lines(self.system):
             with suppress(CannotAnswer):
                 _ = phase.course
@@ -153,15 +315,16 @@ class Tree(Home):
                 )
         return phase
 
-    def _candidates(
-        self,
-        closed: frozenset[str],
-        slips: Mapping[str, Ratio],
-        before: Mapping[str, int],
-        excluded: tuple[str, int] | None,
-        indices: Chosen,
-    ) -> Iterator[Mode]:
+    def _parts_too_early(self, phase: Phase) -> bool:
+        """Whether the rates that nobody gave move what touches apart: what opens does so from the start of all that
+        keeps touching."""
+        gone = self.closed - phase.mode.closed
+        rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
+        return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
+
+    def _candidates(self, instant: Instant, indices: Chosen) -> Iterator[Mode]:
         """Modes in the order in which they are tried: all closed, sticking before sliding."""
+        closed, slips, before, excluded = instant.closed, instant.slips, instant.before, instant.excluded
         choices: list[list[tuple[str, int | None]]] = []
         for name in sorted(closed):
             open_now = excluded == (name, 0)
@@ -197,11 +360,10 @@ class Tree(Home):
         of = next(r.of for r in self.system.rubs if r.name == rub)
         return not of or of in closed
 
-    def _checks(
-        self, phase: Phase, closed: frozenset[str], slips: Mapping[str, Ratio], excluded: tuple[str, int] | None
-    ) -> Iterator[tuple[Ratio, str, str]]:
+    def _checks(self, phase: Phase, instant: Instant) -> Iterator[Inequality]:
         """Inequalities between elements of the parameters that make the mode consistent at its start. What an event has
         just let go of, by a force that falls through its limit, goes on of itself."""
+        closed, slips, excluded = instant.closed, instant.slips, instant.excluded
         here, model = phase.start_instant.here, phase.model
         if phase.determinant is not None:
             yield here(phase.determinant), ">", "friction forces exist"
@@ -234,82 +396,123 @@ class Tree(Home):
     def _end(self, node: Node) -> None:
         """The first events, and what follows each."""
         try:
-            found, never = first_events(node.phase, self.sets, node.sets)
+            outcomes = first_events(node.phase, self.sets, node.sets)
         except NO_FORM as error:
             node.reason = why(error)
             return
-        for first, indices in found:
-            time = None if first.zero.time is None else self.to_home(node.phase, first.zero.time)
-            elements = [(self.to_home(node.phase, x), ">", why) for x, why in first.conditions]
-            edge = Edge(first, time, self.conditions(elements, indices), indices)
-            node.edges.append(edge)
-            self._after(node, edge)
         gone = [row.connection for row in ideal_bounds(self.system) if row.name not in node.phase.mode.closed]
         again = f"whether {gone[0]} closes again is not looked at; simulate the motion" if gone else ""
-        if len(never):
-            elements = [(self.to_home(node.phase, x), ">=", why) for x, why in _negated(found)]
-            node.edges.append(Edge(None, None, self.conditions(elements, never), never, stops=again))
-        node.edges.sort(key=lambda e: int(e.sets[0]))
+        for outcome in outcomes:
+            first = outcome.first
+            time = None if first is None or first.zero.time is None else self.to_home(node.phase, first.zero.time)
+            conditions = self.outcome_conditions(node.phase, outcome)
+            proved = all(self._never(node, conditions, proofs) for proofs in outcome.unsure)
+            edge = Edge(first, time, conditions, outcome.sets, is_exact=outcome.is_exact, is_proved=proved)
+            node.edges.append(edge)
+            if first is None:
+                edge.stops = again
+            else:
+                self._after(node, edge)
+
+    def _never(self, node: Node, conditions: Sequence[Condition], proofs: Proofs) -> bool:
+        """Whether it follows from the conditions that something does not end a phase."""
+        premises = [*self.assumed, *node.known, *node.conditions, *conditions]
+        return any(all(decide(self.to_home(node.phase, x), ">=", premises) for x in group) for group in proofs)
+
+    def outcome_conditions(self, phase: Phase, outcome: Outcome) -> list[Condition]:
+        elements = [(self.to_home(phase, x), relation, purpose) for x, relation, purpose in outcome.conditions]
+        return self.conditions(elements, outcome.sets)
 
     def _after(self, node: Node, edge: Edge) -> None:
         watch = edge.watch
         assert edge.first is not None
         assert watch is not None
-        if watch.kind == "touches":
-            edge.stops = (
-                f"{watch.connection} touches: an impact, at which the formulas end; simulate the motion for more"
-            )
-            return
         if node.depth + 1 >= allowed(MAX_DEPTH) or self.n_nodes >= allowed(MAX_NODES):
             edge.stops = f"after {node.depth + 1} phases the search ends; raise the effort (--effort) to go on"
             return
         phase = node.phase
+        there = SymbolicState(phase.model, edge.first.zero.values)
+        states = dict(phase.mode.states)
+        before = {n: s for n, s in states.items() if n != watch.name}
+        known = (*node.known, *node.conditions, *edge.conditions)
+        n_reasons = len(self.reasons)
         try:
             placed = self.placed(phase, dict(edge.first.zero.values))
+            if watch.kind == "touches":
+                edge.nodes = self._touched(node, edge, placed, before, known)
+            else:
+                slips: dict[str, Ratio] = {}
+                for name, state in states.items():
+                    is_still = name == watch.name or state == 0
+                    rate = None if is_still else self.to_home(phase, there.rate(phase.rubs[name].row.measure))
+                    slips[name] = self.home.model.field.zero if rate is None else rate
+                excluded = {"opens": (watch.name, 0), "slips": (watch.name, watch.direction)}.get(watch.kind)
+                closed = phase.mode.closed
+                if watch.kind == "edge ends":
+                    closed = closed - {watch.name} | self._taking_over(phase, there, watch.name, edge.sets)
+                    rubs = self._rubbing(closed)
+                    slips = {r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in rubs}
+                instant = Instant(placed, closed, slips, before, excluded, None, node.n_impacts, known)
+                edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(error)
             return
-        closed = phase.mode.closed
-        states = dict(phase.mode.states)
-        excluded: tuple[str, int] | None
-        if watch.kind == "opens":
-            excluded = (watch.name, 0)
-        elif watch.kind == "slips":
-            excluded = (watch.name, watch.direction)
-        else:
-            excluded = None
-        slips: dict[str, Ratio] = {}
-        for name, state in states.items():
-            if name == watch.name or state == 0:
-                slips[name] = self.home.model.field.zero
-            else:
-                there = SymbolicState(phase.model, edge.first.zero.values)
-                slips[name] = self.to_home(phase, there.rate(phase.rubs[name].row.measure))
-        before = {n: s for n, s in states.items() if n != watch.name}
-        edge.nodes = self._follow(placed, closed, slips, before, edge.sets, node.depth + 1, excluded)
-        if not edge.nodes:
-            edge.stops = self.reasons[-1] if self.reasons else "no mode is consistent there"
+        if not edge.nodes and not edge.stops:
+            edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else "no mode is consistent there"
+
+    def _taking_over(self, phase: Phase, there: SymbolicState, left: str, sets: Chosen) -> frozenset[str]:
+        """The places of the same two outlines that touch where an edge ends: the corner behind it."""
+        family, found = self._bound(left).family, set[str]()
+        for bound in self.system.bounds:
+            if bound.name in phase.mode.closed or bound.family != family:
+                continue
+            gap = self.numbers(self.to_home(phase, there.here(phase.gap(bound.row))))[sets]
+            spans = [self.numbers(self.to_home(phase, there.here(x)))[sets] for x in phase.spans(bound.name)]
+            if (np.abs(gap) > _ZERO).any() or any((span < -_ZERO).any() for span in spans):
+                continue
+            rate = bound.row.sign * self.numbers(self.to_home(phase, there.rate(bound.row.measure)))[sets]
+            if (rate < -_ZERO).any():
+                raise CannotAnswer(f"{label(left)} reaches the end of its edge and collides there; simulate the motion")
+            if (np.abs(rate) <= _ZERO).all():
+                found.add(bound.name)
+        return frozenset(found)
+
+    def _touched(
+        self, node: Node, edge: Edge, placed: Placed, before: Mapping[str, int], known: tuple[Condition, ...]
+    ) -> list[Node]:
+        """A gap that closes with a speed is an impact. After MAX_IMPACTS of them the formulas end."""
+        watch = edge.watch
+        assert watch is not None
+        if node.n_impacts >= allowed(MAX_IMPACTS):
+            edge.stops = (
+                f"{watch.connection} touches once more; after {node.n_impacts} impacts the formulas end; raise the "
+                "effort (--effort) to go on"
+            )
+            return []
+        instant = Instant(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
+        return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
+
+
+def tree_of(system: System) -> Tree:
+    """The tree of a system, made once for all that is asked of it. Raises CannotAnswer where there is none."""
+    return _tree(system, allowed(_EFFORT))
 
 
 @lru_cache(maxsize=4)
-def tree_of(system: System) -> Tree:
-    """The tree of a system, made once for all that is asked of it. Raises CannotAnswer where there is none."""
+def _tree(system: System, _effort: int) -> Tree:
+    """With another effort it is another tree."""
     return Tree(system)
 
 
-def _opposites(failed: Sequence[Sequence[tuple[Ratio, str, Mask]]], mine: Chosen) -> list[tuple[Ratio, str, str]]:
-    """A mode that is tried before must fail: where one inequality fails it everywhere, that one is turned round."""
-    found: list[tuple[Ratio, str, str]] = []
-    for checks in failed:
-        everywhere = [(x, relation) for x, relation, fails in checks if fails[mine].all()]
-        somewhere = [x for x, _relation, fails in checks if fails[mine].any()]
-        if len(everywhere) == 1 and len(somewhere) == 1:
-            ((x, relation),) = everywhere
-            found.append((-x, ">" if relation == ">=" else ">=", ""))
-    return found
+def _without_slip(mode: Mode, instant: Instant) -> list[Inequality]:
+    """What sticks from the start on although a slip is possible there must have none."""
+    states = mode.states
+    return [
+        (x, "=", f"{name.partition('.')[0]} does not slip")
+        for name, x in instant.slips.items()
+        if states.get(name) == 0 and not x.is_zero()
+    ]
 
 
-def _negated(found: Sequence[tuple[First, Chosen]]) -> Iterator[tuple[Ratio, str]]:
-    """Where one event alone can happen, and that on one condition, never is its opposite."""
-    if len({id(f.watch) for f, _i in found}) == 1 and len(found[0][0].exists) == 1:
-        yield -found[0][0].exists[0], "no event ends it"
+def _connections(names: Sequence[str]) -> str:
+    return ", ".join(dict.fromkeys(name.partition(".")[0] for name in names))

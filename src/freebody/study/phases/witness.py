@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -24,7 +25,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
-from freebody.system.modes import in_mode
+from freebody.system.modes import Mode, in_mode
 from freebody.system.system import System
 
 Watcher = Callable[[Array, Array, float], float]
@@ -52,11 +53,24 @@ class Seen:
         return self.mode.snapshot(self.q, self.v, self.time)
 
 
+@dataclass(frozen=True)
+class Stage:
+    """A phase to be followed. touching: what touches at the start of the motion, where more does in the phase. hits:
+    what collides when it begins; kept: what keeps touching in that, and for the first phase what does so up to the
+    start, where it opens."""
+
+    phase: Phase
+    touching: frozenset[str] | None = None
+    hits: tuple[str, ...] = ()
+    kept: frozenset[str] = frozenset()
+
+
 class NumericMode:
     """One mode of a system at given parameter values."""
 
-    def __init__(self, base: System, phase: Phase, values: Mapping[str, float]) -> None:
-        self.base, self.mode = base, phase.mode
+    def __init__(self, base: System, stage: Stage, values: Mapping[str, float]) -> None:
+        phase = stage.phase
+        self.base, self.mode, self.stage = base, phase.mode, stage
         system, self.loads = in_mode(base, phase.mode)
         self.system = without_rows(system, phase.dropped)
         self.shared = phase.shared
@@ -70,8 +84,19 @@ class NumericMode:
 
     def _reference(self, loads: Mapping[str, float]) -> Reference:
         reference = Reference(self.system, {**self.values, **loads})
-        reference.assemble()  # from this pose measures count of which only changes mean something
+        # from the start pose measures count of which only changes mean something
+        if self.stage.touching is None:
+            reference.assemble()
+        else:
+            reference.count_from(*self._start)
         return reference
+
+    @cached_property
+    def _start(self) -> tuple[Reference, Array]:
+        """The start of the model, where the mode does not hold yet."""
+        assert self.stage.touching is not None
+        reference = Reference(in_mode(self.base, Mode.of(self.stage.touching, {}))[0], self.values)
+        return reference, reference.assemble()
 
     def start(self) -> tuple[Array, Array]:
         """The start of the model in this mode."""
@@ -133,6 +158,8 @@ class NumericMode:
         for name in [*unilateral, *self.bounds]:
             if name in self.mode.closed:
                 found.append((("opens", name, 0), lambda q, v, t, n=name: self.normal(n, q, v, t)))
+                if name in self.bounds and self.bounds[name].within:
+                    found.append((("edge ends", name, 0), lambda q, v, t, n=name: self.on_edge(n, q, v, t)))
             elif name in self.bounds:
                 found.append((("touches", name, 0), lambda q, v, t, n=name: self.gap(n, q, v, t)))
         for name, state in self.mode.states.items():
@@ -150,6 +177,20 @@ class NumericMode:
         row, reference = self.bounds[name].row, self.references[0]
         target = 0.0 if row.target is None else reference.number(row.target, t)
         return row.sign * (reference.snapshot(q, v, t).value(row.measure) - target)  # type: ignore[arg-type]
+
+    def on_edge(self, name: str, q: Array, v: Array, t: float) -> float:
+        """How far the place of a bound is from the nearer end of its edge; spans that are none count as long."""
+        now, reference = self.references[0].snapshot(q, v, t), self.references[0]
+        found = [np.inf]
+        for span in self.bounds[name].within:
+            value = now.value(span.measure)
+            found += [] if span.low is None else [value - reference.number(span.low, t)]
+            found += [] if span.high is None else [reference.number(span.high, t) - value]
+        return min((x for x in found if abs(x) > _STILL), default=np.inf)
+
+    def _exists(self, event: tuple[str, str, int], q: Array, v: Array, t: float) -> bool:
+        """Whether what closes is within its edge."""
+        return event[0] != "touches" or self.on_edge(event[1], q, v, t) > 0.0
 
     def slip(self, name: str, q: Array, v: Array, t: float) -> float:
         return self._seen(q, v, t)[0].rate(self.rubs[name].row.measure)
@@ -174,7 +215,8 @@ class NumericMode:
             found = s.rate(asked.measure) if asked.order else s.value(asked.measure)
             return found - self.references[0].number(asked.value)
 
-        sign = -1.0 if gap(begin) < 0 else 1.0
+        rate = begin.acceleration(asked.measure) if asked.order else begin.rate(asked.measure)
+        sign = -1.0 if (gap(begin) < 0 if abs(gap(begin)) > _STILL else rate < 0) else 1.0
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
     # -- motion -----------------------------------------------------------------------------------
@@ -189,13 +231,18 @@ class NumericMode:
         def derivative(t: float, y: Array) -> Array:
             return np.concatenate([y[n:], self.accelerations(y[:n], y[n:], t)])
 
+        roots: list[tuple[float, int]] = []
         armed = np.array([watch(q, v, start) for _event, watch in watches]) > _STILL
         for a, b, state in _looks(derivative, np.concatenate([q, v]), start, until):
             y = state(b)
             now = np.array([watch(y[:n], y[n:], b) for _event, watch in watches])
             fallen = np.flatnonzero(armed & (now < 0.0))
             if len(fallen):
+                armed[fallen] = False
                 roots = [(_root(watches[int(k)][1], state, n, a, b), int(k)) for k in fallen]
+                found = [(t, k, state(t)) for t, k in roots]
+                roots = [(t, k) for t, k, y in found if self._exists(watches[k][0], y[:n], y[n:], t)]
+            if len(fallen) and roots:
                 first = min(root for root, _k in roots)
                 at_once = [r for r in roots if r[0] <= first + 1e-9 * abs(first)]
                 time, k = max(at_once, key=lambda r: r[1])
@@ -240,20 +287,58 @@ def _signs(first: Array) -> Sequence[Array]:
     return [np.ones_like(own), own, -own]
 
 
+# -- impacts ----------------------------------------------------------------------------------
+def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str]) -> Array:
+    """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
+    CannotAnswer where it has no solution."""
+    from freebody.numeric.contact.impacts import Law
+    from freebody.numeric.contact.transition import Transition
+    from freebody.study.simulate import Simulator
+
+    simulator = Simulator(base, {n: x for n, x in values.items() if n in base.parameters})
+    bounded = simulator.bounded
+    assert bounded is not None
+    y = bounded.free.state(*simulator.reference.by_body(q, v))
+    touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
+    after = Transition(bounded, Law.NEWTON).after(y, 0.0, simulator.engine.near(), None, touched)
+    if not after.impacts:
+        raise CannotAnswer("the impact has no solution in numbers")
+    return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])
+
+
+def before_impact(base: System, kept: frozenset[str], values: Mapping[str, float]) -> tuple[Snapshot, Array, Array]:
+    """The start of a motion that begins with an impact, just before it."""
+    system, _loads = in_mode(base, Mode.of(kept, {}))
+    reference = Reference(system, {n: x for n, x in values.items() if n in base.parameters})
+    q = reference.assemble()
+    v = reference.velocities(q)
+    return reference.snapshot(q, v), q, v
+
+
+def begun(base: System, stage: Stage, values: Mapping[str, float]) -> tuple[NumericMode, Array, Array]:
+    """The first phase of a motion, and the state in which it begins."""
+    mode = NumericMode(base, stage, values)
+    if not stage.kept and not stage.hits:
+        return mode, *mode.start()
+    _before, q, v = before_impact(base, stage.kept, values)
+    return mode, q, struck(base, values, q, v, stage.hits) if stage.hits else v
+
+
 def follow(
     base: System,
-    phases: Sequence[Phase],
+    stages: Sequence[Stage],
     values: Mapping[str, float],
     until: Sequence[float],
     asked: Event | None = None,
 ) -> list[Seen]:
     """The phases one after the other, each to its event or its time in `until`."""
     found: list[Seen] = []
-    time, q, v = 0.0, np.zeros(0), np.zeros(0)
-    for k, (phase, end) in enumerate(zip(phases, until, strict=True)):
-        mode = NumericMode(base, phase, values)
-        if k == 0:
-            q, v = mode.start()
+    time = 0.0
+    mode, q, v = begun(base, stages[0], values)
+    for k, (stage, end) in enumerate(zip(stages, until, strict=True)):
+        if k:
+            mode = NumericMode(base, stage, values)
+            v = struck(base, values, q, v, stage.hits) if stage.hits else v
         seen = mode.run(q, v, time, end, asked)
         found.append(seen)
         time, q, v = seen.time, seen.q, seen.v

@@ -72,8 +72,11 @@ def _by_connection(found: dict[str, str]) -> dict[str, str]:
     for name, word in found.items():
         if word not in ("touches", "taut", "free"):
             groups.setdefault(name.partition(" (")[0], {})[name] = word
+    touched = {name.partition(" (")[0] for name, word in found.items() if word == "touches"}
     spoken: dict[str, str] = {}
     for connection, words in groups.items():
+        if connection in touched and all(word == "open" for word in words.values()):
+            continue
         closed = {n: w for n, w in words.items() if w != "open"}
         if not closed:
             spoken[connection] = "open"
@@ -96,6 +99,8 @@ def happening(watch: Watch, after: Phase | None) -> str:
             return f"{name} goes slack" if watch.name.endswith(".length") else f"{name} opens"
         case "touches":
             return f"{name} touches"
+        case "edge ends":
+            return f"{name} reaches the end of its edge"
         case "slips":
             return f"{name} begins to slip"
         case "slip ends":
@@ -105,5 +110,7 @@ def happening(watch: Watch, after: Phase | None) -> str:
                     verb(after, after.rubs[watch.name], 0), f"slip of {name} ends"
                 )
             return f"slip of {name} reverses" if state else f"slip of {name} ends"
+        case "is reached":
+            return f"{watch.name} is reached"
         case _:
             return watch.kind

@@ -148,7 +148,20 @@ class Energy(Course):
 
     def places(self, x: Ratio) -> list[Ratio]:
         """Values of the coordinate at which a function of the state vanishes."""
-        return zeros_of(self.model, self.as_function(x), self.coordinate)
+        return self.zeros_of(self.as_function(x))
+
+    def zeros_of(self, x: Ratio) -> list[Ratio]:
+        """Values of the coordinate at which a function of it vanishes; of a polynomial up to the second degree."""
+        f, index = self.model.field, self.coordinate.index
+        _unit, factors = f.factor(x.num)
+        found: list[Ratio] = []
+        for base, _exponent in factors:
+            parts = base.coefficients(index) if index in base.generators() else []
+            if len(parts) == 3 and not any(index in f.ingredients(p) for p in parts):
+                found += quadratic_roots(self.model, parts)
+            elif index in f.ingredients(base):
+                found += zeros_of(self.model, base, self.coordinate)
+        return found
 
     def at(self, value: Ratio, way: int) -> Zero:
         """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1)."""
@@ -164,17 +177,21 @@ class Energy(Course):
         """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
         what makes the place a real number."""
         assert zero.at is not None
+        speed = zero.values.get(self.coordinate.speed)
+        found = (*self.real(zero.at), *(() if speed is None else (speed**2,)))
+        return tuple(x for x in found if not x.is_zero())
+
+    def real(self, place: Ratio) -> tuple[Ratio, ...]:
+        """What must be positive for a place to be a real number."""
         f = self.model.field
         found: list[Ratio] = []
-        for g in sorted(f.ingredients(zero.at)):
+        for g in sorted(f.ingredients(place)):
             name, argument = f.arguments.get(g, ("", f.one))
             if name in ("acos", "asin"):
                 found.append(1 - argument * argument)
             if f.generators[g].kind == "root" and f.generators[g].made_of:
                 found.append(f.radicand(g))
-        if self.coordinate.speed in zero.values:
-            found.append(zero.values[self.coordinate.speed] ** 2)
-        return tuple(x for x in found if not x.is_zero())
+        return tuple(found)
 
     def _time_to(self, value: Ratio) -> Ratio | None:
         """From rest, u^2 = alpha + beta q - w^2 q^2 is harmonic: q - c = (q0 - c) cos(w t) with c = beta/(2 w^2)."""
@@ -208,12 +225,18 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     if len(c) == 2:
         return [f.lowest_terms(-c[0] / c[1])]
     if len(c) == 3:
-        if c[1].is_zero():
-            root = f.sqrt(-c[0] / c[2], model.is_negative)
-            return [root, -root]
-        root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.is_negative)
-        return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
+        return quadratic_roots(model, c)
     raise CannotAnswer(f"the time is a root of a polynomial of degree {len(c) - 1}")
+
+
+def quadratic_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
+    """Of c[0] + c[1] x + c[2] x^2."""
+    f = model.field
+    if c[1].is_zero():
+        root = f.sqrt(-c[0] / c[2], model.is_negative)
+        return [root, -root]
+    root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.is_negative)
+    return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
 
 
 def course_of(model: SymbolicModel, start: StartState) -> Course:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from freebody.language.expression import (
     Call,
@@ -19,6 +19,7 @@ from freebody.language.expression import (
 )
 from freebody.language.notation import Stated, compared
 from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.decide import decide, implied, sign_given
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
@@ -110,9 +111,9 @@ def solved_for(condition: Condition, unknowns: Sequence[int]) -> Relation:
 
 
 def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list[Relation]:
-    """The conditions solved, without those that follow from another one."""
+    """The conditions solved, without those that follow from the others."""
     kept: list[Relation] = []
-    for condition in conditions:
+    for condition in needed(list(conditions)):
         new = solved_for(condition, unknowns)
         if new.unknown is not None and new.bound is not None and _says_nothing(new):
             continue
@@ -121,6 +122,41 @@ def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list
         kept = [old for old in kept if not _follows(old, new)]
         kept.append(new)
     return kept
+
+
+def needed(conditions: Sequence[Condition]) -> list[Condition]:
+    """The conditions without the factors whose signs follow from the others, and without what follows as a whole; of
+    two that follow from each other the first stays."""
+    kept: list[Condition] = []
+    for k, condition in enumerate(conditions):
+        if condition.relation == "=" or all(c.element != condition.element for c in conditions[:k]):
+            kept.append(condition)
+    for condition in reversed(tuple(kept)):
+        if condition.relation == "=":
+            continue
+        others = [c for c in kept if c is not condition and c.relation != "="]
+        if implied(condition, others):
+            kept.remove(condition)
+        else:
+            kept[kept.index(condition)] = _without_factors(condition, others)
+    return kept
+
+
+def _without_factors(condition: Condition, premises: Sequence[Condition]) -> Condition:
+    """A factor that is positive or negative wherever the premises hold decides nothing."""
+    rest, sign, is_changed = condition.element.field.one, 1, False
+    for base, exponent in _factors(condition.element):
+        own = sign_given(base, premises)
+        if not own.is_strict and exponent % 2 == 0 and decide(base, "!=", premises):
+            own = Sign.POSITIVE
+        if own.is_strict and base.generators():
+            sign = -sign if own is Sign.NEGATIVE and exponent % 2 else sign
+            is_changed = True
+        else:
+            rest = rest * base**exponent
+    if not is_changed or not rest.generators():
+        return condition
+    return replace(condition, element=sign * rest)
 
 
 def _says_nothing(r: Relation) -> bool:

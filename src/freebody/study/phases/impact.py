@@ -1,0 +1,189 @@
+"""Impacts in closed form, by Newton's law of restitution: J u+ = -e J u- where contacts collide.
+
+An impulse P along a measure changes the speeds by du = A P. A is the slope of the accelerations in a force along that
+measure, so it is read off the equations of motion with such forces as symbols, and so are the impulses that held rows
+answer with. Of one colliding contact with friction the slip ends in the impact while |T| <= mu P, else T = -s mu P,
+
+    frictionless, n contacts    J A P = -(1 + e) J u-,  P >= 0
+    slip ends                   W (P, T) = (-(1 + e) gap', -slip'),  |T| <= mu P
+    slides on, s = +1, -1       (W_nn - s mu W_nt) P = -(1 + e) gap',  s slip'+ > 0
+
+as the numeric route has it (`numeric/contact/impacts.py`). Forces of finite size (weight, springs, brakes) do nothing
+in an instant. Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.units import FORCE
+from freebody.model.elements import Bound, Held, Parameter, Push, Rub
+from freebody.study.phases.decide import Inequality
+from freebody.study.phases.phase import Given, Placed
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.motion import StartState, start_from_bodies, start_state
+from freebody.symbolic.phases.friction import named_rows
+from freebody.symbolic.state import SymbolicState
+from freebody.system.modes import Mode, in_mode
+from freebody.system.system import System
+
+
+@dataclass(frozen=True)
+class Blow:
+    """One outcome of an impact. Elements are of the field of the collision; `speeds` of the coordinates after it, by
+    generator; `conditions` make it the one that follows."""
+
+    impulses: dict[str, Ratio]  # by row
+    speeds: dict[int, Ratio]
+    conditions: tuple[Inequality, ...]
+
+
+class Collision:
+    """Bounds whose gaps are zero and shrink, in a state; what else touches keeps touching. Raises CannotAnswer where
+    the impact has no closed form here."""
+
+    def __init__(
+        self,
+        base: System,
+        kept: frozenset[str],
+        hits: Sequence[str],
+        placed: Placed,
+        values: Sequence[Mapping[str, float]],
+    ) -> None:
+        bounds = {b.name: b for b in base.bounds}
+        self.base, self.kept = base, kept
+        self.hits: list[Bound] = [bounds[name] for name in hits]
+        self.rubs: list[Rub] = [rub for rub in base.rubs if rub.of in hits]
+        self.others: list[Rub] = [rub for rub in base.rubs if rub.of not in hits and rub.load]
+        if self.rubs and (len(hits) > 1 or len(self.rubs) > 1):
+            raise CannotAnswer(
+                f"{_listed(hits)} collide at once, with friction: such an impact has no closed form here"
+            )
+        system, _loads = in_mode(placed.put_into(base), Mode.of(kept, {}))
+        self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
+        pushes = [Push("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck]
+        forces = {name: Parameter(name, FORCE, None, "any") for name in self.symbols.values()}
+        with_forces = replace(system, pushes=(*system.pushes, *pushes), parameters={**system.parameters, **forces})
+        none = dict.fromkeys(forces, 0.0)
+        self.setup = Given(with_forces, [{**v, **none} for v in values])
+        self.model = self.setup.model
+        self.start: StartState = (
+            start_state(self.model, dict(system.start), dict(system.start_rates))
+            if placed.bodies is None
+            else start_from_bodies(self.model)
+        )
+        self.now = SymbolicState(self.model, self.start.values)
+        self.columns = {name: self.model.field.index(self.model.parameters[s]) for name, s in self.symbols.items()}
+
+    @property
+    def struck(self) -> list[Held]:
+        """The rows along which impulses act."""
+        return [b.row for b in self.hits] + [rub.row for rub in self.rubs]
+
+    def here(self, x: Ratio) -> Ratio:
+        return self.model.field.lowest_terms(self.now.here(x))
+
+    def slopes(self, x: Ratio) -> dict[str, Ratio]:
+        """How a quantity grows with each impulse."""
+        return {name: self.here(self.model.field.partial(x, column)) for name, column in self.columns.items()}
+
+    def blows(self) -> Iterator[Blow]:
+        """The outcomes that may follow."""
+        f = self.model.field
+        table = {row.name: self.slopes(self.now_acceleration(row)) for row in self.struck}
+        wanted: dict[str, Ratio] = {}
+        for bound in self.hits:
+            e = self.here(self.model.geometry.scalar(bound.restitution))
+            wanted[bound.name] = -(1 + e) * self.rate(bound.row)
+        if not self.rubs:
+            yield self._blow(self._solved(table, wanted), ())
+            return
+        (bound,), (rub,) = self.hits, self.rubs
+        n, t = bound.name, rub.name
+        slip = self.rate(rub.row)
+        both = self._solved(table, {**wanted, t: -slip})
+        limit = bound.row.sign * both[n]
+        up, down = (self._coefficient(rub, way) * limit for way in (1, -1))
+        name = rub.row.connection
+        ends = ((up + both[t], ">=", f"{name} does not slip"), (down - both[t], ">=", f"{name} does not slip"))
+        yield self._blow(both, ends)
+        for way in (1, -1):
+            mu = way * self._coefficient(rub, way) * bound.row.sign
+            below = table[n][n] - mu * table[n][t]
+            if below.is_zero():
+                continue
+            P = wanted[n] / below
+            after = slip + table[t][n] * P - mu * table[t][t] * P
+            checks = ((bound.row.sign * P, ">", f"{name} is struck"), (way * after, ">", f"{name} slips"))
+            yield self._blow({n: f.lowest_terms(P), t: f.lowest_terms(-mu * P)}, checks)
+
+    def now_acceleration(self, row: Held) -> Ratio:
+        return SymbolicState(self.model).acceleration(row.measure)
+
+    def rate(self, row: Held) -> Ratio:
+        """Of a measure just before the impact."""
+        return self.model.field.lowest_terms(self.now.rate(row.measure))
+
+    def _coefficient(self, rub: Rub, way: int) -> Ratio:
+        return self.here(self.model.geometry.scalar(rub.coefficient(way)))
+
+    def _solved(self, table: Mapping[str, Mapping[str, Ratio]], wanted: Mapping[str, Ratio]) -> dict[str, Ratio]:
+        """The impulses that change the rates as wanted."""
+        columns = self.columns
+        rows: list[Row] = []
+        for name, change in wanted.items():
+            row = {columns[k]: x for k, x in table[name].items() if k in wanted and not x.is_zero()}
+            if not change.is_zero():
+                row[RHS] = change
+            rows.append(row)
+        solved = solve(self.model.field, rows, [columns[k] for k in wanted], lambda x: x.is_zero())
+        if solved.free or solved.contradictory:
+            raise CannotAnswer(f"the impulses of {_listed(list(wanted))} are not determined")
+        zero = self.model.field.zero
+        return {k: self.model.field.lowest_terms(solved.pivots[columns[k]].get(RHS, zero)) for k in wanted}
+
+    def _blow(self, impulses: dict[str, Ratio], checks: Sequence[Inequality]) -> Blow:
+        model, f = self.model, self.model.field
+        speeds: dict[int, Ratio] = {}
+        for c, a in zip(model.coordinates, model.accelerations, strict=True):
+            change = self._total(model.solved_accelerations[a], impulses)
+            speeds[c.speed] = f.lowest_terms(self.start.of(c.speed) + change)
+        conditions = list(checks)
+        for bound in self.hits:
+            if len(self.hits) > 1:
+                conditions.append((bound.row.sign * impulses[bound.name], ">=", f"{bound.row.connection} is struck"))
+        conditions += self._kept_touching(impulses)
+        return Blow(impulses, speeds, tuple(conditions))
+
+    def _total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
+        total = self.model.field.zero
+        for name, slope in self.slopes(x).items():
+            if name in impulses:
+                total = total + slope * impulses[name]
+        return self.model.field.lowest_terms(total)
+
+    def _kept_touching(self, impulses: Mapping[str, Ratio]) -> Iterator[Inequality]:
+        """What touched before must answer with a push; friction that this loads would act too."""
+        rows = named_rows(self.setup.system)
+        loads = {name for rub in self.others for name in rub.load}
+        for name in {*self.kept, *loads}:
+            if name not in rows:
+                continue
+            push = rows[name].sign * self._total(self.model.multiplier(rows[name]), impulses)
+            if push.is_zero():
+                continue
+            if name in loads:
+                raise CannotAnswer(
+                    f"the impact of {_listed([b.name for b in self.hits])} loads {rows[name].connection} as well, "
+                    "whose friction acts in it: such an impact has no closed form here"
+                )
+            if rows[name].unilateral or name in {b.name for b in self.base.bounds}:
+                yield push, ">=", f"{rows[name].connection} keeps touching"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(dict.fromkeys(name.partition(".")[0] for name in names))
