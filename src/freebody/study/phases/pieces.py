@@ -14,7 +14,7 @@ from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Watch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import Edge, Node, Tree
+from freebody.study.phases.tree import NO_FORM, Edge, Node, Tree, why
 from freebody.study.phases.words import label
 from freebody.study.quantities import energy
 from freebody.symbolic.conditions import Condition
@@ -70,23 +70,24 @@ class _Way:
 def pieces(tree: Tree, question: Question) -> list[Piece]:
     """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
     roots = [_Way((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
+    met: list[str] = []
     if question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
     elif question.event is not None:
-        found = list(_at_event(tree, question, question.event, roots))
+        found = list(_at_event(tree, question, question.event, roots, met))
     else:
         found = [_at_instant(tree, question, way) for way in roots]
     if not found:
-        raise CannotAnswer(_not_found(tree, question))
+        raise CannotAnswer(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))
     return found
 
 
-def _not_found(tree: Tree, question: Question) -> str:
+def _not_found(tree: Tree, question: Question, met: list[str]) -> str:
     """That something never happens is said where every way through the phases is known to its end."""
     asked = question.transition.text if question.transition is not None else str(getattr(question.event, "text", ""))
     nodes = list(tree.nodes())
-    reasons = [n.reason for n in nodes if n.reason] + tree.reasons
+    reasons = met + [n.reason for n in nodes if n.reason] + tree.reasons
     stops = [e.stops for n in nodes for e in n.edges if e.stops]
     known = not tree.lost and all(n.is_exact and all(e.is_exact and e.is_proved for e in n.edges) for n in nodes)
     if known and not reasons and not stops:
@@ -212,18 +213,30 @@ def _is_meant(asked: Transition, watch: Watch) -> bool:
 
 
 # -- a measure reaches a value ----------------------------------------------------------------
-def _at_event(tree: Tree, question: Question, event: Event, ways: list[_Way]) -> Iterator[Piece]:
+def _at_event(tree: Tree, question: Question, event: Event, ways: list[_Way], met: list[str]) -> Iterator[Piece]:
+    """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
         for watch, sets, given in _watches(tree, way.last, event):
-            yield from _in_phase(tree, question, event, way, watch, sets, given)
+            yield from _in_phase(tree, question, event, way, watch, sets, given, met)
 
 
 def _in_phase(
-    tree: Tree, question: Question, event: Event, way: _Way, watch: Watch, sets: Chosen, given: list[Condition]
+    tree: Tree,
+    question: Question,
+    event: Event,
+    way: _Way,
+    watch: Watch,
+    sets: Chosen,
+    given: list[Condition],
+    met: list[str],
 ) -> Iterator[Piece]:
     """In the last phase of a way, or in those that follow it."""
     node = way.last
-    outcomes = first_events(node.phase, tree.sets, sets, [watch])
+    try:
+        outcomes = first_events(node.phase, tree.sets, sets, [watch])
+    except NO_FORM as error:
+        met.append(why(error))
+        return
     for outcome in outcomes:
         if outcome.first is not None and outcome.first.watch is watch:
             conditions = [*given, *tree.outcome_conditions(node.phase, outcome)]
@@ -233,7 +246,7 @@ def _in_phase(
         for after in edge.nodes:
             later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
             if len(later):
-                yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))])
+                yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))], met)
 
 
 def _watches(tree: Tree, node: Node, event: Event) -> Iterator[tuple[Watch, Chosen, list[Condition]]]:
