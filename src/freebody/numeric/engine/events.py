@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.motion import Motion
 
 N_MENDED = 4
+OFF = 1e-4  # by the size of what is watched, that the dense output may be off; more is another count of turns
 PLACES = (0.2113, 0.5437, 0.8771)  # of a step, where what is zero at both ends is looked at
 
 
@@ -78,7 +79,7 @@ def _mended(motion: Motion, watch: Watch, k: int, zero: Zero, t0: float, h: floa
             break
         derivatives = motion.derivatives_of(k)
         size = abs(derivatives[order]) if order < 2 else 0.0
-        if not size < least:
+        if not size < least or size > OFF * watch.size:
             break
         best, least = (at, state), size
         if order > 1 or derivatives[order + 1] == 0.0:

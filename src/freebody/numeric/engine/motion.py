@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.search import Search
 
 MOST_STEPS = 10_000_000
+TURN = 0.5  # [rad] of a body, in which bearings are counted on
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
 
@@ -130,8 +131,26 @@ class Motion:
         return self._collected(status, message, time.perf_counter() - began)
 
     def _track(self) -> None:
-        if self.engine.is_tracked:
-            self.tracks.append((float(self.run.clock[stepping.NOW]), self.engine.near()))
+        """Counts the turns of bearings through the last step, in parts so short that no body turns by much in one: from
+        its ends alone a step of several turns cannot be told from a short one."""
+        e, run = self.engine, self.run
+        if not e.is_tracked:
+            return
+        n_parts = 1
+        if self.tracks:
+            states = run.states
+            turned = e.border.largest_turn(states[stepping.OLD], states[stepping.Y], range(e.n_bodies))
+            n_parts = max(1, math.ceil(turned / TURN))
+        if n_parts > 1:
+            e.count_from(self.tracks[-1][1])
+            y, t0, h = np.zeros(e.n_y), float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
+            for s in np.linspace(0.0, 1.0, n_parts + 1)[1:-1].tolist():
+                stepping.visit(e.layout, e.room, run, s, y, t0 + s * h, self._slope, 0)
+                e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
+                self.tracks.append((t0 + s * h, e.near()))
+            stepping.visit(e.layout, e.room, run, 1.0, y, t0 + h, self._slope, 0)
+            e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
+        self.tracks.append((float(run.clock[stepping.NOW]), e.near()))
 
     def _advance(self, n: int) -> int:
         e = self.engine
