@@ -9,6 +9,8 @@ from freebody.assess.options import Verdict
 from freebody.language.expression import Expr
 from freebody.language.notation import stated_plain, to_latex, to_python
 
+NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
+
 
 @dataclass(frozen=True)
 class Evidence:

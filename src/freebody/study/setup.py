@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.numeric.reference import Snapshot
 from freebody.study.draws import SEED, Draw, draws
+from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -123,17 +125,40 @@ class Setup:
         numbers = self.model.numbers(draw.sample(snapshot))
         return all(self.model.field.evaluate(x, numbers) > 0 for x in self.model.assumed)
 
-    def holding(self, state: SymbolicState) -> list[Condition]:
+    def holding(self, state: SymbolicState, *, with_contacts: bool = True) -> list[Condition]:
         """Conditions without which the model itself is not true: what is taken to be positive is, ideal strings
         pull, contacts push."""
         found: list[Condition] = []
         for x in self.model.assumed:
             found += _open(state.here(self.model.elimination.express(x)), ">", "as at the start")
         for row in self.system.held:
-            if row.unilateral:
+            if row.unilateral and with_contacts:
                 what = {"tension": "stays taut", "normal force": "keeps touching"}.get(row.reaction, "holds")
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", f"{row.connection} {what}")
+        return found
+
+    @cached_property
+    def closure(self) -> Closure:
+        """The closed loops, solved for what they bind."""
+        return Closure(self.model)
+
+    def closing(self, state: SymbolicState) -> list[Condition]:
+        """Where the closed loops close, as far as they have a short solution."""
+        with suppress(CannotAnswer):
+            found = [_open(state.here(c.element), c.relation, c.purpose) for c in self.closure.closes()]
+            return [c for conditions in found for c in conditions]
+        return []
+
+    def in_free_coordinates(self, conditions: Sequence[Condition], state: SymbolicState) -> list[Condition]:
+        """The same conditions in coordinates that loops do not bind, as far as the loops have a short solution."""
+        bound = {d.index for d in self.model.dependent}
+        found: list[Condition] = []
+        for c in conditions:
+            if bound & self.model.field.ingredients(c.element):
+                with suppress(CannotAnswer):
+                    c = replace(c, element=state.here(self.closure.explicit(c.element)))
+            found.append(c)
         return found
 
 

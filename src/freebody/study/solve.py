@@ -15,6 +15,7 @@ from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.model.contact_questions import Change, EnergyLost, Transition, Turns
 from freebody.model.friction_questions import RestQuantity
 from freebody.model.question import (
@@ -24,6 +25,7 @@ from freebody.model.question import (
     Freedom,
     InstantCentre,
     OfMeasure,
+    OfPoint,
     Quantity,
     Question,
     RatioOf,
@@ -36,7 +38,7 @@ from freebody.model.question import (
 from freebody.model.steady_questions import Extremes, SteadyQuantity, SteadyValue
 from freebody.progress import busy_with
 from freebody.study import evidence as proof
-from freebody.study.answer import Answer, Evidence
+from freebody.study.answer import NOT_VALID, Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
@@ -44,11 +46,15 @@ from freebody.study.parts import groups_of, part_for
 from freebody.study.quantities import body_of_wrench, quantity_value
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
-from freebody.symbolic.conditions import Condition, merged, require
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.equilibrium import Rest, find_equilibrium, small_oscillations
+from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached, find_equilibrium, small_oscillations
+from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.validity import texts
+from freebody.symbolic.written import has_values
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -58,6 +64,7 @@ Elements = Ratio | tuple[Ratio, ...]
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 MOST_PLACES = 12  # at which bodies can touch, for formulas
 FOR_ALL = "for all positive parameters"
+FOR_ALL_VALUES = "for all values"
 
 
 @dataclass(frozen=True)
@@ -294,6 +301,7 @@ class _Found:
     says: list[str] = field(default_factory=list[str])  # conditions in words
     may_be_complex: bool = False  # roots in it need not be real
     unit: str | None = None  # where it is not that of the quantity
+    has_value: bool = True  # at the model's own numbers and start
 
 
 class _Solver:
@@ -315,7 +323,7 @@ class _Solver:
 
             return answer(self.system, q)
         try:
-            found = self._find()
+            return self._finish(self._find())
         except NeverHappens as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error), never=True)
         except (CannotAnswer, *FAILED) as error:
@@ -324,7 +332,6 @@ class _Solver:
             return Answer(q.id, q.text, None, self._unit(), value, reason="; ".join((reason, *unfinished)))
         except RoutesDisagree as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
-        return self._finish(found)
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conserved.py` has more to say."""
@@ -484,9 +491,11 @@ class _Solver:
     def _small(self, q: Small) -> _Found:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
-        conditions: list[Condition] = []
+        conditions: list[Condition] = [*found.rest.exists]
         for square in found.squares:
-            condition, possible = require(square, ">" if q.what == "period" else ">=", "oscillates")
+            if square.is_zero() and q.what == "frequencies":
+                continue  # it moves on evenly
+            condition, possible = require(square, ">", "oscillates")
             if not possible:
                 raise CannotAnswer("; ".join([*found.notes, "there is no oscillation about it: it is unstable"]))
             if condition is not None:
@@ -505,11 +514,22 @@ class _Solver:
         return _Found(element, evidence, conditions, list(found.notes), at_start=True)
 
     def _equilibrium(self, q: Equilibrium) -> _Found:
-        values, notes = find_equilibrium(self.model, self.setup.start, stable_first=False)
-        x = SymbolicState(self.model, values).value(q.measure)
-        evidence = proof.at_rest(self.setup, self.question.text, values, x)
-        unstable = [note for note in notes if "stable" in note]
-        return _Found(x, evidence, notes=unstable, at_start=True)
+        rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
+        x = SymbolicState(self.model, rest.values).value(q.measure)
+        evidence = proof.at_rest(self.setup, self.question.text, rest.values, x)
+        return _Found(x, evidence, [*rest.exists], self._stability(rest), at_start=True)
+
+    def _stability(self, rest: Rest) -> list[str]:
+        """What is to be said of it, with the condition where there is one."""
+        if rest.is_stable is None:
+            return ["whether this equilibrium is stable does not follow from the linearised equations"]
+        where = joined(texts([replace(c, purpose="") for c in rest.stable]))
+        if not where:
+            return [] if rest.is_stable else ["this equilibrium is not stable"]
+        if not self.setup.has_values:
+            return [reworded(f"this equilibrium is stable if {where}", where)]
+        verdict = "stable" if rest.is_stable else "not stable"
+        return [reworded(f"this equilibrium is stable if {where}: with the given numbers it is {verdict}", where)]
 
     # -- what goes on evenly ------------------------------------------------------------------
     def _steady(self) -> _Found:
@@ -525,29 +545,13 @@ class _Solver:
             says=x.says,
             may_be_complex=x.may_be_complex,
             unit=x.unit,
+            has_value=x.has_value,
         )
 
     # -- conditions ---------------------------------------------------------------------------
     def _root_conditions(self, x: Elements) -> list[Condition]:
-        """Every divisor, every square root and every arc in the shown form."""
-        found: list[Condition] = []
-        f = self.model.field
-        for part in x if isinstance(x, tuple) else (x,):
-            if part.den is not None:
-                condition, _possible = require(part.denominator(), "!=", "divisor")
-                if condition is not None:
-                    found.append(condition)
-            for index in sorted(part.generators()):
-                if f.generators[index].kind == "root":
-                    condition, _possible = require(f.radicand(index), ">=", "under the root")
-                    if condition is not None:
-                        found.append(condition)
-                name, u = f.arguments.get(index, ("", f.zero))
-                if name in ("asin", "acos"):
-                    condition, _possible = require(1 - u * u, ">=", f"{name} of at most 1")
-                    if condition is not None:
-                        found.append(condition)
-        return found
+        """Every divisor, root and arc in the shown form."""
+        return exists(x if isinstance(x, tuple) else (x,))
 
     def _finish(self, found: _Found) -> Answer:
         q = self.question
@@ -558,9 +562,13 @@ class _Solver:
         else:
             element = found.element
             expression = tuple(map(tidy, element)) if isinstance(element, tuple) else tidy(element)
-            value = self._value(element)
-            conditions = self._conditions(found, element)
-            found.notes += self._loop_notes(element)
+            value = self._value(element) if found.has_value else None
+            needed = self._conditions(found, element)
+            broken = self._violated(needed)
+            found.notes += broken + self._loop_notes(element)
+            value = None if broken else value
+            parts = element if isinstance(element, tuple) else (element,)
+            conditions = found.says + texts(needed) or [for_all(self.system, parts)]
         judgement = self._judge(found) if q.options else None
         return Answer(
             q.id,
@@ -585,16 +593,41 @@ class _Solver:
         zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
         return [reworded(f"with {zero}", zero) for zero in zeros]
 
-    def _conditions(self, found: _Found, element: Elements) -> list[str]:
+    def _conditions(self, found: _Found, element: Elements) -> list[Condition]:
+        """Everything without which the answer is not true."""
+        q = self.question.quantity
         conditions = [*found.conditions]
         if not found.may_be_complex:
             conditions += self._root_conditions(element)
-        if not isinstance(self.question.quantity, (Freedom, Small, Equilibrium, SteadyQuantity)):
-            at_start = self.question.at_start
-            conditions += self.setup.holding(self.setup.start_instant if at_start else self.setup.state)
-        found.notes += self._violated(conditions)
-        texts = found.says + merged(conditions)
-        return texts if texts else [for_all(self.system)]
+        at_start = self.question.at_start
+        state = self.setup.start_instant if at_start else self.setup.state
+        if not isinstance(q, (Freedom, Small, Equilibrium, SteadyQuantity)):
+            judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
+            conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
+            if not judges_contacts and any(row.unilateral for row in self.system.held):
+                found.notes.append("no load acts, so that contacts and strings hold is not judged")
+        conditions += self._as_written(q, state)
+        return self.setup.in_free_coordinates(conditions, state)
+
+    def _as_written(self, q: Quantity, state: SymbolicState) -> list[Condition]:
+        """Where the file's own expressions have values: in the state that is asked for, and where an event is asked
+        for at the start."""
+        measures = [m for m in (getattr(q, "measure", None),) if isinstance(m, Composed)]
+        rests = isinstance(q, (Small, Equilibrium))
+        if isinstance(q, (Freedom, SteadyQuantity)):
+            return []
+        if rests:
+            values = find_equilibrium(self.model, self.setup.start, stable_first=isinstance(q, Small)).values
+            state = SymbolicState(self.model, values)
+        elif self.question.event is not None:
+            state = self.setup.start_instant
+        return has_values(state, measures, with_loads=not self._is_kinematic(q) or self.question.event is not None)
+
+    def _is_kinematic(self, q: Quantity) -> bool:
+        """Whether the quantity follows from geometry alone."""
+        if isinstance(q, (OfMeasure, OfPoint, Turning)):
+            return q.order < 2 or self.model.degrees_of_freedom == 0
+        return isinstance(q, (InstantCentre, RatioOf, Freedom))
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
@@ -607,10 +640,7 @@ class _Solver:
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 if not proof.holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
                     broken.append(c)
-        return [
-            reworded(f"NOT SO at the model's own values: {text}; the answer is not true there", text)
-            for text in merged(broken)
-        ]
+        return [reworded(f"{NOT_VALID}: {text}", text) for text in texts(broken)]
 
     def _judge(self, found: _Found) -> Any:
         element: Any = found.element
@@ -647,11 +677,22 @@ class _Solver:
         return unit_text(self.question.quantity)
 
 
-def for_all(system: System) -> str:
-    """The scope of an answer without conditions."""
-    acute = [p.name for p in system.parameters.values() if p.acute]
+def for_all(system: System, elements: Sequence[Ratio] | None = None) -> str:
+    """The scope of an answer without conditions: the signs that parameters are declared with, and the ranges of the
+    angles in it (all angles, where no elements are given)."""
+    inside: set[str] | None = None
+    if elements is not None:
+        f = elements[0].field
+        inside = {to_text(f.generators[g].display) for x in elements for g in f.ingredients(x)}
+    declared = [p for p in system.parameters.values() if p.form is None]
+    shown = [p for p in declared if inside is None or to_text(Symbol(p.name)) in inside]
+    if not declared or all(p.sign != "positive" for p in declared):
+        return FOR_ALL_VALUES
+    any_sign = ", ".join(to_text(Symbol(p.name)) for p in shown if p.sign != "positive")
+    scope = f"{FOR_ALL} and all values of {any_sign}" if any_sign else FOR_ALL
+    acute = [p.name for p in shown if p.acute]
     ranges = [Stated(f"0 < {to_text(Symbol(a))} < 90°", f"(0 < {a}) & ({a} < pi/2)") for a in acute]
-    return reworded(", ".join([FOR_ALL, *ranges]), joined(ranges))
+    return reworded(", ".join([scope, *ranges]), joined(ranges))
 
 
 def _has_potential(q: Quantity) -> bool:

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 from freebody.language.expression import ZERO, Expr, Number, Product, Sum, add, multiply, negate
 from freebody.language.notation import Stated, compared, reworded
+from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import tidy
 
 
@@ -42,6 +43,8 @@ def relation_text(e: Expr, relation: str) -> Stated:
         right = [negate(t) for t in e.terms if _is_negative(t)]
         if not left:
             return compared(add(*right), _FLIPPED[relation], ZERO)
+        if len(left) == 1 and isinstance(left[0], Number) and right:  # 1 < a as a > 1
+            return compared(add(*right), _FLIPPED[relation], left[0])
         if len(right) == 1 or (left and right):
             return compared(add(*left), relation, add(*right))
     if _is_negative(e):
@@ -57,22 +60,18 @@ def _is_negative(e: Expr) -> bool:
 
 def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | None, bool]:
     """The condition that `x relation 0` comes to, or None; and whether it can hold at all."""
-    sign = sign_of(x)
-    if relation == "!=":
-        if sign.is_strict:
-            return None, True
-        parts = [b for b in _open_factors(x) if not sign_of(b).is_strict]
-        if not parts:
-            return None, True
-        total = x.field.one
-        for part in parts:
-            total = total * part
-        return Condition(total, relation, purpose), True
-    if sign is Sign.POSITIVE or (relation == ">=" and sign in (Sign.NONNEGATIVE, Sign.ZERO)):
+    verdict = decide(x, relation)
+    if verdict is True:
         return None, True
-    if sign is Sign.NEGATIVE or (relation == ">" and sign in (Sign.ZERO, Sign.NONPOSITIVE)):
+    if verdict is False:
         return Condition(x, relation, purpose), False
-    return Condition(_without_known_factors(x), relation, purpose), True
+    if relation != "!=":
+        return Condition(_without_known_factors(x, relation), relation, purpose), True
+    total = x.field.one
+    for part in _open_factors(x):
+        if decide(part, "!=") is not True:
+            total = total * part
+    return Condition(total, relation, purpose), True
 
 
 def _open_factors(x: Ratio) -> list[Ratio]:
@@ -80,8 +79,8 @@ def _open_factors(x: Ratio) -> list[Ratio]:
     return [base for base, _e in factors]
 
 
-def _without_known_factors(x: Ratio) -> Ratio:
-    """The product of the factors whose sign is open, with the sign of the others."""
+def _without_known_factors(x: Ratio, relation: str) -> Ratio:
+    """The product of the factors whose sign is open, with the sign of the others; x^2 y >= 0 means y >= 0."""
     field = x.field
     result = field.one
     for poly in (x.num, None if x.den is None else x.den):
@@ -91,10 +90,11 @@ def _without_known_factors(x: Ratio) -> Ratio:
         if unit < 0:
             result = -result
         for base, exponent in factors:
-            sign = sign_of(base)
-            if sign is Sign.NEGATIVE and exponent % 2:
-                result = -result
-            if not sign.is_strict:
+            sign = sign_given(base)
+            if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) and exponent % 2:
+                base, result = -base, -result
+            is_open = sign in (Sign.UNKNOWN, Sign.ZERO) or (relation == ">" and not sign.is_strict)
+            if is_open and not (relation == ">=" and exponent % 2 == 0):
                 plain = _log_as_difference(base)
                 result = result * (plain if exponent % 2 else plain * plain)
     return result

@@ -353,6 +353,20 @@ class Field:
             data[key] = data.get(key, 0) + coefficient
         return Ratio(self, self.reduce(self._context.from_dict(data)), None)
 
+    def square_root(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Ratio | None:
+        """Of a polynomial that is a perfect square as it is written, before any relation is used; else None."""
+        data: dict[tuple[int, ...], int] = {}
+        for monomial, coefficient in terms.items():
+            exponents = [0] * self._capacity
+            for index, exponent in monomial:
+                exponents[self._capacity - 1 - index] += exponent
+            data[tuple(exponents)] = coefficient
+        try:
+            root = self._context.from_dict(data).sqrt()
+        except (_flint.utils.flint_exceptions.DomainError, ValueError):
+            return None
+        return Ratio(self, self.reduce(root), None)
+
     def split(self, poly: Poly, generator: int) -> list[Poly]:
         """Coefficients of the powers of one generator, lowest first."""
         poly = self.current(poly)

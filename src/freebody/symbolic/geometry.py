@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, evaluate
+from freebody.language.expression import Expr, domain, evaluate
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import atan2, functions
@@ -62,6 +62,16 @@ class FieldGeometry:
 
     def apply(self, expr: Expr, values: dict[str, Ratio]) -> Ratio:
         return evaluate(expr, {**self.names, **values}, self.functions)
+
+    @property
+    def scalars(self) -> tuple[Expr, ...]:
+        """The expressions in parameters that were evaluated so far."""
+        return tuple(self._scalars)
+
+    def needs(self, expr: Expr, values: Mapping[str, Ratio]) -> list[tuple[Ratio, str]]:
+        """(element, relation to 0) without which an expression has no value as it is written."""
+        names = {**self.names, **values}
+        return [(evaluate(part, names, self.functions), relation) for part, relation in domain(expr)]
 
 
 def straight_tangent(field: Field, is_negative: Callable[[Ratio], bool] | None) -> Tangent:

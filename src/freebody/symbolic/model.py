@@ -72,6 +72,7 @@ class SymbolicModel:
         self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
         self._functions: dict[int, Expr] = {}  # given functions of time and their rates: what they are in numbers
         self.parameters = self._parameters()
+        self.lengths: tuple[Expr, ...] = ()
         self.constants: dict[str, Ratio] = {}  # hidden start values of incremental rows, by row name
         self.given_constants: dict[int, Ratio] = {}  # of these: what they are in the parameters
         self.assumed: list[Ratio] = []  # elements taken to be positive, as they are at the first sample
@@ -105,6 +106,7 @@ class SymbolicModel:
                 self._with_equations([*self.extra, *equations])
         self._put_in_equal_angles()
         self.redundant = self._not_by_construction(redundant)
+        self.lengths = self._raw.scalars  # what the geometry is made of, in parameters
 
     def _with_equations(self, extra: list[Equation]) -> None:
         """Eliminates again, with equations that were found out."""
@@ -1043,6 +1045,13 @@ class SymbolicModel:
 
     def law(self, push: Push) -> Ratio:
         """Generalized force of a load; in coordinates, speeds and time."""
+        return self.geometry.apply(push.in_symbols, self._law_values(push))
+
+    def law_needs(self, push: Push) -> list[tuple[Ratio, str]]:
+        """(element, relation to 0) without which the law has no value as it is written."""
+        return self.geometry.needs(push.in_symbols, self._law_values(push))
+
+    def _law_values(self, push: Push) -> dict[str, Ratio]:
         values: dict[str, Ratio] = {}
         needed = free_symbols(push.in_symbols)
         if not isinstance(push.measure, RateMeasure):
@@ -1055,7 +1064,7 @@ class SymbolicModel:
             value = self.value_of(measure)
             values[name] = value
             values[f"rate({name})"] = self.rate(value)
-        return self.geometry.apply(push.in_symbols, values)
+        return values
 
     def start_constant(self, push: Push) -> Ratio:
         """The start value of a measure of which only changes count (a spring relaxed at the start)."""

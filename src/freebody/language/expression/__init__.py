@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from freebody.language.expression.calculus import differentiate, substitute
 from freebody.language.expression.evaluation import FLOAT_FUNCTIONS, evaluate, rate_key
-from freebody.language.expression.inspection import depth, free_symbols, has_jump, n_operations
+from freebody.language.expression.inspection import depth, domain, free_symbols, has_jump, n_operations
 from freebody.language.expression.rates import replace_rates
 from freebody.language.expression.tree import (
     FUNCTIONS,
@@ -60,6 +60,7 @@ __all__ = [
     "depth",
     "differentiate",
     "divide",
+    "domain",
     "evaluate",
     "free_symbols",
     "has_jump",

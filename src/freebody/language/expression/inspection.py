@@ -13,7 +13,10 @@ from freebody.language.expression.tree import (
     Product,
     Sum,
     Symbol,
+    add,
     children,
+    negate,
+    number,
     power,
 )
 
@@ -36,6 +39,33 @@ def has_jump(expr: Expr, names: Collection[str]) -> bool:
     if isinstance(expr, Call) and expr.function in ("sign", "abs") and free_symbols(expr.argument) & set(names):
         return True
     return any(has_jump(part, names) for part in children(expr))
+
+
+def domain(expr: Expr) -> list[tuple[Expr, str]]:
+    """(part, relation to 0) for all that an expression needs to have a real value, as it is written: divisors that do
+    not vanish, radicands that are not negative, arguments of logarithms and arcs within their range."""
+    found: list[tuple[Expr, str]] = []
+    for part in children(expr):
+        found += domain(part)
+    one = number(1)
+    match expr:
+        case Power(base, Number(exponent)):
+            is_whole = exponent.denominator == 1
+            if exponent < 0:
+                found.append((base, "!=" if is_whole else ">"))
+            elif not is_whole:
+                found.append((base, ">="))
+        case Call("sqrt", argument):
+            found.append((argument, ">="))
+        case Call("log", argument):
+            found.append((argument, ">"))
+        case Call("tan", argument):
+            found.append((Call("cos", argument), "!="))
+        case Call("asin" | "acos", argument):
+            found += [(add(one, negate(argument)), ">="), (add(one, argument), ">=")]
+        case _:
+            pass
+    return [(part, relation) for part, relation in dict.fromkeys(found) if free_symbols(part)]
 
 
 def depth(expr: Expr) -> int:

@@ -18,9 +18,10 @@ from freebody.model.elements import Push, RigidBody
 from freebody.model.question import Equilibrium, Question, Small, When
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
+from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import Motion, StartState, find_equilibrium, small_oscillations
+from freebody.symbolic.motion import Motion, StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
@@ -152,7 +153,7 @@ class Marked:
                 return (self._plain(2 * model.field.pi / roots[0]),), False
             return tuple(map(self._plain, roots)), False
         if isinstance(q, Equilibrium):
-            values, _notes = find_equilibrium(model, start, stable_first=False)
+            values = find_equilibrium(model, start, stable_first=False).values
             return (self._plain(SymbolicState(model, values).value(q.measure)),), False
         state = SymbolicState(model, start.values) if question.at_start else SymbolicState(model)
         return self._value(question, state), False

@@ -29,8 +29,8 @@ from freebody.narrative.principles.motion_equations import balanced, motion_equa
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.study.answer import Answer
 from freebody.study.eom import primitive_part
+from freebody.symbolic.equilibrium import find_equilibrium, linearised, small_oscillations
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import find_equilibrium, linearised, small_oscillations
 from freebody.symbolic.routh import determinant
 from freebody.symbolic.tidy import tidy
 
@@ -73,7 +73,7 @@ class _Telling:
             found = small_oscillations(self.model, context.setup.start)
             self.values, self.squares = found.equilibrium, found.squares
         else:
-            self.values, _notes = find_equilibrium(self.model, context.setup.start, stable_first=False)
+            self.values = find_equilibrium(self.model, context.setup.start, stable_first=False).values
         self.readers = SmallMotions(context.setup, self.values)
         self.at_rest: dict[str, Expr] = {}  # coordinates by their symbols at the equilibrium
         self.found: list[_Equation] = []

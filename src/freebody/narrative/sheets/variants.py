@@ -16,13 +16,12 @@ from typing import Any, cast
 from freebody.errors import FreebodyError
 from freebody.language.units import ACCELERATION
 from freebody.model.elements import Parameter
-from freebody.study.answer import Answer
+from freebody.study.answer import NOT_VALID, Answer
 from freebody.study.solve import Solution, solve
 from freebody.system.system import System
 
 _SPREADS = (0.5, 0.5, 0.4, 0.3, 0.2, 0.2, 0.1, 0.1)  # about the values of the file, as fractions
 _DEGREES = 5
-_NOT_SO = "NOT SO"  # how a note begins that says that the numbers break a condition
 
 
 @dataclass(frozen=True)
@@ -71,7 +70,7 @@ def _is_alike(before: Answer, after: Answer, letters: Mapping[str, str]) -> bool
     """Whether an answer is the same but for its numbers and letters."""
     if before.expression != after.expression or before.conditions != after.conditions or before.unit != after.unit:
         return False
-    if any(note.startswith(_NOT_SO) for note in after.notes) or (before.value is None) != (after.value is None):
+    if any(note.startswith(NOT_VALID) for note in after.notes) or (before.value is None) != (after.value is None):
         return False
     values = after.value if isinstance(after.value, tuple) else (after.value,)
     if not all(v is None or math.isfinite(v) for v in values):

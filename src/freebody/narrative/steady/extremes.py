@@ -20,9 +20,9 @@ from freebody.study.answer import Answer
 from freebody.study.evidence import holds
 from freebody.study.quantities import quantity_value
 from freebody.study.steady.extremes import Extremum, Search, angle_of, at_start_but_for
-from freebody.study.steady.loops import explicit
 from freebody.study.steady.round_turn import Round
 from freebody.study.steady.turning import Turning
+from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
 from freebody.symbolic.tidy import tidy

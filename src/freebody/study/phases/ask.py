@@ -25,7 +25,7 @@ from freebody.model.question import (
     Wrench,
 )
 from freebody.progress import busy_with
-from freebody.study.answer import Answer, AnswerCase, Evidence
+from freebody.study.answer import NOT_VALID, Answer, AnswerCase, Evidence
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
@@ -93,7 +93,7 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
         notes.append(f"just before {happening(main.first.watch, None)}, while the system {summary(main.phase)}")
     if tree.system.has_values and 0 not in own.sets:
         broken = _broken(tree, own)
-        notes.append(reworded(f"NOT SO at the model's own values: {broken}", broken))
+        notes.append(reworded(f"{NOT_VALID}: {broken}", broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
     judgement: Any = None

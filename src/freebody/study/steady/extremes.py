@@ -17,8 +17,8 @@ from freebody.model.steady_questions import Extremes
 from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding, odd_part
-from freebody.study.steady.loops import explicit
 from freebody.study.steady.turning import Place, Turning
+from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel

@@ -21,6 +21,7 @@ class Finding:
     says: list[str] = field(default_factory=list[str])
     may_be_complex: bool = False  # roots in it need not be real
     unit: str | None = None  # where it is not that of the quantity
+    has_value: bool = True  # at the model's own start
 
 
 def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:

@@ -24,7 +24,7 @@ from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding, odd_part, without_square_roots
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.state import SymbolicState
@@ -32,6 +32,9 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import zeros_of
 
 MOST_ROOTS = 4
+_THERE_IS = "there is such a motion"
+_AT_REST = 1e-9
+_ROUND_OFF = 1e-9
 
 
 @dataclass
@@ -267,7 +270,9 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     always = [compared(ZERO, "=", tidy(x)) for x in steady.always]
     notes = solutions.notes + [reworded(f"every rate is steady where {zero}", zero) for zero in always]
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
-    conditions = [c for x in roots for c in _ranges(x)] + setup.holding(steady.state)
+    purposes = [_THERE_IS] if len(roots) == 1 else [f"for [{k + 1}]" for k in range(len(roots))]
+    ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
+    conditions = ranges + setup.holding(steady.state)
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
 
 
@@ -290,14 +295,14 @@ def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions |
     return setup.model.field.follow(x, {k: v for k, v in given.items() if solutions is None or k != solutions.index})
 
 
-def _ranges(x: Ratio) -> list[Condition]:
+def _ranges(x: Ratio, purpose: str) -> list[Condition]:
     """-1 <= u <= 1 for the arcs in an answer."""
     f, found = x.field, list[Condition]()
     for index in sorted(x.generators()):
         name, argument = f.arguments.get(index, ("", x))
         if name in ("acos", "asin"):
             for room in (1 - argument, 1 + argument):
-                condition, possible = require(odd_part(room), ">=", "there is such a motion")
+                condition, possible = require(odd_part(room), ">=", purpose)
                 if not possible:
                     raise CannotAnswer("there is no such motion for any admissible values")
                 found += [] if condition is None else [condition]
@@ -313,6 +318,31 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
     texts = steady.texts()
     evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
-    notes = [f"steady while {'; '.join(texts)}"] if texts else ["every such motion is steady"]
+    notes = [] if texts else ["every such motion is steady"]
+    says = [f"steady while {'; '.join(texts)}"] if texts else []
+    conditions = setup.holding(steady.state)
     shown = tuple(_at_start(setup, question, x, None) for x in elements)
-    return Finding(shown[0] if not isinstance(value, tuple) else shown, evidence, setup.holding(steady.state), notes)
+    has_value = all(x.is_constant() for x in shown) or _starts_steadily(setup, steady)
+    if not has_value and setup.has_values:
+        notes.append("no value: the given start is not in steady motion")
+    element = shown[0] if not isinstance(value, tuple) else shown
+    return Finding(element, evidence, conditions, notes, says, has_value=has_value)
+
+
+def _starts_steadily(setup: Setup, steady: Steady) -> bool:
+    """Whether the start of the first draw is a steady motion: what the equations contain does not change there."""
+    draw = setup.draws[0]
+    snapshot = draw.start()
+    numbers = setup.model.numbers(draw.sample(snapshot), draw.sample())
+    f = setup.model.field
+    try:
+        still = all(abs(float(numbers[c.speed])) < _AT_REST for c in steady.others)
+        return still and all(_vanishes_at(f, x, numbers) for x in steady.equations)
+    except (KeyError, ValueError, ArithmeticError):
+        return False
+
+
+def _vanishes_at(f: Field, x: Ratio, numbers: dict[int, Any]) -> bool:
+    """Zero beside the sum of the sizes of its terms."""
+    parts = [float(f.evaluate(f.polynomial({m: c}), numbers)) for m, c in f.terms(x.num).items()]
+    return abs(sum(parts)) <= _ROUND_OFF * sum(map(abs, parts))

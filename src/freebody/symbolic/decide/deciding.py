@@ -14,13 +14,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import flint
 
+from freebody.errors import CannotAnswer
 from freebody.symbolic.decide.cells import TooLarge
-from freebody.symbolic.decide.picture import Balls, Picture, sign_at
+from freebody.symbolic.decide.picture import Balls, Picture, is_made, sign_at
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, is_positive, sign_of, times
 
@@ -52,9 +54,28 @@ def decide(x: Ratio, relation: str, premises: Sequence[Premise] = ()) -> bool | 
     if found is None and relation == "!=":
         nonzero = [p.element for p in premises if p.relation != ">="]
         parts = [base for base, _e in _factors(x.numerator())]
-        if all(sign_given(b, premises).is_strict or any(_divides(b, k) for k in nonzero) for b in parts):
+        if all(
+            sign_given(b, premises).is_strict or any(_divides(b, k) for k in nonzero) or _excluded(b, premises)
+            for b in parts
+        ):
             return True
     return found
+
+
+def _excluded(base: Ratio, premises: Sequence[Premise]) -> bool:
+    """Whether a factor that is linear in a variable would break a premise where it vanishes."""
+    f = base.field
+    for g in base.generators():
+        parts = base.coefficients(g) if _stands_alone(base, g) else []
+        if len(parts) != 2 or not sign_of(parts[1]).is_strict:
+            continue
+        zero = -parts[0] / parts[1]
+        for p in premises:
+            if g in f.ingredients(p.element):
+                with suppress(ZeroDivisionError, CannotAnswer):
+                    if _verdict(sign_of(f.follow(p.element, {g: zero})), p.relation) is False:
+                        return True
+    return False
 
 
 def implied(condition: Premise, premises: Sequence[Premise]) -> bool:
@@ -203,7 +224,7 @@ def _has_slope(x: Ratio, premises: list[_Given]) -> bool:
 def _stands_alone(x: Ratio, g: int) -> bool:
     """A variable that nothing else in the element is made of."""
     f = x.field
-    if f.generators[g].compute is not None or g in f.arguments:
+    if is_made(f, g):
         return False
     return all(g not in f.generators[k].made_of for k in x.generators() - {g})
 
@@ -226,7 +247,7 @@ def _sign_of_number(x: Ratio) -> Sign | None:
     f = x.field
     if x.is_zero():
         return Sign.ZERO
-    if any(f.generators[g].compute is None for g in f.ingredients(x)):
+    if not all(is_made(f, g) for g in f.ingredients(x)):
         return None
     for precision in (64, 256, 1024):
         with _flint.ctx.workprec(precision):

@@ -46,7 +46,7 @@ class Balls:
             return _flint.arb.pi()
 
         def function(first: Any, *others: Any) -> Any:
-            return getattr(_flint.arb(first), name)(*map(_flint.arb, others))
+            return getattr(_flint.arb, name)(_flint.arb(first), *map(_flint.arb, others))
 
         return function
 
@@ -117,8 +117,7 @@ class Picture:
         return _POSITIVE if is_positive(f, g) or g in f.nonnegative else _REAL
 
     def _is_number(self, g: int) -> bool:
-        generator = self.field.generators[g]
-        return generator.compute is not None and all(self._is_number(k) for k in generator.made_of - {g})
+        return is_made(self.field, g) and all(self._is_number(k) for k in self.field.generators[g].made_of - {g})
 
     def _number(self, g: int) -> Any:
         values = {k: self._number(k) for k in sorted(self.field.generators[g].made_of - {g})}
@@ -217,6 +216,12 @@ class Picture:
                 continue
             if _flint.arb(inside) > 0:
                 values[g] = _flint.arb(inside).sqrt()
+
+
+def is_made(field: Field, g: int) -> bool:
+    """True for what has no value of its own: pi, a cosine, a root, a function of other generators."""
+    generator = field.generators[g]
+    return generator.compute is not None and generator.kind in ("parameter", "cos", "sin", "root", "function")
 
 
 def sign_at(x: Ratio, values: Mapping[int, Any]) -> int | None:

@@ -1,0 +1,172 @@
+"""Closed loops solved for what they bind, and where they close at all.
+
+An equation a cos q + b sin q + d = 0 has w^2 = a^2 + b^2 - d^2 with w = b cos q - a sin q, the sign that of the branch:
+
+    cos q = (b w - a d)/(a^2 + b^2),    sin q = -(a w + b d)/(a^2 + b^2),    real if and only if a^2 + b^2 >= d^2.
+
+Two equations in two angles are such an equation where both are linear in the cosine and sine of one of them with
+coefficients that the other does not enter: these follow, and their squares add to 1 (the dyad of a four-bar linkage).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import cached_property
+from itertools import combinations
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import Coordinate, SymbolicModel
+
+_SMALL = 1e-9
+_MOST_TERMS = 400  # of an angle's cosine
+
+
+class Closure:
+    """The closed loops of a model, as far as they can be solved one angle after the other."""
+
+    def __init__(self, model: SymbolicModel) -> None:
+        self.model, self.field = model, model.field
+
+    @cached_property
+    def _solved(self) -> tuple[dict[int, Ratio], list[Ratio], list[Coordinate]]:
+        """Values of bound angles with their cosines and sines, what must not be negative, and what stays bound."""
+        values: dict[int, Ratio] = {}
+        needs: list[Ratio] = []
+        left: list[Coordinate] = [
+            d for d in self.model.dependent if any(d.index in self._inside(e.value) for e in self.model.loops)
+        ]
+        while left:
+            step = next(self._steps(values, left), None)
+            if step is None:
+                break
+            solved, found, need = step
+            values = {g: self.field.lowest_terms(self.field.follow(x, found)) for g, x in values.items()} | found
+            needs.append(need)
+            left = [d for d in left if all(d is not k for k in solved)]
+        return values, needs, left
+
+    def _inside(self, x: Ratio) -> frozenset[int]:
+        return self.field.ingredients(x)
+
+    def _steps(
+        self, values: dict[int, Ratio], left: list[Coordinate]
+    ) -> Iterator[tuple[list[Coordinate], dict[int, Ratio], Ratio]]:
+        """(angles, their values, what must not be negative) for what can be solved for next."""
+        bound = {d.index: d for d in left}
+        loops = [self.field.follow(e.value, values).numerator() for e in self.model.loops]
+        single: list[tuple[Coordinate, Ratio]] = []
+        pairs: list[tuple[tuple[Ratio, Ratio], list[Coordinate]]] = []
+        for x in loops:
+            inside = [d for k, d in bound.items() if k in self._inside(x)]
+            if len(inside) == 1:
+                single.append((inside[0], x))
+        for x, y in combinations(loops, 2):
+            inside = [d for k, d in bound.items() if k in self._inside(x) | self._inside(y)]
+            if len(inside) == 2:
+                pairs.append(((x, y), inside))
+        for d, x in single:
+            parts = self.linear_in(x, d.index)
+            if parts is not None:
+                found, room = self._angle(d, *parts)
+                yield [d], found, room
+        for both, inside in pairs:
+            for d, gone in (inside, inside[::-1]):
+                equation = self._without(both, gone.index, d.index)
+                parts = None if equation is None else self.linear_in(equation, d.index)
+                if parts is not None:
+                    found, room = self._angle(d, *parts)
+                    yield [d, gone], found | self._other(both, gone, found), room
+
+    def linear_in(self, x: Ratio, index: int) -> tuple[Ratio, Ratio, Ratio] | None:
+        """a, b, d of a cos q + b sin q + d."""
+        pair = self.field.pair_of(index)
+        if pair is None or index in x.generators():
+            return None
+        if any(index in self.field.generators[g].made_of for g in x.generators() - set(pair)):
+            return None
+        in_cos = x.coefficients(pair[0])
+        in_sin = in_cos[0].coefficients(pair[1])
+        a = in_cos[1] if len(in_cos) > 1 else self.field.zero
+        b = in_sin[1] if len(in_sin) > 1 else self.field.zero
+        if len(in_cos) > 2 or len(in_sin) > 2 or pair[1] in a.generators():
+            return None
+        return a, b, in_sin[0]
+
+    def _other(self, both: tuple[Ratio, Ratio], q: Coordinate, found: dict[int, Ratio]) -> dict[int, Ratio]:
+        """The second angle of a pair by both equations, once the first is known."""
+        f = self.field
+        first, second = (self.linear_in(f.follow(x, found), q.index) for x in both)
+        assert first is not None
+        assert second is not None
+        (a, b, d), (A, B, D) = first, second
+        det = a * B - A * b
+        return self._values(q, f.lowest_terms((b * D - B * d) / det), f.lowest_terms((A * d - a * D) / det))
+
+    def _without(self, both: tuple[Ratio, Ratio], gone: int, kept: int) -> Ratio | None:
+        """cos^2 + sin^2 = 1 of one angle, with its cosine and sine by the two equations."""
+        f = self.field
+        first, second = (self.linear_in(x, gone) for x in both)
+        if first is None or second is None:
+            return None
+        (a, b, d), (A, B, D) = first, second
+        det = f.lowest_terms(a * B - A * b)
+        if det.is_zero() or kept in f.ingredients(det):
+            return None
+        cos, sin = b * D - B * d, A * d - a * D  # times det
+        return (cos * cos + sin * sin - det * det).numerator()
+
+    def _angle(self, q: Coordinate, a: Ratio, b: Ratio, d: Ratio) -> tuple[dict[int, Ratio], Ratio]:
+        """Its values, and what must not be negative."""
+        f = self.field
+        c, s = f.pair_of(q.index) or (-1, -1)
+        square = f.lowest_terms(a * a + b * b)
+        room = f.lowest_terms(square - d * d)
+        w = f.sqrt(room) * self._side(b * f.variable(c) - a * f.variable(s))
+        cos, sin = (b * w - a * d) / square, -(a * w + b * d) / square
+        return self._values(q, f.lowest_terms(cos), f.lowest_terms(sin)), room
+
+    def _values(self, q: Coordinate, cos: Ratio, sin: Ratio) -> dict[int, Ratio]:
+        f = self.field
+        if any(len(f.terms(part.num)) > _MOST_TERMS for part in (cos, sin)):
+            raise CannotAnswer(f"the formula of {q.name} would be too long")
+        c, s = f.pair_of(q.index) or (-1, -1)
+        return {c: cos, s: sin, q.index: f.angle_with(cos, sin)}
+
+    def _side(self, x: Ratio) -> int:
+        """The sign of an element that is the branch on which the loop is assembled."""
+        signs = {v > 0 for v in self.model.at_samples(x) if not math.isnan(v) and abs(v) > _SMALL}
+        if len(signs) != 1:
+            raise CannotAnswer("which way the loop is assembled depends on the parameter values")
+        return 1 if signs.pop() else -1
+
+    # -- what it is for -----------------------------------------------------------------------
+    def explicit(self, x: Ratio) -> Ratio:
+        """The element by independent coordinates. Raises CannotAnswer where a loop has no short solution."""
+        bound = {d.index for d in self.model.dependent}
+        if not self._inside(x) & bound:
+            return x
+        values, _needs, _left = self._solved
+        x = self.field.lowest_terms(self.field.follow(x, values))
+        names = [d.name for d in self.model.dependent if d.index in self._inside(x)]
+        if names:
+            raise CannotAnswer(
+                f"it depends on {', '.join(names)}, which follow only through closed loops that have no short solution"
+            )
+        return x
+
+    def closes(self) -> list[Condition]:
+        """Where the loops close, as far as that is known. Raises CannotAnswer where they have no short solution."""
+        found: list[Condition] = []
+        for x in self._solved[1]:
+            condition, _possible = require(x, ">=", "can be assembled")
+            if condition is not None:
+                found.append(condition)
+        return found
+
+
+def explicit(model: SymbolicModel, x: Ratio) -> Ratio:
+    """The element by independent coordinates. Raises CannotAnswer where a loop has no short solution."""
+    return Closure(model).explicit(x)

@@ -1,0 +1,58 @@
+"""Where a closed form has a real, finite value: what stands below a bar, under a root, in an arc or a logarithm, at any
+depth of it.
+
+    p/q             q != 0
+    sqrt(r)         r >= 0
+    asin u, acos u  -1 <= u <= 1
+    log u           u > 0
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+
+DIVISOR, ROOT, LOG = "divisor", "under the root", "logarithm of a positive number"
+FORMAL = (DIVISOR, ROOT, LOG, *(f"{arc} of at {end}" for arc in ("asin", "acos") for end in ("most 1", "least -1")))
+
+
+def exists(elements: Iterable[Ratio]) -> list[Condition]:
+    """The conditions under which all elements are real and finite; none that always hold. One that never holds is
+    among them."""
+    found: list[Condition] = []
+    seen: set[int] = set()
+    for x in elements:
+        for element, relation, purpose in _needs(x, seen):
+            condition, _possible = require(element, relation, purpose)
+            if condition is not None:
+                found.append(condition)
+    return found
+
+
+def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
+    f = x.field
+    if x.den is not None:
+        yield x.denominator(), "!=", DIVISOR
+    for g in sorted(x.generators() - seen):
+        seen.add(g)
+        kind = f.generators[g].kind
+        if kind == "root":
+            yield from _needs(f.radicand(g), seen)
+            yield f.radicand(g), ">=", ROOT
+        elif kind in ("cos", "sin"):
+            angle = f.angles.get(g if kind == "cos" else g - 1)
+            if angle is not None:
+                yield from _needs(angle, seen)
+        elif g in f.known_pairs:
+            for part in f.known_pairs[g]:
+                yield from _needs(part, seen)
+        elif g in f.arguments:
+            name, u = f.arguments[g]
+            yield from _needs(u, seen)
+            if name in ("asin", "acos"):
+                yield 1 - u, ">=", f"{name} of at most 1"
+                yield 1 + u, ">=", f"{name} of at least -1"
+            elif name == "log":
+                yield u, ">", LOG

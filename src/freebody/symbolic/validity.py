@@ -1,0 +1,211 @@
+"""The range in which an answer holds, as it is printed: everything needed, nothing twice, nothing that is always true.
+
+1. Conditions are taken apart: a product that must not vanish into its factors, a root into its radicand, `a >= 0` with
+   `a != 0` into `a > 0`.
+2. What follows from the others is left out, the longest first.
+3. What is left is written in the shortest of its forms: as it stands, or solved for one parameter.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from freebody.language.expression import Call, n_operations
+from freebody.language.notation import Stated, compared, reworded, to_text
+from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.decide import decide, possible, sign_given
+from freebody.symbolic.existence import FORMAL
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.phases.relations import readable, solved_for
+from freebody.symbolic.signs import Sign
+from freebody.symbolic.tidy import square_variants, tidy
+
+TAKEN = "as at the start"  # a sign that the formulas take as it is at the first sample
+_MOST = 24  # conditions of which each is compared with all others
+_MOVING = ("coordinate", "speed", "acceleration", "time")
+
+
+def validity(conditions: Sequence[Condition]) -> list[Condition]:
+    """The same range in as few conditions as can be decided."""
+    parts = _merged([part for c in conditions for part in _parts(c)])
+    if len(parts) > _MOST:
+        return parts
+    for c in sorted(parts, key=lambda c: -len(c.element.num)):
+        others = [k for k in parts if k is not c]
+        if decide(c.element, c.relation, others) is True:
+            parts = others
+    return [_shorter(c, [k for k in parts if k is not c]) for c in parts]
+
+
+def texts(conditions: Sequence[Condition]) -> list[str]:
+    """The range in words and formulas, one line for each condition."""
+    return [_text(c) for c in validity(conditions)]
+
+
+# -- taking apart -----------------------------------------------------------------------------
+def _parts(c: Condition) -> Iterator[Condition]:
+    """What a condition comes to. One that cannot hold is left as it is."""
+    condition, is_possible = require(c.element, c.relation, c.purpose)
+    if not is_possible:
+        yield c
+        return
+    if condition is None:
+        return
+    x = condition.element
+    factors = x.field.factor(x.num)[1]
+    if condition.relation == "!=":
+        for base, _exponent in factors:
+            inside = _radicand(base)
+            if inside is not None:
+                yield from _parts(replace(c, element=inside, relation=">"))
+                continue
+            part, _possible = require(base, "!=", c.purpose)
+            if part is not None:
+                yield part
+        return
+    if len(factors) == 1 and (inside := _radicand(factors[0][0])) is not None and x.den is None:
+        yield from _parts(replace(condition, element=inside))
+        return
+    yield from _split(condition)
+
+
+def _split(c: Condition) -> Iterator[Condition]:
+    """Of a product of two that can have one pair of signs only, each factor."""
+    field = c.element.field
+    unit, factors = field.factor(c.element.num)
+    odd = [base for base, e in factors if e % 2]
+    if c.element.den is None and len(odd) == len(factors) == 2:
+        first, second = odd[0], odd[1] if unit > 0 else -odd[1]
+        for signs in (1, -1):
+            if possible([Condition(-signs * first, ">"), Condition(-signs * second, ">")]) is False:
+                yield from (replace(c, element=signs * x) for x in (first, second))
+                return
+    yield c
+
+
+def _radicand(base: Ratio) -> Ratio | None:
+    """Of a factor that is a root of something that is no number."""
+    field = base.field
+    if len(base.generators()) != 1 or base.den is not None:
+        return None
+    (index,) = base.generators()
+    is_root = field.generators[index].kind == "root" and bool(field.generators[index].made_of)
+    return field.radicand(index) if is_root and base == field.variable(index) else None
+
+
+def _merged(parts: Sequence[Condition]) -> list[Condition]:
+    """Each element once, with the strictest relation and all purposes."""
+    found: list[Condition] = []
+    for part in parts:
+        k = next((k for k, c in enumerate(found) if _same(c, part)), None)
+        if k is None:
+            found.append(part)
+            continue
+        old = found[k]
+        strict = {old.relation, part.relation} not in ({">="}, {"!="})
+        kept = part if part.relation == ">" or old.relation == "!=" else old
+        relation = ">" if strict else old.relation
+        found[k] = Condition(kept.element, relation, _both_purposes(old.purpose, part.purpose))
+    return found
+
+
+def _both_purposes(*purposes: str) -> str:
+    """What a condition is for: that something stands below a bar or under a root is said where nothing else is."""
+    every = [p for text in purposes for p in text.split(", ") if p]
+    telling = [p for p in every if p not in (*FORMAL, TAKEN)]
+    return ", ".join(dict.fromkeys(telling or [p for p in every if p in FORMAL] or every))
+
+
+def _same(a: Condition, b: Condition) -> bool:
+    if a.element == b.element:
+        return True
+    return "!=" in (a.relation, b.relation) and a.element == -b.element
+
+
+def _shorter(c: Condition, others: Sequence[Condition]) -> Condition:
+    """Without the factors that have one sign where the others hold."""
+    if c.relation == "!=":
+        return c
+    field, rest = c.element.field, c.element.field.one
+    factors = field.factor(c.element.num)[1] if c.element.den is None else []
+    if len(factors) < 2:
+        return c
+    sign = 1 if field.factor(c.element.num)[0] > 0 else -1
+    for base, exponent in factors:
+        if decide(base, ">", others):
+            continue
+        if decide(-base, ">", others):
+            sign = -sign if exponent % 2 else sign
+            continue
+        rest = rest * base**exponent
+    return replace(c, element=sign * rest)
+
+
+# -- words ------------------------------------------------------------------------------------
+def _text(c: Condition) -> str:
+    shown = shortest(c)
+    purpose = f" ({c.purpose})" if c.purpose else ""
+    return reworded(f"{_where(c.element)}{shown}{purpose}", shown)
+
+
+def _where(x: Ratio) -> str:
+    """What is said before a condition that is not one on parameters alone."""
+    kinds = {x.field.generators[g].kind for g in x.field.ingredients(x)} & set(_MOVING)
+    if not kinds:
+        return ""
+    if kinds == {"coordinate"}:
+        return "at every pose of the motion with "
+    return "at every time with " if kinds == {"time"} else "at every instant of the motion with "
+
+
+def shortest(c: Condition) -> Stated:
+    """The inequality in the form with the fewest operations."""
+    e = readable(c.element)
+    best, least = relation_text(e, c.relation), n_operations(e) - 1
+    for g in _parameters(c.element.field, c.element):
+        solved = solved_for(c, (g,))
+        if solved.bound is not None:
+            n = n_operations(readable(solved.bound))
+            if n < least:
+                best, least = solved.text(), n
+    root = _bound(c)
+    return root[0] if root is not None and root[1] < least else best
+
+
+def _bound(c: Condition) -> tuple[Stated, int] | None:
+    """n^2 g^2 > q^2 with a positive parameter g as g > |q|/n, and how many operations that takes."""
+    field, x = c.element.field, c.element
+    if c.relation == "!=" or x.den is not None:
+        return None
+    for g in _parameters(field, x):
+        parts = x.coefficients(g)
+        if len(parts) != 3 or not parts[1].is_zero() or not field.generators[g].positive:
+            continue
+        front = parts[2].fraction()
+        n = 0 if front is None or front < 0 else math.isqrt(int(front))
+        if front is None or n * n != front or n == 0:
+            continue
+        for terms in square_variants(field, field.terms((-parts[0]).num)):
+            root = field.square_root(terms)
+            if root is not None:
+                return _bounded(field.variable(g), c.relation, root / n)
+    return None
+
+
+def _bounded(g: Ratio, relation: str, q: Ratio) -> tuple[Stated, int]:
+    sign, left = sign_given(q), tidy(g)
+    if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        q, sign = -q, -sign
+    shown = readable(q)
+    is_known = sign in (Sign.POSITIVE, Sign.NONNEGATIVE)
+    statement = compared(left, relation, shown if is_known else Call("abs", shown))
+    if not is_known:
+        left_text = statement.partition("abs(")[0]
+        statement = Stated(f"{left_text}|{to_text(shown)}|", statement.expression)
+    return statement, n_operations(shown)
+
+
+def _parameters(field: Field, x: Ratio) -> list[int]:
+    return [g for g in sorted(x.generators()) if field.generators[g].kind == "parameter"]

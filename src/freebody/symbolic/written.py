@@ -1,0 +1,61 @@
+"""Where what a file says has a value as it is written, before anything is cancelled.
+
+A law k (u^2 - a^2)/(u - a) is k (u + a) in the field, and so in every answer; at u = a the file says nothing. What it
+excludes is excluded from the answers that rest on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from freebody.errors import CannotAnswer
+from freebody.language.notation import to_text
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
+from freebody.model.elements import RateMeasure
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
+
+Need = tuple[Ratio, str, str]  # element, relation to 0, what has a value then
+
+
+def has_values(state: SymbolicState, measures: Iterable[Measure], *, with_loads: bool) -> list[Condition]:
+    """Conditions for the geometry, some measures and, where they matter, the laws of the loads. Raises CannotAnswer
+    where one of them never has a value in this state."""
+    found: list[Condition] = []
+    for x, relation, purpose in _needs(state.model, measures, with_loads):
+        here = state.here(x)
+        condition, possible = require(here, relation, purpose)
+        if not possible:
+            raise CannotAnswer(
+                f"the {purpose} has no value there: {to_text(tidy(x))} is {to_text(tidy(here))}, as it is written"
+            )
+        found += [] if condition is None else [condition]
+    return found
+
+
+def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) -> Iterator[Need]:
+    for expr in model.lengths:
+        for x, relation in model.geometry.needs(expr, {}):
+            yield x, relation, "geometry"
+    rows = [row.measure for row in model.system.held if not isinstance(row.measure, RateMeasure)]
+    for measure in (*rows, *measures):
+        yield from _of_measure(model, measure)
+    for push in model.system.pushes if with_loads else ():
+        for x, relation in model.law_needs(push):
+            yield x, relation, f"law of {push.load}"
+        if not isinstance(push.measure, RateMeasure):
+            yield from _of_measure(model, push.measure)
+
+
+def _of_measure(model: SymbolicModel, measure: Measure) -> Iterator[Need]:
+    if not isinstance(measure, Composed):
+        return
+    values = {name: model.value_of(part) for name, part in measure.measures}
+    for x, relation in model.geometry.needs(measure.expression, values):
+        yield x, relation, "measure"
+    for _name, part in measure.measures:
+        yield from _of_measure(model, part)
