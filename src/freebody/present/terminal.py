@@ -100,7 +100,7 @@ def answer_lines(answer: Answer, *, is_full: bool = False) -> Iterator[str]:
     yield ""
     if answer.value is not None:
         yield f"    value       {_value_text(answer)}"
-    yield from _listed("holds", answer.conditions if is_full else tuple(map(_shortened, answer.conditions)))
+    yield from _listed("valid", answer.conditions if is_full else tuple(map(_shortened, answer.conditions)))
     if answer.cases:
         from freebody.present.phases import case_lines
 

@@ -54,7 +54,7 @@ from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
-from freebody.symbolic.written import has_values
+from freebody.symbolic.written import HasNoValue, has_values
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -326,6 +326,8 @@ class _Solver:
             return self._finish(self._find())
         except NeverHappens as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error), never=True)
+        except HasNoValue as error:
+            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
         except (CannotAnswer, *FAILED) as error:
             reason = str(error) if isinstance(error, CannotAnswer) else cause(self.system, error)
             value, unfinished = self._number_instead()
@@ -374,6 +376,8 @@ class _Solver:
 
     def _find(self) -> _Found:
         q = self.question.quantity
+        if self.question.at_start or self.question.event is not None:
+            self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
         if isinstance(q, SteadyQuantity):
             return self._steady()
         if self.question.event is not None:

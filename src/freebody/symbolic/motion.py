@@ -17,8 +17,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import Expr, Symbol, free_symbols
-from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.notation import Stated, to_python, to_text
 from freebody.measures.geometry import Pose
 from freebody.model.elements import RateMeasure
 from freebody.model.question import Event

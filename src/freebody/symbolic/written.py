@@ -19,19 +19,24 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
+
+class HasNoValue(CannotAnswer):
+    """What the file says has no value in the state that is asked for."""
+
+
 Need = tuple[Ratio, str, str]  # element, relation to 0, what has a value then
 
 
 def has_values(state: SymbolicState, measures: Iterable[Measure], *, with_loads: bool) -> list[Condition]:
-    """Conditions for the geometry, some measures and, where they matter, the laws of the loads. Raises CannotAnswer
+    """Conditions for the geometry, some measures and, where they matter, the laws of the loads. Raises HasNoValue
     where one of them never has a value in this state."""
     found: list[Condition] = []
     for x, relation, purpose in _needs(state.model, measures, with_loads):
         here = state.here(x)
         condition, possible = require(here, relation, purpose)
         if not possible:
-            raise CannotAnswer(
-                f"the {purpose} has no value there: {to_text(tidy(x))} is {to_text(tidy(here))}, as it is written"
+            raise HasNoValue(
+                f"the {purpose} has no value in this state, as it is written: {to_text(tidy(x))} is {to_text(tidy(here))} there"
             )
         found += [] if condition is None else [condition]
     return found

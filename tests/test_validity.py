@@ -1,0 +1,134 @@
+"""The printed range of validity of textbook systems, against the exact range and against numbers inside and outside."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import pytest
+
+import freebody as fb
+from freebody.language.notation import Stated
+from freebody.study.answer import NOT_VALID
+
+SLIDER_CRANK = """
+parameters: {r: 0.1 m, l: 0.4 m, e: 0.05 m}
+ground: {points: {O: [0, 0], G: [0, e]}}
+bodies:
+  crank:  {rod: {length: r}}
+  rod:    {rod: {length: l}, near: {angle: 0}}
+  piston: {particle: {mass: 1 kg}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  crankpin: {pin: [crank.end, rod.start]}
+  wristpin: {pin: [rod.end, piston]}
+  cylinder: {slider: {body: piston, along: right, through: ground.G}}
+measures: {theta: angle of crank, x: x of piston}
+start: {theta: 60 deg}
+"""
+IN_LINE = SLIDER_CRANK.replace("e: 0.05 m}", "}").replace("G: [0, e]", "G: [0, 0]")
+FOUR_BAR = """
+parameters: {a: 1 m, b: 3 m, c: 2.5 m, d: 3.2 m}
+ground: {points: {A: [0, 0], D: [d, 0]}}
+bodies:
+  crank: {rod: {length: a}}
+  coupler: {rod: {length: b}}
+  rocker: {rod: {length: c}, near: {angle: 80 deg}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.end]}
+  D: {pin: [ground.D, rocker.start]}
+measures: {theta: {angle of crank}}
+start: {theta: 60 deg}
+"""
+MAST = """
+parameters: {m: 3 kg, h: 1.2 m, b: 0.8 m, k: 90 N/m, d: 0.4 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], A: [-d, b], B: [d, b]}}
+bodies: {mast: {body: {mass: m, inertia: 0.1 kg m^2}, points: {foot: [0, -h], eye: [0, b - h]}}}
+connections: {hinge: {pin: [ground.O, mast.foot]}}
+loads:
+  weight: {gravity: g}
+  west: {spring: {first: ground.A, second: mast.eye, stiffness: k, length: d}}
+  east: {spring: {first: ground.B, second: mast.eye, stiffness: k, length: d}}
+measures: {theta: {angle of mast clockwise}}
+start: {theta: 0}
+"""
+CANCELLED = """
+parameters: {k: 3 N/m, m: 1 kg, a: 1 m}
+bodies: {b: {particle: {mass: m}}}
+connections: {rail: {slider: {body: b, along: right, through: ground.O}}}
+ground: {points: {O: [0, 0]}}
+measures: {u: x of b}
+loads: {s: {law: {measure: u, force: -k*(u^2 - a^2)/(u - a)}}}
+start: {u: a}
+"""
+
+
+def ask(model: str, question: str) -> fb.Answer:
+    return fb.System.from_text(model).solve(question).answers[0]
+
+
+def is_inside(answer: fb.Answer, values: dict[str, float]) -> bool:
+    """Whether numbers satisfy all conditions that are printed."""
+    functions = {name: getattr(math, name) for name in ("sin", "cos", "tan", "sqrt", "pi")}
+    statements = [c.expression for c in answer.conditions if isinstance(c, Stated)]
+    assert len(statements) == len(answer.conditions)
+    return all(eval(s, {"__builtins__": {"abs": abs}}, functions | values) for s in statements)  # of this program
+
+
+def test_a_slider_crank_needs_a_rod_that_reaches_the_guide() -> None:
+    """The wrist pin is on the guide if l >= |r sin(theta) - e|; its speed is finite off the limits of that."""
+    assert ask(SLIDER_CRANK, "x").conditions == (
+        "at every pose of the motion with l ≥ |r·sin(θ) - e| (can be assembled)",
+    )
+    assert ask(SLIDER_CRANK, "velocity of x").conditions == (
+        "at every pose of the motion with l > |r·sin(θ) - e| (can be assembled)",
+    )
+
+
+@pytest.mark.parametrize("model", [IN_LINE, SLIDER_CRANK, FOUR_BAR])
+def test_the_range_of_a_linkage_is_exactly_where_its_links_meet(model: str) -> None:
+    """Over ten decades: circles about two points meet if their distance is between difference and sum of the radii."""
+    question = "ratio of angular velocity of rod to angular velocity of crank"
+    answer = ask(model, question.replace("rod", "coupler") if model is FOUR_BAR else question)
+    assert answer.expression is not None
+    seed = 20261122
+    print(f"seed {seed}")
+    rng = random.Random(seed)
+    n_inside = 0
+    for _ in range(400):
+        size = 10.0 ** rng.uniform(-5, 5)
+        v = {name: size * 10.0 ** rng.uniform(-0.7, 0.7) for name in "rleabcd"} | {"theta": rng.uniform(-4.0, 4.0)}
+        if model is FOUR_BAR:
+            reach = math.hypot(v["d"] - v["a"] * math.cos(v["theta"]), v["a"] * math.sin(v["theta"]))
+            meets = abs(v["b"] - v["c"]) < reach < v["b"] + v["c"]
+        else:
+            meets = v["l"] > abs(v["r"] * math.sin(v["theta"]) - (0.0 if model is IN_LINE else v["e"]))
+        assert is_inside(answer, v) == meets
+        n_inside += meets
+    assert 40 < n_inside < 380
+
+
+def test_stability_of_a_stayed_mast_is_a_condition_and_not_a_sample() -> None:
+    """Two springs at b give 2 k b^2 against m g h of the weight; the frequency exists where they win."""
+    equilibrium = ask(MAST, "equilibrium of theta")
+    assert equilibrium.notes == ("this equilibrium is stable if 2·b²·k > m·h·g: with the given numbers it is stable",)
+    frequency = ask(MAST, "natural frequencies")
+    assert frequency.conditions == ("2·b²·k > m·h·g (oscillates)",)
+    m, h, b, k, g = 3.0, 1.2, 0.8, 90.0, 9.81
+    assert frequency.value == pytest.approx(math.sqrt((2 * k * b**2 - m * g * h) / (m * h**2 + 0.1)))
+    weak = MAST.replace("k: 90 N/m", "k: 9 N/m")
+    assert ask(weak, "equilibrium of theta").notes[0].endswith("with the given numbers it is not stable")
+    assert ask(weak, "natural frequencies").value is None
+
+
+def test_what_the_file_divides_by_stays_excluded_when_it_cancels() -> None:
+    acceleration = ask(CANCELLED, "acceleration of u")
+    assert acceleration.conditions == ("at every pose of the motion with u ≠ a (law of s)",)
+    start = ask(CANCELLED, "acceleration of u at start")
+    assert start.expression is None
+    assert "law of s has no value" in start.reason
+    numbers = ask(CANCELLED.replace("u: a}", "u: 1 m}"), "acceleration of u at start")
+    assert numbers.value is None
+    assert numbers.notes == (f"{NOT_VALID}: a ≠ 1 (law of s)",)
