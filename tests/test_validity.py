@@ -132,3 +132,25 @@ def test_what_the_file_divides_by_stays_excluded_when_it_cancels() -> None:
     numbers = ask(CANCELLED.replace("u: a}", "u: 1 m}"), "acceleration of u at start")
     assert numbers.value is None
     assert numbers.notes == (f"{NOT_VALID}: a ≠ 1 (law of s)",)
+
+
+def test_a_motion_does_not_start_where_a_law_divides_by_zero() -> None:
+    with pytest.raises(fb.CannotAnswer, match="law of s has no value"):
+        fb.System.from_text(CANCELLED).simulate(1.0)
+
+
+def test_a_crank_goes_round_if_the_rod_is_longer_than_crank_and_offset_together() -> None:
+    """With the rod and the crank in line the piston is at sqrt((l +- r)^2 - e^2)."""
+    answer = ask(SLIDER_CRANK, "extremes of x over a turn of theta")
+    assert answer.conditions == ("l > r + e (a full turn is possible)",)
+    assert answer.value == pytest.approx((math.sqrt(0.3**2 - 0.05**2), math.sqrt(0.5**2 - 0.05**2)))
+    long = IN_LINE.replace("r: 0.1 m, l: 0.4 m", "r: 1 m, l: 2 m")
+    assert ask(long, "extremes of x over a turn of theta").conditions == ("l > r (a full turn is possible)",)
+
+
+def test_what_a_drive_moves_is_not_said_to_be_the_same_in_every_pose() -> None:
+    driven = SLIDER_CRANK.replace("e: 0.05 m", "e: 0.05 m, w: 2 rad/s")
+    driven = driven.replace("connections:", "connections:\n  motor: {driver: {measure: theta, follows: w*t}}")
+    answer = ask(driven.replace("start: {theta: 60 deg}", ""), "extremes of x")
+    assert answer.expression is None
+    assert "varies with time" in answer.reason

@@ -20,7 +20,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols
+from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
+from freebody.language.notation import to_text
 from freebody.model.elements import RATE, VALUE, Push, RateMeasure
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
@@ -29,6 +30,8 @@ from freebody.numeric.split import RANK_CUT, Split, stack
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
+
+_CANCELS = 1e-12  # terms that come to less than this part of their sizes come to zero
 
 
 @dataclass(frozen=True)
@@ -98,6 +101,36 @@ def each_force(reference: Reference, g: JetGeometry) -> Iterator[Array]:
 
 def law(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None = None) -> float:
     """The generalized force of a load, whose measure may be known already."""
+    names = _law_names(reference, g, push, measure)
+    with named(push.name):
+        return finite(evaluate(push.law, names, FLOAT_FUNCTIONS))
+
+
+def check_laws(reference: Reference, g: JetGeometry) -> None:
+    """Raises CannotAnswer naming a load whose law divides by zero here: round-off would make a number of that."""
+    for push in reference.system.pushes:
+        divisors = [part for part, relation in domain(push.law) if relation != ">="]
+        if not divisors:
+            continue
+        names = _law_names(reference, g, push, None)
+        for part in divisors:
+            terms = part.terms if isinstance(part, Sum) else (part,)
+            try:
+                values = [float(evaluate(term, names, FLOAT_FUNCTIONS)) for term in terms]
+            except (ArithmeticError, ValueError):
+                continue  # what it is made of has no value itself
+            if abs(sum(values)) <= _CANCELS * sum(map(abs, values)):
+                shown = {name for name, measure in reference.system.measures.items() if measure == push.measure}
+                own = Symbol(min(shown)) if shown else Symbol("its measure")
+                text = to_text(substitute(part, {VALUE.name: own}))
+                raise CannotAnswer(
+                    f"the law of {push.load} has no value where the motion would start: it divides by {text}, which is "
+                    "0 there. Start elsewhere, or write the law without that divisor"
+                )
+
+
+def _law_names(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None) -> dict[str, float]:
+    """The numbers of all that a law contains."""
     needed = free_symbols(push.law)
     names: dict[str, float] = {**reference.frame.values, TIME: g.time.value}
     if VALUE.name in needed or RATE.name in needed:
@@ -108,8 +141,7 @@ def law(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None = 
     for name, other in push.measures:
         jet = reference.jet(g, other, name)
         names[name], names[f"rate({name})"] = jet.value, jet.rate
-    with named(push.name):
-        return finite(evaluate(push.law, names, FLOAT_FUNCTIONS))
+    return names
 
 
 def _check_consistent(reference: Reference, split: Split, gaps: Array, b: Array) -> None:

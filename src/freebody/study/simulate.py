@@ -26,6 +26,7 @@ from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.engine.motion import MOST_STEPS
 from freebody.numeric.engine.tableaus import METHODS
+from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
@@ -77,6 +78,7 @@ class Simulator:
         self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
+        check_laws(self.reference, start.geometry)
         self.value_at_start = start.value
         try:
             self.engine.align(self.start, 0.0, self.value_at_start)

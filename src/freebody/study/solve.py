@@ -609,7 +609,7 @@ class _Solver:
             judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
             conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
-                found.notes.append("no load acts, so that contacts and strings hold is not judged")
+                found.notes.append("no load acts, so it is not judged whether contacts and strings hold")
         conditions += self._as_written(q, state)
         return self.setup.in_free_coordinates(conditions, state)
 

@@ -353,19 +353,35 @@ class Field:
             data[key] = data.get(key, 0) + coefficient
         return Ratio(self, self.reduce(self._context.from_dict(data)), None)
 
-    def square_root(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Ratio | None:
-        """Of a polynomial that is a perfect square as it is written, before any relation is used; else None."""
+    def _as_written(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Poly:
+        """A polynomial of which no relation is used."""
         data: dict[tuple[int, ...], int] = {}
         for monomial, coefficient in terms.items():
             exponents = [0] * self._capacity
             for index, exponent in monomial:
                 exponents[self._capacity - 1 - index] += exponent
             data[tuple(exponents)] = coefficient
+        return self._context.from_dict(data)
+
+    def square_root(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Ratio | None:
+        """Of a polynomial that is a perfect square as it is written, before any relation is used; else None."""
         try:
-            root = self._context.from_dict(data).sqrt()
+            root = self._as_written(terms).sqrt()
         except (_flint.utils.flint_exceptions.DomainError, ValueError):
             return None
         return Ratio(self, self.reduce(root), None)
+
+    def factors_in(self, terms: Mapping[tuple[tuple[int, int], ...], int], generator: int) -> list[list[Ratio]]:
+        """The factors of a polynomial as it is written that contain a generator: coefficients of its powers, lowest
+        first."""
+        poly = self._as_written(terms)
+        small = poly.context().drop_gens(poly.unused_gens())
+        found: list[list[Ratio]] = []
+        for factor, _exponent in poly.project_to_context(small).factor()[1]:
+            parts = self.split(factor.project_to_context(self._context), generator)
+            if len(parts) > 1:
+                found.append([Ratio(self, self.reduce(p), None) for p in parts])
+        return found
 
     def split(self, poly: Poly, generator: int) -> list[Poly]:
         """Coefficients of the powers of one generator, lowest first."""

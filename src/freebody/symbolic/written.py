@@ -35,9 +35,8 @@ def has_values(state: SymbolicState, measures: Iterable[Measure], *, with_loads:
         here = state.here(x)
         condition, possible = require(here, relation, purpose)
         if not possible:
-            raise HasNoValue(
-                f"the {purpose} has no value in this state, as it is written: {to_text(tidy(x))} is {to_text(tidy(here))} there"
-            )
+            what = f"{to_text(tidy(x))} is {to_text(tidy(here))} there"
+            raise HasNoValue(f"the {purpose} has no value in this state, as it is written: {what}")
         found += [] if condition is None else [condition]
     return found
 

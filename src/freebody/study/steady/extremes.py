@@ -20,6 +20,7 @@ from freebody.study.steady.finding import Finding, odd_part
 from freebody.study.steady.turning import Place, Turning
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of, times
@@ -69,6 +70,11 @@ def angle_of(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
     inside = model.field.ingredients(x)
     moving = [c for c in model.coordinates if c.index in inside]
     if not moving:
+        if any(model.field.generators[g].kind == "time" for g in inside):
+            raise CannotAnswer(
+                "it varies with time, as it is driven, and not with a coordinate that is free. Leave the driver out to "
+                "ask for the extremes over a turn of its angle"
+            )
         raise CannotAnswer("the quantity is the same in every pose")
     if q.over is None:
         if len(moving) > 1:
@@ -106,10 +112,7 @@ class Search:
 
     def stationary(self, x: Ratio) -> list[Extremum]:
         """All stationary values, each once."""
-        slope = self.field.lowest_terms(self.field.derivative(x, self.turning.angle.index))
-        if slope.is_zero():
-            raise CannotAnswer("the quantity is the same all round the turn")
-        places = [p for p in self.turning.zeros(slope.numerator()) if self._exists(p)]
+        places = [p for p in self.turning.zeros(self._slope(x).numerator()) if self._exists(p)]
         values: list[Extremum] = []
         for place in places:
             value = self.turning.at(x, place)
@@ -123,21 +126,25 @@ class Search:
         return values
 
     def _exists(self, place: Place) -> bool:
-        """Whether a place is real: for all admissible values, or as at the samples, which is a condition then."""
+        """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then."""
         for x in place.must_be_positive:
-            numbers = [v for v in self.turning.model.at_samples(x) if not math.isnan(v)]
             condition, possible = require(odd_part(x), ">=", "there is such a pose")
             if not possible:
                 return False
             if condition is None:
                 continue
-            if all(v < 0 for v in numbers):
+            if self._at_first(x) < 0:
                 self._add(-x, "")
                 return False
-            if not all(v >= 0 for v in numbers):
-                raise CannotAnswer(f"how many extremes there are depends on {condition.text()}")
             self.conditions.append(condition)
         return True
+
+    def _at_first(self, x: Ratio) -> float:
+        """At the first sample, the model's own numbers where it has them: what is taken from it becomes a condition."""
+        values = self.turning.model.at_samples(x)
+        if not values or math.isnan(values[0]):
+            raise CannotAnswer(f"{to_text(tidy(x))} is not real at the model's own values")
+        return values[0]
 
     def must_exist(self, x: Ratio) -> None:
         """Denominators must not vanish on the way, and what is under roots must not become negative."""
@@ -162,19 +169,26 @@ class Search:
                 self._keep_sign(self.turning.norm(x), why, "as at the start", may_touch=False)
 
     def _keep_sign(self, base: Ratio, otherwise: str, purpose: str, *, may_touch: bool) -> None:
-        """One sign all round: that of all stationary values."""
+        """All stationary values have the sign that the element has at the start."""
         inner = Search(self.turning)
-        values = [e.value for e in inner.stationary(base)]
+        sign = 1 if self._at_first(base) > 0 else -1
+        for place in self.turning.zeros(self._slope(base).numerator()):
+            value = sign * self.turning.at(base, place)
+            if (may_touch and value.is_zero()) or decide(value, ">") is True:
+                continue
+            if not inner._exists(place):  # where it is, a condition
+                continue
+            if self._at_first(value) <= 0:
+                raise CannotAnswer(f"{otherwise}: {to_text(tidy(base))} vanishes on the way")
+            self._add(value, purpose)
         self.conditions += inner.conditions
-        if may_touch:
-            values = [v for v in values if not v.is_zero()]
-        samples = [self.turning.model.at_samples(v) for v in values]
-        signs = {v > 0 for row in samples for v in row if not math.isnan(v)}
-        if len(signs) != 1 or any(v.is_zero() for v in values):
-            raise CannotAnswer(f"{otherwise}: {to_text(tidy(base))} vanishes on the way")
-        is_positive = signs.pop()
-        for v in values:
-            self._add(v if is_positive else -v, purpose)
+
+    def _slope(self, x: Ratio) -> Ratio:
+        """The derivative along the angle. Raises CannotAnswer where it is zero all round."""
+        slope = self.field.lowest_terms(self.field.derivative(x, self.turning.angle.index))
+        if slope.is_zero():
+            raise CannotAnswer("the quantity is the same all round the turn")
+        return slope
 
     def _add(self, x: Ratio, purpose: str) -> None:
         condition, possible = require(odd_part(x), ">", purpose)
@@ -184,21 +198,12 @@ class Search:
             self.conditions.append(condition)
 
     def ordered(self, found: list[Extremum]) -> tuple[Extremum, Extremum]:
-        """Least and largest: by sign, else as at the samples, which is a condition then."""
-        rows = list(zip(*(self.turning.model.at_samples(e.value) for e in found), strict=True))
-        rows = [row for row in rows if not any(map(math.isnan, row))]
-        if not rows:
-            raise CannotAnswer("the stationary values are not real at the model's own values")
-        least = self._first(found, rows, 1)
-        largest = self._first(found, rows, -1)
-        return least, largest
+        """Least and largest: by sign, else as at the first sample, which is a condition then."""
+        values = [self._at_first(e.value) for e in found]
+        return self._first(found, values, 1), self._first(found, values, -1)
 
-    def _first(self, found: list[Extremum], rows: list[tuple[float, ...]], way: int) -> Extremum:
-        best = {min(range(len(row)), key=lambda k, row=row: way * row[k]) for row in rows}
-        if len(best) != 1:
-            candidates = ", ".join(to_text(tidy(found[k].value)) for k in sorted(best))
-            raise CannotAnswer(f"which of {candidates} is the extreme one depends on the parameter values")
-        chosen = found[best.pop()]
+    def _first(self, found: list[Extremum], values: list[float], way: int) -> Extremum:
+        chosen = found[min(range(len(values)), key=lambda k: way * values[k])]
         for e in found:
             gap = way * (e.value - chosen.value)
             if e is not chosen and _sign(gap) not in (Sign.POSITIVE, Sign.NONNEGATIVE):

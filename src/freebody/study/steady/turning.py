@@ -27,7 +27,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.tidy import tidy
+from freebody.symbolic.tidy import sine_form, tidy
 
 _SMALL = 1e-9
 _DEEPEST = 14  # halvings of a sixteenth of a turn
@@ -132,12 +132,10 @@ class Turning:
         if any(i not in (self.cos, self.sin) for i in own):
             raise CannotAnswer(f"where {to_text(tidy(base))} vanishes has no closed form")
         if own == [self.cos]:
-            return self._in_one(base, self.cos, lambda u, w: ((u, w), (u, -w)))
-        if own == [self.sin]:
-            return self._in_one(base, self.sin, lambda u, w: ((w, u), (-w, u)))
-        in_sin = self._even_in(base)
+            return self._in_one(base, base.coefficients(self.cos), lambda u, w: ((u, w), (u, -w)))
+        in_sin = self._in_sine(base)
         if in_sin is not None:
-            return self._factor(in_sin)
+            return in_sin
         linear = self._linear(base)
         if linear is None:
             self._prove_no_zero(base)
@@ -159,22 +157,22 @@ class Turning:
         numbers = [v for v in self.model.at_samples(value) if not math.isnan(v)]
         return bool(numbers) and all(abs(v) < _SMALL for v in numbers)
 
-    def _even_in(self, base: Ratio) -> Ratio | None:
-        """A polynomial in c and s that is one in s alone, with c^2 = 1 - s^2."""
-        parts = base.coefficients(self.cos)
-        if any(not p.is_zero() for p in parts[1::2]):
+    def _in_sine(self, base: Ratio) -> list[Place] | None:
+        """Zeros of a polynomial that is one in s alone, with c^2 = 1 - s^2; None where it is not."""
+        f = self.field
+        terms = sine_form(f.terms(base.num), self.cos, self.sin)
+        if any(g == self.cos for m in terms for g, _e in m):
             return None
-        s = self.field.variable(self.sin)
-        total = self.field.zero
-        for k, p in enumerate(parts[::2]):
-            total = total + p * (1 - s * s) ** k
-        return None if total.generators() >= {self.cos} else total
+        found: list[Place] = []
+        for coefficients in f.factors_in(terms, self.sin):
+            found += self._in_one(base, coefficients, lambda u, w: ((w, u), (-w, u)))
+        return found
 
     def _in_one(
-        self, base: Ratio, index: int, both: Callable[[Ratio, Ratio], tuple[tuple[Ratio, Ratio], ...]]
+        self, base: Ratio, c: list[Ratio], both: Callable[[Ratio, Ratio], tuple[tuple[Ratio, Ratio], ...]]
     ) -> list[Place]:
-        """Zeros of a polynomial in the cosine, or in the sine, alone."""
-        f, c = self.field, base.coefficients(index)
+        """Zeros of a polynomial in the cosine, or in the sine, alone, by its coefficients."""
+        f = self.field
         if len(c) > 3:
             self._prove_no_zero(base)
             return []
