@@ -33,6 +33,7 @@ def formula(text: str) -> sympy.Expr:
     """A formula in Python's notation; rate(x) is a symbol of its own."""
     names = _Symbols({name: getattr(sympy, name) for name in _FUNCTIONS})
     names["rate"] = lambda measure: sympy.Symbol(f"rate({measure.name})")
+    names["abs"] = sympy.Abs
     names["exact"] = sympy.Rational  # numbers as fractions, not as floats
     return sympy.S(eval(_NUMBER.sub(r"exact('\g<0>')", text), {"__builtins__": {}}, names))
 

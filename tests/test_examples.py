@@ -151,8 +151,10 @@ def test_the_json_document_has_the_documented_shape(name: str) -> None:
 def test_a_condition_says_the_same_in_words_and_to_machines(name: str) -> None:
     """The words of a comparison are read by the parser of model files, which knows no Python."""
     for condition in (c for a in solved(name).to_plain()["answers"] for c in a["conditions"]):
-        found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", condition["text"].partition(" (")[0])
-        if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "for all")):
+        words = re.sub("^at every .* with ", "", condition["text"]).partition(" (")[0]
+        words = re.sub(r"\|(.*)\|", r"abs(\1)", words)
+        found = re.fullmatch("([^<>≤≥≠=]+) ([<>≤≥≠=]) ([^<>≤≥≠=]+)", words)
+        if found is None or "°" in found[3] or found[1].startswith(("conserved", "stable", "steady", "for all")):
             continue
         left, sign, right = found.groups()
         a, operator, b = re.split(" (<|>|<=|>=|!=|==) ", condition["expression"])

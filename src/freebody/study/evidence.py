@@ -26,8 +26,8 @@ from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
+from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import find_equilibrium
 
 INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
@@ -223,7 +223,7 @@ def _small_number(setup: Setup, quantity: Small, draw: Draw) -> float | tuple[fl
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
     try:
-        equilibrium, _notes = find_equilibrium(setup.model, setup.start)
+        equilibrium = find_equilibrium(setup.model, setup.start).values
         q = draw.reference.pose_near(draw.q, _wanted(setup, equilibrium, draw))
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
