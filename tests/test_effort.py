@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
-from freebody.effort import allowed, effort, exhausted
+from freebody.budgets import allowed, effort, exhausted
 from freebody.study.conflicts import conflict
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples"

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from freebody.api import System
+    from freebody.budgets import effort
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.study.answer import Answer
     from freebody.study.conserved import conserved
@@ -49,6 +50,7 @@ _HOMES = {
     "Simulator": "freebody.study.simulate",
     "equations_of_motion": "freebody.study.eom",
     "Equations": "freebody.study.eom",
+    "effort": "freebody.budgets",
     "FreebodyError": "freebody.errors",
     "InputError": "freebody.errors",
     "ModelError": "freebody.errors",
@@ -72,6 +74,7 @@ __all__ = [
     "Statics",
     "System",
     "conserved",
+    "effort",
     "equations_of_motion",
     "equilibria",
     "inverse_dynamics",

@@ -32,7 +32,7 @@ ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (Y
 
 
 def _raise_effort(factor: float) -> float:
-    from freebody.effort import raise_effort
+    from freebody.budgets import raise_effort
 
     raise_effort(factor)
     return factor

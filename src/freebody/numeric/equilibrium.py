@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.effort import allowed
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import RateMeasure

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.effort import allowed
+from freebody.budgets import allowed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point

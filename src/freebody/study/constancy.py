@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.effort import allowed
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.effort import allowed
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.effort import allowed, exhausted
+from freebody.budgets import allowed, exhausted
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.model.elements import Held
 from freebody.model.question import Event

@@ -125,8 +125,13 @@ def _together(
     if n_modes(system) > (MOST_MODES if first is None else most_others):
         return _outcome(system, [first] if first is not None else [], is_proven=False)
     found = _search_all(system, rules) or _without_breaking_away(system, rules)
-    if first is not None and not any(_is_same(system, first, other) for other in found):
-        found.append(first)
+    if first is not None:
+        # one outcome has many names where a rub neither slips nor holds back: the one that lasts is kept
+        alike = [k for k, other in enumerate(found) if _is_same(system, first, other)]
+        for k in alike:
+            found[k] = min(found[k], first, key=lambda s: departures(s.mode))
+        if not alike:
+            found.append(first)
     found.sort(key=lambda s: (s.mode != guess, departures(s.mode), _effort(system, s)))
     if first is not None and first.mode == guess and _is_same(system, first, found[0]):
         found[0] = first

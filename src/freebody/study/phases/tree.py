@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.effort import allowed
+from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.model.elements import Bound, Held, Rub
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
