@@ -123,3 +123,15 @@ def test_compiling_is_announced_once(tmp_path: Path) -> None:
         progress.listen(None)
     assert len(heard) == 1
     assert "compiling the kernels" in heard[0]
+
+
+def test_without_any_folder_that_can_be_written_kernels_are_compiled(monkeypatch: Any) -> None:
+    def full(*_arguments: object, **_options: object) -> None:
+        raise OSError("read-only")
+
+    monkeypatch.setattr(Path, "mkdir", full)
+    jit._folder.cache_clear()
+    folder = jit._folder()
+    jit._folder.cache_clear()
+    assert not folder.exists()
+    compiled(folder)

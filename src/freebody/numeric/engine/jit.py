@@ -12,6 +12,7 @@ import hashlib
 import os
 import tempfile
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,7 +28,10 @@ _numba: Any = numba
 _OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True, "_nrt": False}
 
 # what is compiled, and what says how
-_SOURCES = ("measures_planar", "turning", "tape", "dynamics", "stepping", "observing", "layout", "tableaus", "jit")
+_SOURCES = (
+    *("measures_planar", "turning", "tape", "dynamics", "stepping", "enclosures", "observing", "layout", "tableaus"),
+    "jit",
+)
 OF_SPACE = ("measures_spatial", "rotating")  # and what is compiled for systems in space only
 
 
@@ -81,14 +85,13 @@ def _folder(more: tuple[str, ...] = ()) -> Path:
         digest.update((Path(__file__).parent / f"{name}.py").read_bytes())
     name = f"freebody-kernels-{digest.hexdigest()[:16]}"
     home = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
-    for parent in (Path(home) if home else Path.home() / ".cache", Path(tempfile.gettempdir())):
-        folder = parent / name
-        try:
+    places = (lambda: Path(home) if home else Path.home() / ".cache", lambda: Path(tempfile.gettempdir()))
+    for place in places:
+        with suppress(OSError, RuntimeError):  # RuntimeError: there is no home
+            folder = place() / name
             folder.mkdir(parents=True, exist_ok=True)
             probe = folder / f"probe-{os.getpid()}"
             probe.touch()
             probe.unlink()
-        except OSError:
-            continue
-        return folder
-    return Path(tempfile.mkdtemp(prefix=name))
+            return folder
+    return Path(os.devnull) / name  # no such folder: every run compiles
