@@ -289,13 +289,15 @@ def test_an_interrupted_simulation_is_printed_and_written(
         yield lambda _now, _steps: os.kill(os.getpid(), sign)
 
     monkeypatch.setattr("freebody.present.simulation.progress_bar", bar)
-    before = signal.getsignal(signal.SIGTERM)
+    before, ignored = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # processes that share the tests ignore it
     out = model.with_name("run.csv")
     steps = ("--method", "rk4", "--step", "1e-3", "--every", "1e5")
     try:
         code = ended("simulate", model, "--until", "1e6", *steps, "--out", out, monkeypatch=monkeypatch)
     finally:
         signal.signal(signal.SIGTERM, before)
+        signal.signal(signal.SIGINT, ignored)
     printed = capsys.readouterr().out
     assert "interrupted at t = " in printed
     assert f"wrote {out}" in printed

@@ -290,10 +290,19 @@ def test_a_conical_pendulum_opens_by_its_rate() -> None:
 
 # -- without a formula ------------------------------------------------------------------------
 def test_without_a_closed_form_the_equations_of_motion_are_left() -> None:
-    derivation = the("double_pendulum", "time when theta1 = 0.1")
+    text = (EXAMPLES / "double_pendulum.yaml").read_text(encoding="utf-8")
+    moving = text.replace("start: {theta1: 0, theta2: 0}", "start: {theta1: 0.4 rad, theta2: 0}")
+    assert moving != text
+    derivation = of(System.from_text(moving), "time when theta1 = 0.1")[1]
     assert derivation.answer.expression is None
     assert keys(derivation)[:3] == ["unclosed.kane", "unclosed.along", "unclosed.along"]
-    assert keys(derivation)[-2:] == ["unclosed.why", "unclosed.simulate"]
+    assert "unclosed.why" in keys(derivation)
+
+
+def test_what_starts_in_an_equilibrium_never_gets_there() -> None:
+    derivation = the("double_pendulum", "time when theta1 = 0.1")
+    assert derivation.answer.expression is None
+    assert keys(derivation)[-1] == "unclosed.never"
 
 
 def test_without_coordinates_it_is_said_what_numbers_solve() -> None:

@@ -84,7 +84,10 @@ class Fit:
 
     @property
     def worst(self) -> str:
-        k = int(np.abs(self.weights * self.gaps).argmax())
+        sizes = np.abs(self.weights * self.gaps)
+        # of gaps that are equally large round-off does not choose one, nor does their order
+        largest = np.flatnonzero(sizes >= (1.0 - 1e-6) * sizes.max())
+        k = min(largest.tolist(), key=lambda n: self.equations[n].name)
         return f"{self.equations[k].name} is off by {abs(self.gaps[k]):.3g} {self.equations[k].unit}"
 
 

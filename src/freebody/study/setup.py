@@ -24,6 +24,9 @@ from freebody.system.system import System
 N_DRAWS = 6
 _TIME = 0.37  # an instant at which drivers are looked at
 
+_N_WAYS = 6  # directions in which a general pose is looked for
+_OTHER_WAY = 1000  # between their seeds
+
 
 class Setup:
     """The symbolic model, the numeric draws, and what all questions share."""
@@ -112,10 +115,12 @@ class Setup:
         return []
 
     def _anywhere(self, draw: Draw, seed: int) -> Snapshot:
-        for size in (0.3, 0.1, 0.03, 0.01):
-            snapshot = draw.anywhere(seed, _TIME, size)
-            if self.is_on_branch(draw, snapshot):
-                return snapshot
+        # from a start at which something that is positive vanishes half of all ways lead astray, however short
+        for way in range(_N_WAYS):
+            for size in (0.3, 0.1, 0.03, 0.01):
+                snapshot = draw.anywhere(seed + way * _OTHER_WAY, _TIME, size)
+                if self.is_on_branch(draw, snapshot):
+                    return snapshot
         return draw.start()
 
     def is_on_branch(self, draw: Draw, snapshot: Snapshot) -> bool:
