@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -139,3 +140,13 @@ def test_posts_of_one_roughness_brake_alike_however_the_weight_is_shared() -> No
     run = plank("qrp", dict.fromkeys(SUPPORTS, 0.3))
     assert run.message == ""
     assert run.course.velocities[-1, 0, 0] == pytest.approx(2 - 0.3 * 9.81 * 0.1)
+
+
+def test_a_load_that_a_wedge_holds_rests_in_one_phase() -> None:
+    """What sticks with one admissible distribution of its forces sticks, though others would let it slip."""
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "wedge_under_load.yaml")
+    result = system.simulate(1.0, tolerance=1e-11)
+    assert result.course.contact is not None
+    assert result.course.contact.n_phases == 1
+    assert result.events == ()
+    assert np.abs(result.course.velocities).max() < 1e-12

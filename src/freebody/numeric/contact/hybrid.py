@@ -62,6 +62,7 @@ class Hybrid:
         self.several: float | None = None  # when first several outcomes were consistent
         self.ahead: tuple[float, float] | None = None  # when the most energy was there for a moment, and how much
         self.shared: dict[str, None] = {}  # dry friction that is pressed by reactions that are not unique
+        self.is_arbitrary = False  # whether they were ever shared otherwise than by the rule
 
     def run(
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
@@ -268,6 +269,7 @@ class Hybrid:
         size = float(np.abs(multipliers).max(initial=0.0))
         if any(b.barriers[k].sign * multipliers[row_of[b.barriers[k].place]] < -1e-9 * size for k in mode.closed):
             engine.layout, engine.is_shared = plain, False  # something would have to pull
+            self.is_arbitrary = True
             engine.evaluate(y, t)
 
     def _matters(self, engine: Engine, mode: ModeOf, free: dict[int, Floats], found: list[int]) -> bool:
@@ -325,9 +327,12 @@ class Hybrid:
             )
             message = f"{message}; {said}" if message else said
         if self.shared:
+            how = "they are shared as if all joints yielded alike, and the motion depends on it"
+            if self.is_arbitrary:
+                how += "; where a contact would have to pull for that, they are shared by the order of the rows"
             said = (
                 f"the reactions that press the dry friction of {', '.join(sorted(self.shared))} are not unique in a "
-                "rigid model; they are shared as if all joints yielded alike, and the motion depends on it"
+                f"rigid model; {how}"
             )
             message = f"{message}; {said}" if message else said
         if self.ahead is not None:
