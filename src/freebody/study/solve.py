@@ -134,7 +134,7 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     if missing:
         why = f"no value is given for {', '.join(missing)}"
     else:
-        why = "the formula has no value at the given numbers; see the conditions and notes"
+        why = "the formula is not valid, or has no value, at the given numbers; see the conditions and notes"
     return replace(answer, why_no_value=why)
 
 
