@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import random
 from collections.abc import Callable
 from pathlib import Path
@@ -20,7 +21,7 @@ from freebody.testing.mutations import read
 from freebody.testing.observing import Observed, observed
 from freebody.testing.patterns import shape_fields
 from freebody.testing.relations import SHORT
-from freebody.testing.studies import Outcome
+from freebody.testing.studies import Outcome, OutOfWork, limited
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PENDULUM = (EXAMPLES / "simple_pendulum.yaml").read_text(encoding="utf-8")
@@ -275,3 +276,33 @@ def test_the_command_refuses_a_file_that_cannot_be_read(tmp_path: Path, capsys: 
     file.write_text("bodies: {a: {partical: {mass: 1 kg}}}\n", encoding="utf-8")
     assert main([str(file)]) == 2
     assert "partical" in capsys.readouterr().err
+
+
+class _Slow:
+    """A thing whose end takes long."""
+
+    def __del__(self) -> None:
+        for _ in range(200_000):
+            pass
+
+
+@pytest.mark.parametrize("is_collected", [True, False])
+def test_the_limit_of_work_is_not_lost_in_a_destructor_or_a_callback(is_collected: bool) -> None:
+    # what is raised there is only reported, which the test run takes for a failure
+    def busy(_phase: str, _info: dict[str, int]) -> None:
+        for _ in range(20_000):
+            pass
+
+    def work() -> None:
+        while True:
+            if is_collected:
+                gc.collect(0)
+            else:
+                _Slow()
+
+    gc.callbacks.append(busy)
+    try:
+        with pytest.raises(OutOfWork), limited(0.02):
+            work()
+    finally:
+        gc.callbacks.remove(busy)

@@ -6,6 +6,7 @@ A study ends in an answer or in a refusal that says why. Anything else is a defe
 
 from __future__ import annotations
 
+import gc
 import signal
 import threading
 import traceback
@@ -16,6 +17,7 @@ from enum import Enum
 from functools import cache
 from pathlib import Path
 from tempfile import gettempdir
+from types import FrameType
 from typing import Any
 
 from freebody.api import System
@@ -55,23 +57,56 @@ class OutOfWork(BaseException):
     """The limit of processor time is used up. No `Exception`, so that nothing on the way takes it for its own."""
 
 
+class _Collecting:
+    """Whether the garbage collector is at work: what is raised in one of its callbacks is lost and only reported.
+
+    Its callbacks run in their order, so the one that notes the beginning stands first and the one that notes the end
+    stands last.
+    """
+
+    def __init__(self) -> None:
+        self.is_so = False
+
+    def begins(self, phase: str, _info: dict[str, int]) -> None:
+        self.is_so = self.is_so or phase == "start"
+
+    def ends(self, phase: str, _info: dict[str, int]) -> None:
+        self.is_so = self.is_so and phase != "stop"
+
+
+def _swallows(frame: FrameType | None) -> bool:
+    """Whether an exception raised here would be lost: inside a destructor, or in the notes of the collector."""
+    while frame is not None:
+        code = frame.f_code
+        if code.co_name == "__del__" or code in (_Collecting.begins.__code__, _Collecting.ends.__code__):
+            return True
+        frame = frame.f_back
+    return False
+
+
 @contextmanager
 def limited(seconds: float | None) -> Generator[None]:
     """At most so much processor time [s] inside; without a limit where the system has no such alarm."""
     if seconds is None or not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
         return
+    collecting = _Collecting()
 
-    def stop(_number: int, _frame: object) -> None:
-        raise OutOfWork
+    def stop(_number: int, frame: FrameType | None) -> None:
+        if not collecting.is_so and not _swallows(frame):
+            raise OutOfWork
 
+    gc.callbacks.insert(0, collecting.begins)
+    gc.callbacks.append(collecting.ends)
     before = signal.signal(signal.SIGPROF, stop)
-    signal.setitimer(signal.ITIMER_PROF, seconds, 0.5)  # again and again: the first may be lost in a destructor
+    signal.setitimer(signal.ITIMER_PROF, seconds, 0.05)  # again and again, until it comes where it is heard
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)
+        gc.callbacks.remove(collecting.begins)
+        gc.callbacks.remove(collecting.ends)
 
 
 # -- the studies ------------------------------------------------------------------------------
