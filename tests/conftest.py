@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import random
 import re
+import subprocess
 import sys
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from types import FrameType
 from typing import Any
 
@@ -20,6 +22,23 @@ _FUNCTIONS = ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][+-]?\d+)?")
 _SEED = 20
 _DIGITS = 30
+
+
+_compiling: list[subprocess.Popen[bytes]] = []
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Where workers share the tests, kernels are compiled beside them (`compile_kernels`)."""
+    if config.getoption("numprocesses", None) and not hasattr(config, "workerinput"):
+        command = [sys.executable, str(Path(__file__).with_name("compile_kernels.py"))]
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        _compiling.extend(subprocess.Popen([*command, half], **quiet) for half in ("plane", "space"))
+
+
+def pytest_unconfigure() -> None:
+    for process in _compiling:
+        process.terminate()
+        process.wait()
 
 
 class _Symbols(dict[str, Any]):

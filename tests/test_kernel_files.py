@@ -125,6 +125,45 @@ def test_compiling_is_announced_once(tmp_path: Path) -> None:
     assert "compiling the kernels" in heard[0]
 
 
+def test_each_set_of_kernels_is_announced_and_what_was_done_before_goes_on(tmp_path: Path) -> None:
+    """Kernels of events may be compiled long after those of motions: the user is told then as well."""
+    from freebody import progress
+    from freebody.numeric.engine import kernel_files
+
+    heard: list[str] = []
+    kernel_files._announce.cache_clear()
+    progress.busy_with("counting sheep")
+    progress.listen(heard.append)
+    try:
+        for what in ("motions", "events", "events"):
+            with KernelFiles(twice, tmp_path / what, what).alone():
+                pass
+            assert progress.now() == "counting sheep"
+    finally:
+        progress.listen(None)
+    assert ["motions" in heard[0], "events" in heard[1], len(heard)] == [True, True, 2]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="locks of POSIX")
+def test_one_process_compiles_and_others_wait_for_its_file(tmp_path: Path) -> None:
+    import fcntl
+
+    def is_free() -> bool:
+        with (tmp_path / f"{twice.__module__}.twice.lock").open("w") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                return False
+        return True
+
+    with KernelFiles(twice, tmp_path).alone():
+        assert not is_free()
+        compiled(tmp_path)
+    assert is_free()
+    with KernelFiles(twice, tmp_path).alone():
+        assert is_free()  # the file is there, and any number may read it
+
+
 def test_without_any_folder_that_can_be_written_kernels_are_compiled(monkeypatch: Any) -> None:
     def full(*_arguments: object, **_options: object) -> None:
         raise OSError("read-only")

@@ -7,11 +7,13 @@ types are inferred.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from freebody.numeric.engine.jit import OF_SPACE, Function, entry
 from freebody.numeric.engine.layout import Layout, Room, example_of
 
+_entry_of_space = partial(entry, more=OF_SPACE, what="motions in space")
 _LAYOUT = example_of(Layout)
 _PLANAR, _SPATIAL = example_of(Room), example_of(Room, space=True)
 
@@ -28,7 +30,7 @@ def of_either(*arguments: Any) -> Callable[[Function], Function]:
             if room.frames is None:
                 in_plane = in_plane or entry(_LAYOUT, _PLANAR, *arguments)(function)
                 return in_plane(layout, room, *rest)
-            in_space = in_space or entry(_LAYOUT, _SPATIAL, *arguments, more=OF_SPACE)(function)
+            in_space = in_space or _entry_of_space(_LAYOUT, _SPATIAL, *arguments)(function)
             return in_space(layout, room, *rest)
 
         return called

@@ -24,7 +24,7 @@ Derivatives, 2nd ed. 2008, ch. 13 (Taylor coefficients).
 from __future__ import annotations
 
 import math
-from functools import cache
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -644,8 +644,9 @@ class Kernels(NamedTuple):
 def kernels() -> Kernels:
     """The entries, compiled when they are first needed."""
     code, row, rows, places, x = np.zeros((1, 3), np.int32), np.zeros(1), np.zeros((1, 1)), np.zeros(1, np.int32), 1.0
+    of_search = partial(entry, more=SOURCES, what="the search for events")
     return Kernels(
-        entry(code, row, rows, x, x, row, row, rows, rows, rows, row, rows, rows, row, more=SOURCES)(search),
-        entry(code, row, places, rows, x, x, row, row, row, rows, rows, rows, row, more=SOURCES)(sifted),
-        entry(rows, row, places, rows, more=SOURCES)(powers),
+        of_search(code, row, rows, x, x, row, row, rows, rows, rows, row, rows, rows, row)(search),
+        of_search(code, row, places, rows, x, x, row, row, row, rows, rows, rows, row)(sifted),
+        of_search(rows, row, places, rows)(powers),
     )

@@ -56,16 +56,19 @@ def part(function: Function) -> Function:
     return _numba.njit(inline="always", **_OPTIONS)(function)
 
 
-def entry(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], Function]:
+def entry(
+    *arguments: Any, more: tuple[str, ...] = (), what: str = "motions in the plane"
+) -> Callable[[Function], Function]:
     """A function called from Python; its argument types are those of the given examples. more: sources besides those of
-    the engine from which it is compiled."""
+    the engine from which it is compiled; what: users are told it is for."""
 
     def compiled(function: Function) -> Function:
         if _numba.config.DISABLE_JIT:
             return function
         dispatcher: Any = _numba.njit(**_OPTIONS)(function)
-        dispatcher._cache = KernelFiles(function, _folder(more))
-        dispatcher.compile(tuple(_numba.typeof(a) for a in arguments))
+        dispatcher._cache = files = KernelFiles(function, _folder(more), what)
+        with files.alone():
+            dispatcher.compile(tuple(_numba.typeof(a) for a in arguments))
         dispatcher.disable_compile()
         return dispatcher
 

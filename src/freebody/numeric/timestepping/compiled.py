@@ -10,6 +10,6 @@ from freebody.numeric.engine.jit import kernel, part
 _FOLDER = "../timestepping/"
 SOURCES = tuple(_FOLDER + name for name in ("templates", "candidates", "near", "rows", "blocks", "marching"))
 
-entry = partial(jit.entry, more=SOURCES)
+entry = partial(jit.entry, more=SOURCES, what="time stepping")
 
 __all__ = ["SOURCES", "entry", "kernel", "part"]

@@ -445,7 +445,9 @@ _L, _S, _C, _F, _X, _R = (example_of(kind) for kind in (Layout, Room, Candidates
 @entry(_L, _S, _C, _F, _X, _R, 1)
 def advance(L, S, C, F, X, R, n_steps):
     """Makes steps until the count of all is n_steps, or what is returned stops it."""
-    is_pressed_by_held = False
+    # a Boolean from the first line on: begun as the literal False it would be of two types, and all that takes it
+    # compiled for both
+    is_pressed_by_held = len(F.rub) < 0
     for k in range(len(F.rub)):
         is_pressed_by_held = is_pressed_by_held or F.rub[k, 1] < -1 or F.rub[k, 2] < -1
     while R.count[STEPS] < n_steps:
