@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import random
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import freebody as fb
+from command import freebody
+from freebody.numeric import friction_limits
 from freebody.numeric.contact import problem as contact
 from freebody.numeric.contact.forces import contact_forces
-from freebody.numeric.friction_branches import extreme, margin, spread
+from freebody.numeric.friction_branches import Sector, extreme, margin, spread
 from freebody.numeric.friction_limits import RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
 from freebody.study.friction.answers import prepared
@@ -459,8 +461,9 @@ def test_command_prints_a_table_and_json(tmp_path: Path) -> None:
     file.write_text(BLOCK)
 
     def run(*more: str) -> str:
-        command = [sys.executable, "-m", "freebody.cli", "statics", str(file), *more]
-        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        done = freebody("statics", str(file), *more)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
 
     text = run()
     assert "It holds." in text
@@ -504,3 +507,32 @@ def test_a_single_value_that_holds_is_both_ends_without_conditions(question: str
     agrees(solution, "q1", "-m*g*R")
     assert solution["q1"].conditions == ("for all positive parameters",)
     assert not any(" < 0" in note for note in solution["q1"].notes)
+
+
+def test_a_sector_is_cut_where_its_bound_is_too_large() -> None:
+    """e . r / cos d is |r| on the edges of a sector and |r| / cos d in the middle."""
+    sector = Sector(0.4, 0.3)
+    for angle, excess in ((0.1, 0.0), (0.7, 0.0), (0.4, 1 / math.cos(0.3) - 1)):
+        assert sector.excess(5 * math.cos(angle), 5 * math.sin(angle)) == pytest.approx(excess, abs=1e-15)
+    assert sector.excess(0.0, 0.0) == 0.0
+    for angle in (0.1, 0.12, 0.3, 0.4, 0.55, 0.69, 0.7):
+        low, high = sector.cut(math.cos(angle), math.sin(angle))
+        assert low.middle - low.half == pytest.approx(0.1)
+        assert low.middle + low.half == pytest.approx(high.middle - high.half)
+        assert high.middle + high.half == pytest.approx(0.7)
+        part = low if angle < low.middle + low.half else high
+        d = min(angle - 0.1, 0.7 - angle)
+        assert part.excess(math.cos(angle), math.sin(angle)) <= max(d, 2e-7) ** 2
+
+
+def test_the_margin_of_a_pin_with_friction_takes_few_linear_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Eight sectors, and few cuts of the best one; halving it to its last width would take 50 programs."""
+    solved, count = friction_limits._solved, itertools.count()
+
+    def counted(*arguments: Any) -> Any:
+        next(count)
+        return solved(*arguments)
+
+    monkeypatch.setattr(friction_limits, "_solved", counted)
+    assert margin(rest(PIN, F=1.0, mu=0.26)).value < 0.0  # type: ignore[union-attr]
+    assert next(count) <= 24

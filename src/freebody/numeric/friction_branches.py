@@ -5,8 +5,9 @@ sector leaves open: with e the middle of a sector of half width d,
 
     e . r <= |r| <= e . r / cos d.
 
-The right side is a bound, from which the best sector is cut further until both agree (branch and bound). A force along
-one line has two sectors of width zero, and nothing is left open.
+The right side is a bound, from which the best sector is cut further until both agree at the force that it found (branch
+and bound). The bound is exact on the edges of a sector, so it is cut beside the force: next to the cut at a distance d
+the bound is too large by d^2/2 at most. A force along one line has two sectors of width zero, and nothing is left open.
 Source: Land & Doig, Econometrica 28, 1960, 497-520.
 """
 
@@ -23,6 +24,7 @@ from freebody.numeric.friction_limits import Cone, Optimum, Ray, RestProblem
 
 N_SECTORS = 8
 _NARROW = 2e-7  # half a sector's width at which its bound is the value
+_EXCESS = 2e-14  # what a bound at an angle of that width is too large by
 MOST = 4000
 
 Solve = Callable[[RestProblem], Optimum | None]
@@ -35,9 +37,22 @@ class Sector:
     middle: float
     half: float
 
-    def halves(self) -> tuple[Sector, Sector]:
-        h = self.half / 2
-        return Sector(self.middle - h, h), Sector(self.middle + h, h)
+    def excess(self, x: float, y: float) -> float:
+        """By what part of it the bound exceeds the size of the force (x, y)."""
+        size = math.hypot(x, y)
+        if self.half == 0.0 or size == 0.0:
+            return 0.0
+        e = x * math.cos(self.middle) + y * math.sin(self.middle)
+        return max(0.0, e / math.cos(self.half) / size - 1.0)
+
+    def cut(self, x: float, y: float) -> tuple[Sector, Sector]:
+        """Two parts, with the force (x, y) close to an edge of its part: halves, unless it is nearer to an edge than to
+        the middle; then its part is twice as wide as it is away from that edge."""
+        away = math.remainder(math.atan2(y, x) - self.middle, 2 * math.pi)
+        near = max(self.half - abs(away), _NARROW)
+        cut = 0.0 if near > self.half / 2 else math.copysign(self.half - 2 * near, away)
+        low, high = (self.half + cut) / 2, (self.half - cut) / 2
+        return Sector(self.middle - self.half + low, low), Sector(self.middle + self.half - high, high)
 
 
 def margin(problem: RestProblem) -> Optimum | None:
@@ -89,12 +104,21 @@ def _best(problem: RestProblem, solve: Solve, sign: int = 1) -> Optimum | None:
         if not heap:
             return None
         _key, _n, sectors, found = heapq.heappop(heap)
-        widest = max(range(len(sectors)), key=lambda k: sectors[k].half)
-        if sectors[widest].half <= _NARROW or math.isinf(found.value):
+        if math.isinf(found.value):
             return found
-        for part in sectors[widest].halves():
-            offer((*sectors[:widest], part, *sectors[widest + 1 :]))
+        loads = [_load(problem.cones[k], found) for k in sized]
+        excess = [sector.excess(*load) for sector, load in zip(sectors, loads, strict=True)]
+        worst = max(range(len(sectors)), key=excess.__getitem__)
+        if excess[worst] <= _EXCESS or sectors[worst].half <= _NARROW:
+            return found
+        for part in sectors[worst].cut(*loads[worst]):
+            offer((*sectors[:worst], part, *sectors[worst + 1 :]))
     return heap[0][3] if heap else None
+
+
+def _load(cone: Cone, found: Optimum) -> tuple[float, float]:
+    """The force that loads a cone, where its direction is open in the plane."""
+    return (0.0, 0.0) if len(cone.size) == 1 else (found.forces[cone.size[0]], found.forces[cone.size[1]])
 
 
 def _all_sectors(cone: Cone) -> list[Sector]:
