@@ -14,6 +14,7 @@ import pytest
 from ruamel.yaml import YAML
 
 import freebody as fb
+from command import Done, freebody
 
 Within = Callable[[int, Callable[[], object]], None]
 
@@ -21,19 +22,26 @@ ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
 
 
-def freebody(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+def program(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    """In a process of its own."""
     return subprocess.run(
         [sys.executable, "-m", "freebody.cli", *arguments], cwd=cwd, capture_output=True, text=True, check=False
     )
 
 
-def solved(tmp_path: Path, text: str) -> subprocess.CompletedProcess[str]:
+def solved(tmp_path: Path, text: str) -> Done:
     (tmp_path / "model.yaml").write_text(text, encoding="utf-8")
     return freebody("solve", "model.yaml", cwd=tmp_path)
 
 
+def test_a_process_of_its_own_says_the_same() -> None:
+    for arguments in (["solve", "examples/four_bar.yaml"], ["solve", "examples/four_baa.yaml"]):
+        there, here = program(*arguments), freebody(*arguments)
+        assert (there.returncode, there.stdout, there.stderr) == (here.returncode, here.stdout, here.stderr)
+
+
 def test_json_document_has_the_documented_content() -> None:
-    done = freebody("solve", "examples/atwood_machine.yaml", "--json")
+    done = program("solve", "examples/atwood_machine.yaml", "--json")
     assert done.returncode == 0
     document = json.loads(done.stdout)
     assert document["title"] == "Atwood machine with a massive pulley"
@@ -226,9 +234,7 @@ def test_new_values_keep_the_comments_of_the_file() -> None:
 def test_simulate_prints_one_json_document_and_writes_what_is_asked(tmp_path: Path) -> None:
     paths = [tmp_path / name for name in ("run.nc", "run.png", "run.html")]
     options = ["--out", str(paths[0]), "--plot", str(paths[1]), "--show", "theta", "--animate", str(paths[2])]
-    done = freebody(
-        "simulate", str(ROOT / "examples" / "simple_pendulum.yaml"), "--until", "500 ms", "--json", *options
-    )
+    done = program("simulate", str(ROOT / "examples" / "simple_pendulum.yaml"), "--until", "500 ms", "--json", *options)
     assert done.returncode == 0, done.stderr
     document = json.loads(done.stdout)
     assert document["status"] == "finished"

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 import shlex
-import subprocess
-import sys
 import types
 from pathlib import Path
 
 import pytest
 
 import freebody as fb
+from command import freebody
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -19,9 +18,8 @@ CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
 
 def run(*arguments: str) -> str:
-    done = subprocess.run(
-        [sys.executable, "-m", "freebody.cli", *arguments], cwd=ROOT, capture_output=True, text=True, check=True
-    )
+    done = freebody(*arguments)
+    assert done.returncode == 0, done.stderr
     return done.stdout
 
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import json
 import math
-import subprocess
-import sys
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -17,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from command import freebody
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
 from freebody.numeric.directional import derivative
@@ -786,12 +785,6 @@ start: {theta: 90 deg}
 
 
 # The command line -------------------------------------------------------------------------------
-
-
-def freebody(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "freebody.cli", *arguments], cwd=ROOT, capture_output=True, text=True, check=False
-    )
 
 
 def test_the_commands_print_documents_with_the_documented_keys() -> None:
