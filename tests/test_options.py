@@ -20,7 +20,8 @@ from freebody.language.units import (
     VELOCITY,
     Dimension,
 )
-from freebody.model.question import Freedom, Question
+from freebody.questions.freedom import Freedom
+from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
 from freebody.symbolic.model import SymbolicModel

@@ -13,7 +13,7 @@ import pytest
 import freebody as fb
 from conftest import assert_same_function
 from freebody.language.notation import to_python, to_text
-from freebody.model.contact_questions import EnergyLost, Transition, Turns
+from freebody.questions.course import EnergyLost, Transition, Turns
 from freebody.study.answer import NOT_VALID
 from freebody.study.phases.result import Phases, phases
 from freebody.study.phases.witness import Stage, follow

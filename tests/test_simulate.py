@@ -12,9 +12,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import freebody as fb
-from freebody.model.question import Multiplier
 from freebody.numeric.engine.course import Status
 from freebody.numeric.spatial import gyroscopic
+from freebody.questions.reactions import Multiplier
 from freebody.study.dataset import reaction_names
 from freebody.testing.conformance import order_of
 from mechanisms import ladder

@@ -9,7 +9,7 @@ from freebody.assess.verdict import Judgement, Verdict, judgement_of
 from freebody.errors import ExpressionError
 from freebody.language.expression import evaluate, free_symbols
 from freebody.language.parser import parse
-from freebody.model.question import Question
+from freebody.questions.reading import Question
 
 NUMBERS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 INFINITE = ("inf", "infinity", "infinite", "∞")

@@ -24,7 +24,7 @@ from freebody.assess.setting import Answer, Setting
 from freebody.assess.verdict import Judgement, Settled, Verdict
 from freebody.assess.words import listed, places
 from freebody.language.units import Dimension
-from freebody.model.question import Question
+from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System

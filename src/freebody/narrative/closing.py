@@ -9,15 +9,16 @@ from typing import Literal
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr
 from freebody.language.units import TIME, dimension_of
-from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import Conserved, Question
-from freebody.model.steady_questions import SpinStability, SteadyStability
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.script import Listing, Script, Sentence, Sheet, Stage, When
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
+from freebody.questions.conservation import Conserved
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest
+from freebody.questions.steady import SpinStability, SteadyStability
 from freebody.study.answer import Answer
 
 
@@ -34,7 +35,7 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Stage]
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    if answer.expression is not None and not isinstance(question.quantity, RestQuantity):
+    if answer.expression is not None and not isinstance(question.quantity, AtRest):
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)
         sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)

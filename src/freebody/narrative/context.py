@@ -9,11 +9,11 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
-from freebody.model.question import Question
 from freebody.narrative.contact.settings import setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import Script, Stage
 from freebody.narrative.principles.newton import Newton
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.setup import Setup
 from freebody.system.symbols import reaction_symbols

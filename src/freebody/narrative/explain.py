@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.model.names import did_you_mean
-from freebody.model.question import Question
 from freebody.narrative.closing import closing
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
@@ -18,6 +17,7 @@ from freebody.narrative.lines.script import Line, Stage
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.progress import busy_with
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution, solve
 from freebody.study.worded import in_words

@@ -5,12 +5,15 @@ from __future__ import annotations
 from importlib import import_module
 from typing import cast
 
-from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import Conserved, Equilibrium, Freedom, Question, Small
-from freebody.model.steady_questions import SteadyQuantity
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
+from freebody.questions.conservation import Conserved
+from freebody.questions.freedom import Freedom
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest
+from freebody.questions.small_motion import Equilibrium, Small
+from freebody.questions.steady import Steady
 from freebody.system.system import System
 
 
@@ -23,7 +26,7 @@ def derivation_of(system: System, question: Question) -> Derive:
 def _place(system: System, question: Question) -> str:
     """The module that derives a kind of question."""
     q = question.quantity
-    if isinstance(q, RestQuantity):
+    if isinstance(q, AtRest):
         return "contact.rest"
     if question.transition is not None or (has_phases(system) and not isinstance(q, (Freedom, Conserved))):
         return "contact.phases"
@@ -33,7 +36,7 @@ def _place(system: System, question: Question) -> str:
         return "questions.conserving"
     if isinstance(q, (Small, Equilibrium)):
         return "questions.small"
-    if isinstance(q, SteadyQuantity):
+    if isinstance(q, Steady):
         return "steady.steady"
     if question.event is not None:
         return "questions.course"

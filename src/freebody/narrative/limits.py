@@ -11,9 +11,9 @@ from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, n_operations, rate_key
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
-from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

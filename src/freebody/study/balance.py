@@ -23,16 +23,11 @@ from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction
 from freebody.model.elements import Held, Push, RateMeasure
-from freebody.model.question import (
-    Energy,
-    GeneralizedMomentum,
-    Group,
-    JacobiIntegral,
-    Momentum,
-    Quantity,
-    Spin,
-)
-from freebody.study.quantities import components_of, cross, dot, is_among, place, point_about, quantity_value
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import Group, Momentum, Spin, is_among, point_about
+from freebody.questions.vectors import components_of, cross, dot, place
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.state import SymbolicState, law_polynomial
@@ -81,7 +76,7 @@ class Balance:
                 names = ", ".join(dict.fromkeys(push.load for push in self.unwritten))
                 raise CannotAnswer(f"the potential energy of {names} has no closed form here")
             return self._energy(q)
-        found = quantity_value(q, self.system, self.state)
+        found = q.value(self.system, self.state)
         if isinstance(found, tuple):
             raise IsVector("a vector is conserved along some directions and not along others; name one")
         return self.field.lowest_terms(self.field.element(found))
@@ -103,7 +98,7 @@ class Balance:
         return self.field.lowest_terms(total)
 
     def _energy(self, q: Energy) -> Ratio:
-        kinetic = self.field.element(quantity_value(Energy("kinetic", q.body), self.system, self.state))
+        kinetic = self.field.element(Energy("kinetic", q.body).value(self.system, self.state))
         potential = self.field.zero
         for push in self.storing:
             if q.body is None or q.body in set(push.measure.bodies()):
@@ -114,7 +109,7 @@ class Balance:
 
     def _jacobi(self) -> Ratio:
         """h = sum u p - L"""
-        kinetic = self.field.element(quantity_value(Energy("kinetic"), self.system, self.state))
+        kinetic = self.field.element(Energy("kinetic").value(self.system, self.state))
         total = sum((self.state.potential(push) for push in self.storing), start=self.field.zero) - kinetic
         for c in self.model.coordinates:
             total = total + self.field.variable(c.speed) * self._conjugate(c)
@@ -168,7 +163,7 @@ class Balance:
         parts = [(name, dot(push[: self._n], e)) for name, push in self._from_outside(q.body)]
         statement = "dP/dt along a fixed direction is the force from outside along it"
         if self._turns(q.along):
-            momentum = quantity_value(Momentum(q.body), self.system, self.state)
+            momentum = Momentum(q.body).value(self.system, self.state)
             parts.append(("P·de/dt, since the direction turns", dot(momentum, self._rates(e))))
             statement = "d(P·e)/dt = F·e + P·de/dt"
         return Principle(statement, tuple(parts))
@@ -183,7 +178,7 @@ class Balance:
             arm = tuple(c - o for c, o in zip(center, about, strict=True))
             moment = tuple(m + x for m, x in zip(push[n:], cross(arm, push[:n]), strict=True))
             parts.append((f"moment of {name}", dot(moment, e)))
-        momentum = quantity_value(Momentum(q.body), self.system, self.state)
+        momentum = Momentum(q.body).value(self.system, self.state)
         along = dot(cross(velocity, momentum), e)
         carried = self.field.lowest_terms(-self.field.element(along))
         statement = "dH/dt = M about this point"
@@ -192,7 +187,7 @@ class Balance:
             statement = "dH/dt = M - v × P about the moving point"
             extra.append(("-v × P", carried))
         if q.along is not None and self._turns(q.along):
-            whole = quantity_value(replace(q, along=None), self.system, self.state)
+            whole = replace(q, along=None).value(self.system, self.state)
             extra.append(("H·de/dt, since the direction turns", dot(whole, self._rates(e))))
             statement += ", and H·de/dt along the turning direction"
         return Principle(statement, (*_merged(parts, self.field.zero), *extra))

@@ -22,10 +22,10 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.question import InstantCentre, Quantity
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.study.quantities import motion_at_origin
+from freebody.questions.base import Quantity
+from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.system.system import System
 
 STILL = 1e-10  # a speed of this part of the largest one, by the size of the system, is zero

@@ -23,13 +23,11 @@ from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import joined, reworded, to_python, to_text
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Point
-from freebody.model.question import (
-    Conserved,
-    Momentum,
-    Quantity,
-    Question,
-    Spin,
-)
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import Conserved
+from freebody.questions.momentum import Momentum, Spin, point_about
+from freebody.questions.reading import Question
+from freebody.questions.vectors import axes_of
 from freebody.study.balance import Balance, IsVector, Principle
 from freebody.study.constancy import (
     N_IN_SEARCH,
@@ -40,7 +38,6 @@ from freebody.study.constancy import (
     confirm,
 )
 from freebody.study.natural import candidates
-from freebody.study.quantities import axes_of, point_about
 from freebody.study.setup import Setup
 from freebody.study.verdicts import Conservation, Verdicts
 from freebody.study.worded import in_words

@@ -19,14 +19,14 @@ from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
-from freebody.model.question import GeneralizedMomentum, JacobiIntegral, Quantity
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import work_between
 from freebody.numeric.reference import Reference, Snapshot
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.study.balance import Balance
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import element_at
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.symbolic.vanishing import Case, is_given_function
 from freebody.system.system import System
@@ -304,15 +304,13 @@ def _reader(setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], fl
         if run.has_other_forms:
             raise CannotAnswer("its formula is in the functions of the file, not in those of the case")
         return lambda s: element_at(setup, (balance.value,), run.draw, s)[0]
-    from freebody.model.question import Energy
+    from freebody.questions.energy import Energy
 
     if isinstance(quantity, Energy) and quantity.what != "kinetic":
 
         def energy(s: Snapshot) -> float:
             total = (
-                0.0
-                if quantity.what == "potential"
-                else float(quantity_value(Energy("kinetic", quantity.body), setup.system, s))
+                0.0 if quantity.what == "potential" else float(Energy("kinetic", quantity.body).value(setup.system, s))
             )
             for push in balance.storing:
                 if quantity.body is not None and quantity.body not in set(push.measure.bodies()):
@@ -325,4 +323,4 @@ def _reader(setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], fl
             return total
 
         return energy
-    return lambda s: float(quantity_value(quantity, setup.system, s))
+    return lambda s: float(quantity.value(setup.system, s))

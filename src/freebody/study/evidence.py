@@ -11,18 +11,20 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.measures.base import Measure
-from freebody.model.contact_questions import Change
-from freebody.model.question import Event, Power, Quantity, Small, When, Work
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import Instant, SmallMotion
+from freebody.questions.base import Quantity
+from freebody.questions.course import Change, When
+from freebody.questions.loads import Power, Work
+from freebody.questions.reading import Event
+from freebody.questions.small_motion import Small
 from freebody.study.answer import Evidence
 from freebody.study.at_rest import is_unstable_rest
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.magnitude import magnitude
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
@@ -122,7 +124,7 @@ def at_instants(
     witness = Witness(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
     for k, draw in enumerate(setup.draws):
         snapshot = moving_for(quantity, draw.start()) if at_start else setup.anywhere[k]
-        numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
+        numeric = quantity.value(setup.system, draw.seen(snapshot))
         exact = element_at(setup, x, draw, snapshot)
         witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
     return witness.evidence()
@@ -186,7 +188,7 @@ def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unt
         return found.event.value(quantity.measure) - start.value(quantity.measure)
     if isinstance(quantity, Work):
         return work_until(setup, quantity, draw, event, found.time)
-    return quantity_value(quantity, setup.system, found.event)
+    return quantity.value(setup.system, found.event)
 
 
 def work_until(setup: Setup, quantity: Work, draw: Draw, event: Event, end: float) -> float:
@@ -199,7 +201,7 @@ def work_until(setup: Setup, quantity: Work, draw: Draw, event: Event, end: floa
     centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)
     times = (centers[:, None] + half * nodes).ravel()
     found = motion_to(draw.reference, start, end + half, event, times)
-    power = [float(quantity_value(Power(quantity.of), setup.system, s)) for s in found.links[: len(times)]]
+    power = [float(Power(quantity.of).value(setup.system, s)) for s in found.links[: len(times)]]
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 
@@ -211,7 +213,7 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
         return _small_number(setup, quantity, draw)
     start = draw.start()
     if event is None:
-        values = _tuple(quantity_value(quantity, setup.system, draw.seen(moving_for(quantity, start))))
+        values = _tuple(quantity.value(setup.system, draw.seen(moving_for(quantity, start))))
     elif _rests(setup):
         raise CannotAnswer("it starts at rest, and only round-off accelerates it: numbers would follow that")
     else:

@@ -22,9 +22,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import PI, Expr, Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.question import InstantCentre
+from freebody.questions.centres import InstantCentre
 from freebody.study.centres import Centre
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -76,7 +75,7 @@ class ExactPose:
             if number is None or number.at is None:
                 continue
             with suppress(CannotAnswer, ZeroDivisionError):
-                centre: Any = quantity_value(InstantCentre(pair[1], pair[0]), self.system, self._state)
+                centre: Any = InstantCentre(pair[1], pair[0]).value(self.system, self._state)
                 x, y = (self._shown(part, value) for part, value in zip(centre, number.at, strict=True))
                 if x is not None and y is not None:
                     found[pair] = x, y

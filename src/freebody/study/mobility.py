@@ -18,7 +18,6 @@ from freebody.assess.counts import judge_count
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
 from freebody.model.elements import RateMeasure, Start
-from freebody.model.question import Freedom, Question
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.mobility.described import described
@@ -28,6 +27,8 @@ from freebody.numeric.mobility.kinds import Dependence, dependences
 from freebody.numeric.mobility.rank import Rank, rank_at
 from freebody.numeric.mobility.reachable import reachable_dimensions
 from freebody.numeric.reference import Reference
+from freebody.questions.freedom import Freedom
+from freebody.questions.reading import Question
 from freebody.study.conflicts import Conflict, conflict
 from freebody.study.draws import SEED, draws
 from freebody.study.gruebler import Gruebler, gruebler

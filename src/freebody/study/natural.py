@@ -10,18 +10,12 @@ from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Push
-from freebody.model.question import (
-    SYSTEM_CENTER,
-    Energy,
-    GeneralizedMomentum,
-    Group,
-    JacobiIntegral,
-    Momentum,
-    Quantity,
-    Spin,
-)
 from freebody.model.spins import body_axes
-from freebody.study.quantities import axes_of, is_among
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import SYSTEM_CENTER, Group, Momentum, Spin, is_among
+from freebody.questions.vectors import axes_of
 from freebody.study.setup import Setup
 from freebody.system.system import System
 

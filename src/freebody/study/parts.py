@@ -13,22 +13,19 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast
 
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.contact_questions import EnergyLost
 from freebody.model.elements import Held
-from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import (
-    Energy,
-    Freedom,
-    JacobiIntegral,
-    Momentum,
-    Question,
-    Small,
-    Spin,
-)
-from freebody.model.steady_questions import SteadyQuantity
+from freebody.questions.conservation import JacobiIntegral
+from freebody.questions.course import EnergyLost
+from freebody.questions.energy import Energy
+from freebody.questions.freedom import Freedom
+from freebody.questions.momentum import Momentum, Spin
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest
+from freebody.questions.small_motion import Small
+from freebody.questions.steady import Steady
 from freebody.system.system import System
 
-_OF_ALL = (Freedom, Small, JacobiIntegral, RestQuantity, SteadyQuantity, EnergyLost)
+_OF_ALL = (Freedom, Small, JacobiIntegral, AtRest, Steady, EnergyLost)
 _OF_ALL_OR_ONE = (Energy, Momentum, Spin)
 
 

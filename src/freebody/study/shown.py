@@ -17,10 +17,10 @@ from freebody.present.picture.label import name
 from freebody.present.picture.motion import add_centres, add_vectors
 from freebody.present.picture.shapes import Ink
 from freebody.present.picture.whole import Whole
+from freebody.questions.vectors import place
 from freebody.study.centres import instant_centres
 from freebody.study.free_body import FreeBody
 from freebody.study.instant import Instant
-from freebody.study.quantities import place
 from freebody.study.touching import closed_bounds
 from freebody.system.system import System
 

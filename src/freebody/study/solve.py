@@ -16,34 +16,27 @@ from freebody.language.notation import Stated, compared, joined, reworded, to_te
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
-from freebody.model.contact_questions import Change, EnergyLost, Transition, Turns
-from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import (
-    Conserved,
-    Energy,
-    Equilibrium,
-    Freedom,
-    InstantCentre,
-    OfMeasure,
-    OfPoint,
-    Quantity,
-    Question,
-    RatioOf,
-    Small,
-    Turning,
-    When,
-    Work,
-    Wrench,
-)
-from freebody.model.steady_questions import Extremes, SteadyQuantity, SteadyValue
 from freebody.progress import busy_with
+from freebody.questions.base import Quantity
+from freebody.questions.centres import InstantCentre
+from freebody.questions.conservation import Conserved
+from freebody.questions.course import Change, EnergyLost, Transition, Turns, When
+from freebody.questions.energy import Energy
+from freebody.questions.freedom import Freedom
+from freebody.questions.loads import Work
+from freebody.questions.motion import OfMeasure, OfPoint, Turning
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reactions import Wrench
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest
+from freebody.questions.small_motion import Equilibrium, Small
+from freebody.questions.steady import Extremes, Steady, SteadyValue
 from freebody.study import evidence as proof
 from freebody.study.answer import NOT_VALID, Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
 from freebody.study.parts import groups_of, part_for
-from freebody.study.quantities import body_of_wrench, quantity_value
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
 from freebody.symbolic.conditions import Condition, require
@@ -157,7 +150,7 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
-    if questions and all(isinstance(q.quantity, RestQuantity) for q in questions):
+    if questions and all(isinstance(q.quantity, AtRest) for q in questions):
         return _at_rest(system, questions)
     if system.bounds or system.rubs:
         return _in_phases(system, questions)
@@ -250,7 +243,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
     except CannotAnswer as error:
-        rests = [q for q in questions if isinstance(q.quantity, RestQuantity)]
+        rests = [q for q in questions if isinstance(q.quantity, AtRest)]
         if not rests:
             raise ModelError([Problem((), str(error))], system.file) from error
         found = {a.id: a for a in _at_rest(system, rests).answers}  # rest asks for no motion
@@ -258,7 +251,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         return replace(_at_rest(system, ()), answers=tuple(answers))
     phases = phases_of(tree)
     model = phases.first_model
-    answers = tuple(at_rest(system, q) if isinstance(q.quantity, RestQuantity) else answer(tree, q) for q in questions)
+    answers = tuple(at_rest(system, q) if isinstance(q.quantity, AtRest) else answer(tree, q) for q in questions)
     return Solution(
         system,
         model.degrees_of_freedom,
@@ -318,7 +311,7 @@ class _Solver:
         busy_with(f"answering {q.id}: {q.text}")
         if isinstance(q.quantity, Conserved):
             return self._conserved()
-        if isinstance(q.quantity, RestQuantity):
+        if isinstance(q.quantity, AtRest):
             from freebody.study.friction.answers import answer
 
             return answer(self.system, q)
@@ -365,7 +358,7 @@ class _Solver:
         """The value of the numeric route where there is no closed form, at the start or at the event; and what is to be
         said where a budget was exhausted on the way."""
         q = self.question
-        if not self.setup.has_values or isinstance(q.quantity, SteadyQuantity):
+        if not self.setup.has_values or isinstance(q.quantity, Steady):
             return None, ()
         try:
             return proof.number(self.setup, q.quantity, q.event), ()
@@ -378,7 +371,7 @@ class _Solver:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
-        if isinstance(q, SteadyQuantity):
+        if isinstance(q, Steady):
             return self._steady()
         if self.question.event is not None:
             return self._at_event(q)
@@ -400,7 +393,7 @@ class _Solver:
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         notes: list[str] = []
         if isinstance(q, Wrench):
-            body = body_of_wrench(q, self.system)
+            body = q.body(self.system)
             what = "moment" if q.moment else "force"
             notes.append(f"the {what} that {q.connection} exerts on {body}")
         return _Found(x, evidence, notes=notes, up_to_constant=_has_potential(q), at_start=at_start)
@@ -414,7 +407,7 @@ class _Solver:
         return SymbolicState(self.model, {k: x for k, x in values.items() if k not in speeds})
 
     def _elements(self, q: Quantity, state: SymbolicState) -> Elements:
-        value = quantity_value(q, self.system, state)
+        value = q.value(self.system, state)
         f = self.model.field
         if isinstance(value, tuple):
             return tuple(f.lowest_terms(f.element(v)) for v in value)  # type: ignore[arg-type]
@@ -605,7 +598,7 @@ class _Solver:
             conditions += self._root_conditions(element)
         at_start = self.question.at_start
         state = self.setup.start_instant if at_start else self.setup.state
-        if not isinstance(q, (Freedom, Small, Equilibrium, SteadyQuantity)):
+        if not isinstance(q, (Freedom, Small, Equilibrium, Steady)):
             judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
             conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
@@ -618,7 +611,7 @@ class _Solver:
         for at the start."""
         measures = [m for m in (getattr(q, "measure", None),) if isinstance(m, Composed)]
         rests = isinstance(q, (Small, Equilibrium))
-        if isinstance(q, (Freedom, SteadyQuantity)):
+        if isinstance(q, (Freedom, Steady)):
             return []
         if rests:
             values = find_equilibrium(self.model, self.setup.start, stable_first=isinstance(q, Small)).values

@@ -15,12 +15,12 @@ import numpy as np
 from freebody.budgets import allowed, exhausted
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.model.elements import Held
-from freebody.model.question import Event
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Status
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
+from freebody.questions.reading import Event
 
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on

@@ -21,7 +21,7 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.measures.geometry import Pose
 from freebody.model.elements import RateMeasure
-from freebody.model.question import Event
+from freebody.questions.reading import Event
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent

@@ -51,10 +51,10 @@ from freebody.model.elements import (
 )
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
-from freebody.model.question import read_questions
 from freebody.model.rotations import UNIT, angles_of, columns_of, product
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
+from freebody.questions.reading import read_questions
 from freebody.system.system import System
 from freebody.system.unspecified import Unspecified
 

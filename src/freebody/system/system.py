@@ -24,9 +24,9 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE, ZERO, Components
 from freebody.model.elements import Attitude, Bound, Held, Parameter, Push, RigidBody, Rub
 from freebody.model.names import did_you_mean
-from freebody.model.question import Question
 from freebody.model.rotations import Columns
 from freebody.model.spec import Spec
+from freebody.questions.reading import Question
 
 
 @dataclass(frozen=True, repr=False)
@@ -134,9 +134,13 @@ class System:
         """All dry friction, in joints and in contacts."""
         return self._sites[1]
 
-    @cached_property
+    @property
     def rows(self) -> tuple[Held, ...]:
         """The rows whose multipliers a motion has: what is held, what is bounded, what rubs."""
+        return self._rows
+
+    @cached_property
+    def _rows(self) -> tuple[Held, ...]:
         return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
 
     @cached_property

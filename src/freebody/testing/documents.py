@@ -12,7 +12,7 @@ from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_quantity
 from freebody.model.phrases import PHRASES, phrase_text
-from freebody.model.question import FORMS
+from freebody.questions.base import FORMS
 
 NAMED = ("parameters", "bodies", "connections", "loads", "measures")
 _TOLD = ("title", "about", "source", "id", "options", "key", "freebody")

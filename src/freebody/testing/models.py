@@ -26,9 +26,9 @@ from freebody.language.units import (
 )
 from freebody.loads.base import Load
 from freebody.model.phrases import PHRASES
-from freebody.model.question import FORMS
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
+from freebody.questions.base import FORMS
 from freebody.system.reader import register_kinds
 from freebody.testing.patterns import Slot, fields_of, filled, options_of, phrase, shape_fields
 

@@ -17,7 +17,8 @@ from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_unit
-from freebody.model.question import Question, Small
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Small
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution
 

@@ -21,23 +21,17 @@ from typing import Any, cast
 from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.model.contact_questions import EnergyLost
-from freebody.model.friction_questions import RestQuantity
-from freebody.model.question import (
-    Conserved,
-    Energy,
-    Equilibrium,
-    Freedom,
-    GeneralizedMomentum,
-    JacobiIntegral,
-    Momentum,
-    Question,
-    RatioOf,
-    Small,
-    Spin,
-)
 from freebody.model.shapes import Shape
-from freebody.model.steady_questions import SteadyQuantity
+from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
+from freebody.questions.course import EnergyLost
+from freebody.questions.energy import Energy
+from freebody.questions.freedom import Freedom
+from freebody.questions.momentum import Momentum, Spin
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest
+from freebody.questions.small_motion import Equilibrium, Small
+from freebody.questions.steady import Steady
 from freebody.testing import documents
 from freebody.testing.documents import Data, section
 from freebody.testing.observing import Observed, Reading, differences, observed
@@ -227,7 +221,7 @@ def of_the_whole(question: Question) -> bool:
     """True for what is asked of all bodies together."""
     q = question.quantity
     parts = (q.top, q.bottom) if isinstance(q, RatioOf) else (q.of,) if isinstance(q, Conserved) else (q,)
-    whole = (Freedom, Small, JacobiIntegral, RestQuantity, SteadyQuantity, EnergyLost, GeneralizedMomentum, Equilibrium)
+    whole = (Freedom, Small, JacobiIntegral, AtRest, Steady, EnergyLost, GeneralizedMomentum, Equilibrium)
     return any(
         isinstance(part, whole) or (isinstance(part, (Energy, Momentum, Spin)) and part.body is None) for part in parts
     )
@@ -329,7 +323,7 @@ def in_halves(system: System, rng: random.Random) -> list[Changed]:
         **section(data, "connections"),
         _STRANGER: {"weld": [f"{name}.{point}", f"{_STRANGER}.{point}"]},
     }
-    return [Changed(data, Reading(concerns=lambda q: not isinstance(q.quantity, RestQuantity), same_coordinates=False))]
+    return [Changed(data, Reading(concerns=lambda q: not isinstance(q.quantity, AtRest), same_coordinates=False))]
 
 
 def _halved(value: Any) -> str | float | None:

@@ -9,7 +9,6 @@ from typing import Any, cast
 import numpy as np
 
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Quantity
 from freebody.narrative.contact.contact_table import ContactPlanner, ContactState, ContactTable, Law
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import Script
@@ -18,6 +17,7 @@ from freebody.narrative.principles.kinematics import Kinematics, scaled
 from freebody.narrative.principles.newton import Newton, Written
 from freebody.narrative.principles.planner import Plan, Planner
 from freebody.narrative.principles.symmetry import Copies
+from freebody.questions.base import Quantity
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import value_in_mode
 from freebody.symbolic.field import Ratio

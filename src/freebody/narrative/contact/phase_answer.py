@@ -11,9 +11,6 @@ from typing import Any
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, add
 from freebody.measures.angle import Angle
-from freebody.model.contact_questions import Change, EnergyLost, Turns
-from freebody.model.question import Energy as EnergyOf
-from freebody.model.question import Question, When, Work
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
 from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
@@ -21,6 +18,10 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.questions.instant import names_of, side_of
+from freebody.questions.course import Change, EnergyLost, Turns, When
+from freebody.questions.energy import Energy as EnergyOf
+from freebody.questions.loads import Work
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.quantities import only_friction_takes_energy, plain, value_in_mode
 from freebody.symbolic.field import Ratio

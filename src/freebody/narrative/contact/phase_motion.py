@@ -9,12 +9,12 @@ from typing import Literal
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
 from freebody.model.elements import Push
-from freebody.model.question import Energy as EnergyOf
 from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.questions.state import kinetic_of
+from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate

@@ -11,11 +11,11 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Question
 from freebody.narrative.contact.contact_newton import ContactNewton
 from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, Runs
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
+from freebody.questions.reading import Question
 from freebody.study.phases.events import First
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import Piece, pieces

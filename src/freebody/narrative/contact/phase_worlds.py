@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.model.question import Event
 from freebody.narrative.lines.glossary import Glossary, World
 from freebody.narrative.lines.script import When
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
+from freebody.questions.reading import Event
 from freebody.study.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage

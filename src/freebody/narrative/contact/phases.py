@@ -7,8 +7,6 @@ the law of friction, the motion, and the event that ends it with the state there
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.model.contact_questions import Change, EnergyLost, Turns
-from freebody.model.question import Question, When, Work
 from freebody.narrative.contact.phase_answer import asked_side, shown_parts, tell_answer
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
@@ -17,6 +15,9 @@ from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import Leg, Way
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Script, Sentence, Sheet, Stage
+from freebody.questions.course import Change, EnergyLost, Turns, When
+from freebody.questions.loads import Work
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.words import summary
 from freebody.symbolic.field import Ratio

@@ -11,8 +11,6 @@ from contextlib import suppress
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
-from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit
-from freebody.model.question import Question
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced, solved_argument
@@ -23,6 +21,8 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Listing, Script, Sentence, Stage
 from freebody.narrative.principles.places import place_of
 from freebody.present.report.blocks import Relation
+from freebody.questions.reading import Question
+from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.cases import Case, Ends, Limit

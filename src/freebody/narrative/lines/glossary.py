@@ -15,12 +15,12 @@ from typing import Any
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
 from freebody.measures.base import Measure
-from freebody.model.question import Event, Quantity
 from freebody.narrative.lines.script import Sentence, When
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
+from freebody.questions.base import Quantity
+from freebody.questions.reading import Event
 from freebody.study.draws import Draw
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 
@@ -203,7 +203,7 @@ class Glossary:
             read = self.meanings[name].read
             if callable(read):
                 return read(world)
-            return float(quantity_value(read, self.setup.system, world.snapshot))
+            return float(read.value(self.setup.system, world.snapshot))
         if name == "t":
             return world.snapshot.t
         parameter = self.setup.system.parameters.get(name)

@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from freebody.language.expression import Symbol, rate_key
-from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.questions.instant import asked_symbol, names_of
+from freebody.questions.reading import Question
 
 
 def fresh(context: Context, *names: str) -> str:

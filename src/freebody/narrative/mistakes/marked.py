@@ -15,8 +15,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import Push, RigidBody
-from freebody.model.question import Equilibrium, Question, Small, When
-from freebody.study.quantities import quantity_value
+from freebody.questions.course import When
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Equilibrium, Small
 from freebody.study.setup import Setup
 from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
 from freebody.symbolic.field import Generator, Ratio
@@ -163,7 +164,7 @@ class Marked:
         return {k: self.start * x if k in speeds else x for k, x in self.setup.start.values.items()}
 
     def _value(self, question: Question, state: SymbolicState) -> Elements:
-        value: Any = quantity_value(question.quantity, self.system, state)
+        value: Any = question.quantity.value(self.system, state)
         if isinstance(value, tuple):
             return tuple(map(self._plain, cast("tuple[Ratio, ...]", value)))
         return (self._plain(value),)

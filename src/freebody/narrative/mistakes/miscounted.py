@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from freebody.model.question import Question
 from freebody.narrative.lines.script import Sentence
+from freebody.questions.reading import Question
 from freebody.study.gruebler import Gruebler, gruebler
 from freebody.system.system import System
 

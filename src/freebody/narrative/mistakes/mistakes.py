@@ -14,7 +14,6 @@ from itertools import combinations
 
 from freebody.assess.points import working_precision
 from freebody.errors import CannotAnswer
-from freebody.model.question import Freedom, Multiplier, Question, Wrench
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.marked import Marked
@@ -23,6 +22,9 @@ from freebody.narrative.mistakes.miswritten import BodyEquations
 from freebody.narrative.mistakes.omissions import marked_omissions
 from freebody.narrative.mistakes.slips import Mistake, Numbers, slips
 from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, Wanted, WrongOptions, near
+from freebody.questions.freedom import Freedom
+from freebody.questions.reactions import Multiplier, Wrench
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
 

@@ -14,10 +14,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.model.elements import Held
-from freebody.model.question import Question
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.numeric.jets import Array
+from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 

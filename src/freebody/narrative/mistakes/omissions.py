@@ -7,10 +7,13 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.model.elements import Push, RigidBody
-from freebody.model.question import Energy, OfMeasure, OfPoint, Question, When
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Factor, Marked
 from freebody.narrative.mistakes.slips import Mistake
+from freebody.questions.course import When
+from freebody.questions.energy import Energy
+from freebody.questions.motion import OfMeasure, OfPoint
+from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 

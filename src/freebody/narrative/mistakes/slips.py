@@ -14,8 +14,9 @@ from typing import Any
 from freebody.assess.setting import Setting
 from freebody.language.expression import Symbol
 from freebody.language.units import DIMENSIONLESS, INERTIA, LENGTH, MASS
-from freebody.model.question import Question, Small
 from freebody.narrative.lines.script import Sentence
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Small
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.model import SymbolicModel
 

@@ -15,10 +15,11 @@ from freebody.errors import CannotAnswer, ExpressionError, RoutesDisagree, UnitE
 from freebody.language.expression import Expr
 from freebody.language.parser import parse
 from freebody.language.units import dimension_of
-from freebody.model.question import Energy, Question
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.slips import Mistake, Numbers
+from freebody.questions.energy import Energy
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.draws import SEED
 from freebody.symbolic.field import Ratio

@@ -12,15 +12,15 @@ from collections.abc import Callable, Sequence
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add
 from freebody.model.elements import RateMeasure
-from freebody.model.question import Energy, Power
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.elimination import Row, Solver, Unknowns
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.present.report.blocks import Derivative, Difference
+from freebody.questions.energy import Energy
+from freebody.questions.loads import Power
 from freebody.study.gruebler import is_driven
-from freebody.study.quantities import energy, quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.tidy import tidy
@@ -83,7 +83,7 @@ def _power_symbol(context: Context, script: Script) -> Symbol:
     loads = list(context.system.loads)
 
     def read(world: World) -> float:
-        return float(sum(quantity_value(Power(load), context.system, world.snapshot) for load in loads))
+        return float(sum(Power(load).value(context.system, world.snapshot) for load in loads))
 
     what, symbol = Sentence("symbol.power", {"loads": tuple(loads)}), context.symbol("P", "P_loads")
     context.glossary.introduce(Meaning(symbol, what, read, "W"))
@@ -96,7 +96,7 @@ def energy_terms(context: Context, script: Script) -> list[int]:
     f = context.setup.model.field
     with script.stage("stage.energy", "hint.energy"):
         t_line = _kinetic_line(context, script, kinetic_energy(context))
-        value = energy("potential", None, context.system, context.setup.state)
+        value = Energy("potential", None).value(context.system, context.setup.state)
         V = f.element(value) if not isinstance(value, Ratio) else f.lowest_terms(value)
         what = Sentence("symbol.potential")
         symbol = context.symbol("V", "E_pot")
@@ -115,7 +115,7 @@ def kinetic_symbol(context: Context) -> Symbol:
 def kinetic_energy(context: Context) -> Ratio:
     """In coordinates and independent speeds."""
     state, f = context.setup.state, context.setup.model.field
-    return f.lowest_terms(f.element(energy("kinetic", None, context.system, state)))
+    return f.lowest_terms(f.element(Energy("kinetic", None).value(context.system, state)))
 
 
 def generalized_force(model: SymbolicModel, c: Coordinate) -> Ratio:
@@ -152,7 +152,7 @@ def _kinetic_line(context: Context, script: Script, T: Ratio) -> int:
     f = context.setup.model.field
     parts: list[Expr] = []
     for body in context.system.moving:
-        own = f.element(energy("kinetic", body.name, context.system, context.setup.state))
+        own = f.element(Energy("kinetic", body.name).value(context.system, context.setup.state))
         if not own.is_zero():
             parts.append(tidy(f.lowest_terms(own)))
     shown = tidy(T)

@@ -14,11 +14,11 @@ from typing import Literal
 from freebody.language.expression import Call, Expr, Symbol, multiply
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
-from freebody.model.question import OfMeasure, OfPoint
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.table import Pair, Slot, Table
-from freebody.study.quantities import place
+from freebody.questions.motion import OfMeasure, OfPoint
+from freebody.questions.vectors import place
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.tidy import tidy
 

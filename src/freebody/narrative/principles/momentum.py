@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.model.question import Quantity
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
+from freebody.questions.base import Quantity
 from freebody.symbolic.field import Ratio
 
 

@@ -12,7 +12,6 @@ from freebody.errors import RoutesDisagree
 from freebody.language.expression import Expr, Sum, Symbol, add, negate
 from freebody.language.notation.parts import signed_terms
 from freebody.model.elements import Held
-from freebody.model.question import Quantity
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Argument, Diagram, Legend, Script, Sentence
 from freebody.narrative.principles.elimination import Row, Solver, Unknowns, positive_first
@@ -22,7 +21,7 @@ from freebody.narrative.principles.places import words_of
 from freebody.narrative.principles.planner import Plan, Planner
 from freebody.narrative.principles.symmetry import Copies, copies
 from freebody.narrative.principles.table import Principle, Slot, Table
-from freebody.study.quantities import quantity_value
+from freebody.questions.base import Quantity
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -83,7 +82,7 @@ class Newton:
     # -- what is asked ------------------------------------------------------------------------
     def asked(self, quantity: Quantity) -> tuple[Ratio, ...]:
         """The quantity in coordinates, speeds, accelerations and reactions."""
-        value = quantity_value(quantity, self.setup.system, FormalState(self.table))
+        value = quantity.value(self.setup.system, FormalState(self.table))
         f, reactions = self.field, self.table.reactions
         same = {f.index(reactions[row]): reactions[other] for row, other in self.merged.items()}
         return tuple(f.lowest_terms(f.follow(part, same)) for part in elements(f, value))
@@ -403,7 +402,7 @@ class Newton:
     def _place_line(self, script: Script, body: str, axis: str) -> tuple[int, ...]:
         """One coordinate of a mass centre, as a line."""
         from freebody.measures.geometry import RIGHT, UP
-        from freebody.model.question import OfPoint
+        from freebody.questions.motion import OfPoint
 
         place = self.table.position(body)["xy".index(axis)]
         symbol = Symbol(f"{axis}_{body}")

@@ -11,16 +11,6 @@ from dataclasses import dataclass, field, replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, n_operations, number
-from freebody.model.question import (
-    Conserved,
-    Energy,
-    GeneralizedMomentum,
-    JacobiIntegral,
-    Momentum,
-    Quantity,
-    Question,
-    Spin,
-)
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
@@ -32,11 +22,16 @@ from freebody.narrative.principles.reactions import introduce_reactions
 from freebody.narrative.principles.table import Table
 from freebody.narrative.sheets.asking import what
 from freebody.numeric.jets import Array
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import Momentum, Spin, is_among
+from freebody.questions.reading import Question
+from freebody.questions.vectors import axes_of
 from freebody.study.answer import Answer
 from freebody.study.balance import Balance, Principle
 from freebody.study.conserved import Finding, Judge
 from freebody.study.evidence import element_at
-from freebody.study.quantities import axes_of, is_among, quantity_value
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import cases_where_zero, motion_terms, texts_of
 from freebody.system.system import System
@@ -159,7 +154,7 @@ class _Telling:
         bodies = [b.name for b in self.system.moving if is_among(b.name, q.body)]
         terms: list[Expr] = []
         for body in bodies:
-            own = quantity_value(replace(q, body=body), self.system, self.context.setup.state)
+            own = replace(q, body=body).value(self.system, self.context.setup.state)
             x = f.lowest_terms(f.element(own))
             if not x.is_zero():
                 terms.append(tidy(x))
@@ -395,7 +390,7 @@ def reader_of(context: Context, q: Quantity, balance: Balance) -> Callable[[Worl
         return float((reference.masses * here.v) @ slope)
 
     def plain(world: World) -> float:
-        return float(quantity_value(q, setup.system, world.snapshot))
+        return float(q.value(setup.system, world.snapshot))
 
     if isinstance(q, GeneralizedMomentum):
         return conjugate

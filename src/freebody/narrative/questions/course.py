@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
-from freebody.model.question import Question, When, Work
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage
 from freebody.narrative.principles.analytic import energy_terms
@@ -19,6 +18,9 @@ from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.instant import asked_symbol
+from freebody.questions.course import When
+from freebody.questions.loads import Work
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
@@ -325,9 +327,8 @@ def _work(way: _Way, quantity: Work, lines: Sequence[int]) -> None:
 
 
 def _ends_in_answer(way: _Way, found: Ratio) -> None:
-    from freebody.study.quantities import quantity_value
 
     f, reached, setup = found.field, way.reached, way.context.setup
     values = setup.motion.known_at(reached)
-    wanted = quantity_value(way.question.quantity, setup.system, SymbolicState(setup.model, values))
+    wanted = way.question.quantity.value(setup.system, SymbolicState(setup.model, values))
     same_answer([found], [f.lowest_terms(f.element(wanted))])

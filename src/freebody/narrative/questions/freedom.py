@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Product, Sum, negate, number
-from freebody.model.question import Question
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, Listing, Script, Sentence, Sheet, Stage
 from freebody.numeric.mobility.kinds import Dependence
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.gruebler import Gruebler
 from freebody.study.mobility import Mobility, mobility

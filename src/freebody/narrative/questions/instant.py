@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Question, When, Work
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence, Stage
@@ -14,9 +13,11 @@ from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.state import Parts, parts_of_state
+from freebody.questions.course import When
+from freebody.questions.loads import Work
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.evidence import work_until
-from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
@@ -89,7 +90,7 @@ def finish(
 def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]) -> None:
     setup = context.setup
     state = setup.start_instant if question.at_start else setup.state
-    wanted = elements(setup.model.field, quantity_value(question.quantity, setup.system, state))
+    wanted = elements(setup.model.field, question.quantity.value(setup.system, state))
     if any(not setup.model.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
         same_answer(found, wanted)
 
@@ -105,7 +106,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     quantity, system = question.quantity, context.system
 
     def part(k: int) -> Callable[[World], float]:
-        return lambda world: float(quantity_value(quantity, system, world.snapshot)[k])
+        return lambda world: float(quantity.value(system, world.snapshot)[k])
 
     def time(world: World) -> float:
         return world.snapshot.t

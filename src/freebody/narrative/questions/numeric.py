@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.model.question import Question
 from freebody.narrative.context import Context, Derive, Method
 from freebody.narrative.lines.script import Script, Stage
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.setup import Setup
 

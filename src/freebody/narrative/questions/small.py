@@ -16,8 +16,6 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
-from freebody.model.question import Equilibrium, Question
-from freebody.model.question import Small as SmallQuantity
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
@@ -27,6 +25,9 @@ from freebody.narrative.principles.elimination import Row
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.small_readers import SmallMotions
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Equilibrium
+from freebody.questions.small_motion import Small as SmallQuantity
 from freebody.study.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium, linearised, small_oscillations

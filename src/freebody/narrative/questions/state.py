@@ -7,25 +7,20 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power
 from freebody.measures.geometry import Point
 from freebody.model.elements import RigidBody
-from freebody.model.question import (
-    SYSTEM_CENTER,
-    Energy,
-    InstantCentre,
-    Momentum,
-    OfMeasure,
-    OfPoint,
-    Quantity,
-    Question,
-    RatioOf,
-    Spin,
-)
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.elimination import positive_first
 from freebody.narrative.principles.kinematics import Term, scaled
 from freebody.narrative.principles.loops import loop_lines
-from freebody.study.quantities import ORIGIN, is_among, motion_at_origin, place, point_about
+from freebody.questions.base import Quantity
+from freebody.questions.centres import InstantCentre, motion_at_origin
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import SYSTEM_CENTER, Momentum, Spin, is_among, point_about
+from freebody.questions.motion import OfMeasure, OfPoint
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reading import Question
+from freebody.questions.vectors import ORIGIN, place
 from freebody.symbolic.tidy import tidy
 
 

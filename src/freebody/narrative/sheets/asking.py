@@ -10,33 +10,20 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND, Direction
-from freebody.model.contact_questions import Change, EnergyLost, Turns
-from freebody.model.question import (
-    Conserved,
-    Energy,
-    Equilibrium,
-    Freedom,
-    GeneralizedMomentum,
-    Group,
-    InstantCentre,
-    JacobiIntegral,
-    LoadForce,
-    Momentum,
-    Multiplier,
-    OfMeasure,
-    OfPoint,
-    Power,
-    Question,
-    RatioOf,
-    Small,
-    Spin,
-    Turning,
-    When,
-    Work,
-    Wrench,
-)
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.principles.kinematics import rates_of
+from freebody.questions.centres import InstantCentre
+from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
+from freebody.questions.course import Change, EnergyLost, Turns, When
+from freebody.questions.energy import Energy
+from freebody.questions.freedom import Freedom
+from freebody.questions.loads import LoadForce, Power, Work
+from freebody.questions.momentum import Group, Momentum, Spin
+from freebody.questions.motion import OfMeasure, OfPoint, Turning
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reactions import Multiplier, Wrench
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Equilibrium, Small
 from freebody.system.system import System
 
 NOTHING: Argument = ""

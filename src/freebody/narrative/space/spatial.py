@@ -9,7 +9,6 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND
-from freebody.model.question import Energy, Momentum, OfMeasure, OfPoint, Quantity, Question, RatioOf, Spin, Turning
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry
 from freebody.narrative.lines.script import Argument, Script, Stage
@@ -20,8 +19,13 @@ from freebody.narrative.questions.state import Parts
 from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
 from freebody.narrative.space.spatial_frames import axes_of
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.questions.base import Quantity
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import Momentum, Spin
+from freebody.questions.motion import OfMeasure, OfPoint, Turning
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
-from freebody.study.quantities import quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -74,7 +78,7 @@ def finish_at_start(
 def asked(context: Context, quantity: Quantity, table: Table) -> tuple[tuple[Ratio, ...], list[int]]:
     """A quantity with accelerations and reactions as symbols, and which of these it contains."""
     model, f = context.setup.model, context.setup.model.field
-    value: Any = quantity_value(quantity, context.system, FormalState(table))
+    value: Any = quantity.value(context.system, FormalState(table))
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
     elements = tuple(f.lowest_terms(model.in_independent_speeds(f.element(p))) for p in parts)
     used = {g for p in elements for g in f.ingredients(p)}

@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power, rate_key
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
-from freebody.model.question import Energy, Group, OfPoint, Question, Turning
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_entry, fresh, named
@@ -22,7 +21,10 @@ from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.questions.state import Parts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
-from freebody.study.quantities import is_among, quantity_value
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import Group, is_among
+from freebody.questions.motion import OfPoint, Turning
+from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -89,7 +91,7 @@ def _asked(context: Context, question: Question) -> tuple[Expr, ...]:
     setup = context.setup
     f = setup.model.field
     state = setup.start_instant if question.at_start else setup.state
-    value = quantity_value(question.quantity, setup.system, state)
+    value = question.quantity.value(setup.system, state)
     return tuple(tidy(f.lowest_terms(f.element(x))) for x in value)
 
 
@@ -97,7 +99,7 @@ def omega_symbols(context: Context, kinematics: SpatialKinematics, body: str) ->
     """Components of an angular velocity along the body's own axes, without saying by which angles."""
 
     def reads(world: World) -> Sequence[float]:
-        return tuple(quantity_value(Turning(body, 1), context.system, world.snapshot))
+        return tuple(Turning(body, 1).value(context.system, world.snapshot))
 
     axes = axes_of_body(context, body)
     return kinematics.introduce(f"omega_{body}", "omega", body, axes, reads, "rad/s")
@@ -139,7 +141,7 @@ def _energy(
     w = omega_symbols(context, kinematics, b.name)
 
     def reads(world: World) -> Sequence[float]:
-        return tuple(quantity_value(OfPoint(b.mass_center, 1), context.system, world.snapshot))
+        return tuple(OfPoint(b.mass_center, 1).value(context.system, world.snapshot))
 
     v = kinematics.introduce(f"v_{b.name}", "velocity", b.name, axes_of(None), reads, "m/s")
     mass, inertia = tidy(model.inertias[b.name][0]), [tidy(x) for x in model.inertias[b.name][3:6]]

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 from freebody.language.expression import Expr, Symbol
 from freebody.measures.geometry import GROUND
-from freebody.model.question import Basis
 from freebody.model.spins import body_axes
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import component_names
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.study.quantities import AXES, components_of, dot
+from freebody.questions.vectors import AXES, Basis, components_of, dot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.model import SpatialModel
 from freebody.symbolic.state import SymbolicState

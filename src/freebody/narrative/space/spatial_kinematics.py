@@ -16,7 +16,6 @@ from freebody.language.expression import Call, Expr, Symbol, add, number, rate_k
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Plane, RateMeasure, RigidBody
-from freebody.model.question import OfPoint, Turning
 from freebody.model.state import State
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
@@ -26,8 +25,9 @@ from freebody.narrative.principles.kinematics import rates_of, scaled
 from freebody.narrative.principles.motion_equations import balanced, readable
 from freebody.narrative.space.spatial_angles import Angles
 from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
+from freebody.questions.motion import OfPoint, Turning
+from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.eom import primitive_part
-from freebody.study.quantities import AXES, ORIGIN, components_of, cross, dot, quantity_value
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -225,7 +225,7 @@ class SpatialKinematics(Frames):
         if key not in self.told:
 
             def reads(world: World) -> Sequence[float]:
-                return tuple(quantity_value(OfPoint(body.center, 1), self.context.system, world.snapshot))
+                return tuple(OfPoint(body.center, 1).value(self.context.system, world.snapshot))
 
             place = self.place(body.center, str(body.name))
             raw = self.along(self._raw_velocity(body), axes)
@@ -241,7 +241,7 @@ class SpatialKinematics(Frames):
         if key not in self.told:
 
             def reads(world: World) -> Sequence[float]:
-                return tuple(quantity_value(OfPoint(point, 0), self.context.system, world.snapshot))
+                return tuple(OfPoint(point, 0).value(self.context.system, world.snapshot))
 
             value = [self.field.lowest_terms(self.state.value(Displacement(point, ORIGIN, a))) for a in AXES]
             label = name.replace(".", "_")
@@ -256,7 +256,7 @@ class SpatialKinematics(Frames):
 
 def _turning(context: Context, body: str) -> Callable[[World], Sequence[float]]:
     def reads(world: World) -> Sequence[float]:
-        return tuple(quantity_value(Turning(body, 1), context.system, world.snapshot))
+        return tuple(Turning(body, 1).value(context.system, world.snapshot))
 
     return reads
 

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 from freebody.language.expression import Expr, Symbol, add
 from freebody.model.elements import RigidBody
-from freebody.model.question import Energy, Momentum, Spin
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
@@ -18,7 +17,8 @@ from freebody.narrative.lines.script import Argument, Script, Sentence
 from freebody.narrative.questions.state import Parts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
-from freebody.study.quantities import energy, is_among, quantity_value
+from freebody.questions.energy import Energy
+from freebody.questions.momentum import Momentum, Spin, is_among
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -60,7 +60,7 @@ class _Momenta:
             spins = {b.name: self.omega_of(b) for b in bodies}
         with self.script.stage("space.energies", "space.energies_hint"):
             for b in bodies:
-                value = self._element(energy("kinetic", b.name, self.context.system, self.state))
+                value = self._element(Energy("kinetic", b.name).value(self.context.system, self.state))
                 if not value.is_zero():
                     uses = (*self._velocity(b), *spins[b.name])
                     lines.append(self._energy_line(b, value, uses, terms))
@@ -139,7 +139,7 @@ class _Momenta:
         q = Spin(b.name, None)
 
         def reads(world: World) -> Sequence[float]:
-            return tuple(quantity_value(q, self.context.system, world.snapshot))
+            return tuple(q.value(self.context.system, world.snapshot))
 
         symbols = self.kinematics.introduce(f"H_{b.name}", "spin", b.name, axes, reads, "kg m^2/s")
         args: dict[str, Argument] = {"body": b.name, "line": uses[0]}
@@ -155,7 +155,7 @@ class _Momenta:
         terms: list[Expr] = []
         for b in bodies:
             share = replace(q, body=b.name)
-            value = self._element(quantity_value(share, self.context.system, self.state))
+            value = self._element(share.value(self.context.system, self.state))
             if value.is_zero():
                 continue
             symbol = Symbol(fresh(self.context, f"H_{b.name}_e", f"H_{b.name}_along"))
@@ -164,7 +164,7 @@ class _Momenta:
             terms.append(symbol)
             uses = (*own[b.name], *self._places(b, q))
             centre = replace(share, about=None)
-            turning = self._element(quantity_value(centre, self.context.system, self.state))
+            turning = self._element(centre.value(self.context.system, self.state))
             sides: list[Expr] = [symbol]
             if not turning.is_zero() and not (value - turning).is_zero():
                 sides.append(add(tidy(turning), tidy(self.field.lowest_terms(value - turning))))

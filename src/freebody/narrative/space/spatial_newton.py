@@ -13,7 +13,6 @@ import numpy as np
 
 from freebody.language.expression import Expr, Symbol, n_operations
 from freebody.model.elements import RigidBody
-from freebody.model.question import Spin
 from freebody.narrative.context import Context
 from freebody.narrative.lines.rates import rates_of_vector
 from freebody.narrative.lines.script import Argument, Diagram, Script, Sentence
@@ -25,7 +24,7 @@ from freebody.narrative.principles.table import Principle, Slot
 from freebody.narrative.space.spatial_frames import Reads, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_table import SpatialPlanner, SpatialPrinciple, SpatialTable
-from freebody.study.quantities import quantity_value
+from freebody.questions.momentum import Spin
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -133,7 +132,7 @@ class SpatialNewton:
 
     def _read_spin(self, b: RigidBody) -> Reads:
         q = Spin(b.name, None)
-        return lambda world: tuple(quantity_value(q, self.context.system, world.snapshot))
+        return lambda world: tuple(q.value(self.context.system, world.snapshot))
 
     # -- principles ---------------------------------------------------------------------------
     def _principle(self, plan: Plan, k: int) -> Row:
@@ -227,4 +226,4 @@ def _spin_rate(context: Context, b: RigidBody) -> Reads:
     """dH/dt by ground components: differences of the numeric route."""
     q = Spin(b.name, None)
 
-    return rates_of_vector(lambda world: tuple(quantity_value(q, context.system, world.snapshot)))
+    return rates_of_vector(lambda world: tuple(q.value(context.system, world.snapshot)))

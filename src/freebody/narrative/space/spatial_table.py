@@ -25,7 +25,7 @@ from freebody.narrative.principles.planner import MORE_BODIES, Array, Planner
 from freebody.narrative.principles.table import Aim, Centre, Principle, Slot, Table
 from freebody.narrative.space.spatial_frames import Vector
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
-from freebody.study.quantities import AXES, ORIGIN, components_of, cross, dot
+from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.model import SpatialModel
 

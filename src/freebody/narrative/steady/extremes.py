@@ -7,8 +7,6 @@ from collections.abc import Callable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
-from freebody.model.question import Question
-from freebody.model.steady_questions import Extremes
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
@@ -16,9 +14,10 @@ from freebody.narrative.lines.script import Argument, Script, Sentence, Sheet, S
 from freebody.narrative.principles.table import Table
 from freebody.narrative.space.spatial import SpatialTelling, asked
 from freebody.numeric.jets import Array
+from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes
 from freebody.study.answer import Answer
 from freebody.study.evidence import holds
-from freebody.study.quantities import quantity_value
 from freebody.study.steady.extremes import Extremum, Search, angle_of, at_start_but_for
 from freebody.study.steady.round_turn import Round
 from freebody.study.steady.turning import Turning
@@ -35,7 +34,7 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     """The quantity, its slope, the stationary places, the extreme values."""
     setup, model = context.setup, context.setup.model
     f = model.field
-    x = explicit(model, f.lowest_terms(f.element(quantity_value(q.of, setup.system, setup.state))))
+    x = explicit(model, f.lowest_terms(f.element(q.of.value(setup.system, setup.state))))
     c = angle_of(model, q, x)
     general = x
     x = at_start_but_for(setup, question, x, c)

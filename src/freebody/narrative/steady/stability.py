@@ -9,14 +9,14 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
-from freebody.model.question import Question
-from freebody.model.steady_questions import SpinStability
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Sheet, Stage, When
 from freebody.narrative.principles.motion_equations import motion_equations, readable
 from freebody.numeric.jets import Array
+from freebody.questions.reading import Question
+from freebody.questions.steady import SpinStability
 from freebody.study.answer import Answer
 from freebody.study.draws import Draw
 from freebody.study.steady.linearised import About

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.model.question import Question
-from freebody.model.steady_questions import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Stage
+from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.answer import Answer
 
 

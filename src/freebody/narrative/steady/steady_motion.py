@@ -15,8 +15,6 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, rate_key
-from freebody.model.question import OfMeasure, Question
-from freebody.model.steady_questions import SteadyValue
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry
@@ -24,8 +22,10 @@ from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, 
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import Question
+from freebody.questions.steady import SteadyValue
 from freebody.study.answer import Answer
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import motions
 from freebody.study.steady.motion import Solutions, Steady, unknown_of
@@ -199,7 +199,7 @@ def _reader(context: Context, q: SteadyValue, k: int | None) -> Callable[[World]
     """The quantity, or one of its components, at an instant of a steady motion."""
 
     def read(world: World) -> float:
-        value = quantity_value(q.of, context.system, world.snapshot)
+        value = q.of.value(context.system, world.snapshot)
         return float(value if k is None else value[k])
 
     return read

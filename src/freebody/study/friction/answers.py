@@ -11,10 +11,10 @@ from freebody.assess.options import Judgement, judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
-from freebody.model.friction_questions import FirstFailure, Holds, ReactionRange, RestLimit, RestQuantity
-from freebody.model.question import Question
 from freebody.numeric.friction_limits import ROUND_OFF
 from freebody.progress import busy_with
+from freebody.questions.reading import Question
+from freebody.questions.rest import AtRest, FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.evidence import MIN_DRAWS, Witness
 from freebody.study.friction.cases import Case, Compared, Ends, Limit
@@ -43,7 +43,7 @@ def prepared(system: System) -> tuple[Touching, Setup]:
 def answer(system: System, question: Question) -> Answer:
     """The answer to a question about rest; without a closed form, its numbers and the reason."""
     q = question.quantity
-    assert isinstance(q, RestQuantity)
+    assert isinstance(q, AtRest)
     busy_with(f"answering {question.id}: {question.text}")
     try:
         return _Answerer(system, question).answer(q)
@@ -59,7 +59,7 @@ class _Answerer:
         self.question = question
         self.touching, self.setup = prepared(system)
 
-    def answer(self, q: RestQuantity) -> Answer:
+    def answer(self, q: AtRest) -> Answer:
         match q:
             case RestLimit(name, which):
                 ends = ParameterEnds(self.touching, self.setup, name)
@@ -73,6 +73,8 @@ class _Answerer:
                 from freebody.study.friction.holding import holds
 
                 return holds(self.touching, self.setup, self.question)
+            case _:
+                raise CannotAnswer("this is no question about rest")
 
     def _row(self, q: ReactionRange) -> str:
         """The row that is asked for: of those that could be meant the one that touches."""

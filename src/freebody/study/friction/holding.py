@@ -14,9 +14,9 @@ from freebody.assess.options import judge
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
-from freebody.model.question import Question
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
+from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.draws import Draw
 from freebody.study.evidence import MIN_DRAWS, Witness

@@ -12,19 +12,15 @@ from freebody.assess.options import judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
-from freebody.model.question import (
-    Conserved,
-    Energy,
-    Equilibrium,
-    Freedom,
-    Multiplier,
-    Power,
-    Quantity,
-    Question,
-    Small,
-    Wrench,
-)
 from freebody.progress import busy_with
+from freebody.questions.base import Quantity
+from freebody.questions.conservation import Conserved
+from freebody.questions.energy import Energy
+from freebody.questions.freedom import Freedom
+from freebody.questions.loads import Power
+from freebody.questions.reactions import Multiplier, Wrench
+from freebody.questions.reading import Question
+from freebody.questions.small_motion import Equilibrium, Small
 from freebody.study.answer import NOT_VALID, Answer, AnswerCase, Evidence
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare

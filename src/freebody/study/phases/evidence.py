@@ -13,8 +13,11 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.measures.angle import Angle
-from freebody.model.contact_questions import Change, EnergyLost, Turns
-from freebody.model.question import Event, Quantity, Question, When, Work
+from freebody.questions.base import Quantity
+from freebody.questions.course import Change, EnergyLost, Turns, When
+from freebody.questions.energy import Energy
+from freebody.questions.loads import Work
+from freebody.questions.reading import Event, Question
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, Witness
@@ -23,7 +26,6 @@ from freebody.study.phases.pieces import Piece
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import Node, Tree
 from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, Stage, before_impact, begun, follow, struck
-from freebody.study.quantities import energy
 from freebody.system.system import System
 
 N_CHECKED = 5
@@ -217,4 +219,4 @@ def _heat(seen: Seen) -> float:
 
 
 def _energy(now: Any, system: System) -> float:
-    return float(energy("total", None, plain(system), now))
+    return float(Energy("total").value(plain(system), now))

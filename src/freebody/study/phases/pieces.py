@@ -8,15 +8,18 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.model.contact_questions import Change, EnergyLost, Transition, Turns
-from freebody.model.question import Event, OfMeasure, Quantity, Question, When, Work
+from freebody.questions.base import Quantity
+from freebody.questions.course import Change, EnergyLost, Transition, Turns, When
+from freebody.questions.energy import Energy as EnergyOf
+from freebody.questions.loads import Work
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import Event, Question
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Watch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import NO_FORM, Edge, Node, Tree, why
 from freebody.study.phases.words import label
-from freebody.study.quantities import energy
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import Energy
@@ -387,7 +390,7 @@ def _energy_lost(tree: Tree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio
         )
     there = SymbolicState(phase.model, {**_still(phase), **values})
     system = plain(phase.system)
-    before, after = (energy("total", None, system, state) for state in (phase.start_instant, there))
+    before, after = (EnergyOf("total").value(system, state) for state in (phase.start_instant, there))
     return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
@@ -396,8 +399,8 @@ def _taken_by_impact(tree: Tree, node: Node) -> Ratio:
     if node.impact is None:
         return tree.home.model.field.zero
     setup, phase = node.impact.before.setup, node.phase
-    before = energy("total", None, plain(setup.system), node.impact.before.now)
-    after = energy("total", None, plain(phase.system), phase.start_instant)
+    before = EnergyOf("total").value(plain(setup.system), node.impact.before.now)
+    after = EnergyOf("total").value(plain(phase.system), phase.start_instant)
     return tree.to_home(setup, before) - tree.to_home(phase, after)
 
 

@@ -13,9 +13,11 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.geometry import Direction
 from freebody.model.elements import Push
-from freebody.model.question import Multiplier, Power, Quantity, RatioOf, Wrench
 from freebody.model.state import State
-from freebody.study.quantities import quantity_value
+from freebody.questions.base import Quantity
+from freebody.questions.loads import Power
+from freebody.questions.ratio import RatioOf
+from freebody.questions.reactions import Multiplier, Wrench
 from freebody.system.system import System
 
 
@@ -31,7 +33,7 @@ def value_in_mode(quantity: Quantity, base: System, system: System, state: State
         case Power(of) if _is_contact(of, base):
             return sum((state.law(p) * state.rate(p.measure) for p in _frictions(of, system)), _zero(state))
         case _:
-            return quantity_value(quantity, plain(system), state)
+            return quantity.value(plain(system), state)
 
 
 def plain(system: System) -> System:

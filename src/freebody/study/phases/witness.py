@@ -20,9 +20,9 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.model.elements import Rub
-from freebody.model.question import Event
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
+from freebody.questions.reading import Event
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import Mode, in_mode

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.model.question import Question
-from freebody.model.steady_questions import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding
 

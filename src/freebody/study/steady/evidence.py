@@ -10,14 +10,13 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.question import Quantity
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
+from freebody.questions.base import Quantity
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
 from freebody.study.magnitude import magnitude
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, Steady
 from freebody.symbolic.field import Ratio
@@ -50,7 +49,7 @@ def during_steady_motion(
         for snapshot in found:
             if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer("the steady motion by which the answer would be checked is none in numbers")
-            numeric = quantity_value(quantity, setup.system, draw.seen(snapshot))
+            numeric = quantity.value(setup.system, draw.seen(snapshot))
             exact = element_at(setup, elements, draw, snapshot)
             witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
     return witness.evidence()

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import joined, reworded, to_text
-from freebody.model.question import Question
-from freebody.model.steady_questions import Extremes
-from freebody.study.quantities import quantity_value
+from freebody.questions.reading import Question
+from freebody.questions.steady import Extremes
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding, odd_part
 from freebody.study.steady.turning import Place, Turning
@@ -42,7 +41,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     from freebody.study.steady.round_turn import over_a_turn
 
     model = setup.model
-    value = quantity_value(q.of, setup.system, setup.state)
+    value = q.of.value(setup.system, setup.state)
     if isinstance(value, tuple):
         raise CannotAnswer("a vector has no extremes; ask for its size or for a component along a direction")
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))

@@ -17,10 +17,10 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text
-from freebody.model.question import OfMeasure, Question
-from freebody.model.steady_questions import SteadyValue
+from freebody.questions.motion import OfMeasure
+from freebody.questions.reading import Question
+from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding, odd_part, without_square_roots
 from freebody.symbolic.conditions import Condition, require
@@ -313,7 +313,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     from freebody.study.steady.evidence import during_steady_motion
 
     f = setup.model.field
-    value = quantity_value(q.of, setup.system, steady.state)
+    value = q.of.value(setup.system, steady.state)
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
     elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
     texts = steady.texts()

@@ -8,13 +8,12 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.question import Quantity
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
+from freebody.questions.base import Quantity
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
 from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, NotReal, Witness, element_at, holds
-from freebody.study.quantities import quantity_value
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import Extremum
 from freebody.symbolic.conditions import Condition
@@ -105,4 +104,4 @@ class Round:
         return self.draw.reference.pose_near(q, [*self.kept, (self.measure, self.here + away)])
 
     def value(self, q: Array) -> float:
-        return float(quantity_value(self.quantity, self.setup.system, self.draw.seen(self._snapshot(q))))
+        return float(self.quantity.value(self.setup.system, self.draw.seen(self._snapshot(q))))

@@ -17,10 +17,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.measures.geometry import Direction
 from freebody.model.elements import RateMeasure
-from freebody.model.question import Question
 from freebody.model.spins import body_axes, spin
-from freebody.model.steady_questions import SpinStability
 from freebody.numeric.jets import Array
+from freebody.questions.reading import Question
+from freebody.questions.steady import SpinStability
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
 from freebody.study.evidence import Witness

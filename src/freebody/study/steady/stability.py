@@ -18,7 +18,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import compared, reworded, to_text
-from freebody.model.question import Question
+from freebody.questions.reading import Question
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding

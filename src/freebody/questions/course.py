@@ -1,26 +1,26 @@
-"""Questions about motion in phases: events of contacts and dry friction, and what is counted up to them.
+"""Questions about what comes together from the start to an event, and events of contacts and dry friction.
 
+time when ...        energy lost until ...        turns of BODY until ...        change of MEASURE until ...
 ... when rolling begins | slipping ends | slipping begins | NAME slips | NAME leaves the surface | rope goes slack
-energy lost until ...        turns of BODY until ...        change of MEASURE until ...
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from freebody.language.units import DIMENSIONLESS, ENERGY, Dimension
+from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import did_you_mean
 from freebody.model.phrases import read_measure
+from freebody.questions.base import Found, Passage, Path, Quantity, angular_unit, asked
 
 if TYPE_CHECKING:
-    from freebody.model.question import Quantity
+    from freebody.model.names import Names
 
-Path = tuple[str | int, ...]
 TransitionKind = Literal["rolls", "slip ends", "slips", "opens"]
+RANK = 90
 
 
 @dataclass(frozen=True)
@@ -33,23 +33,57 @@ class Transition:
     text: str
 
 
+class Counted(Quantity):
+    """What a motion has gathered since its start; it is asked for up to an event."""
+
+    scope = "course"
+    until: ClassVar[str] = "rolling begins"  # an event, for messages
+
+
 @dataclass(frozen=True)
-class EnergyLost:
+class When(Counted, kind="time"):
+    """The time of the event."""
+
+    measured_in = TIME
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.time()
+
+
+@dataclass(frozen=True)
+class EnergyLost(Counted, kind="energy lost"):
     """What dry friction has turned into heat since the start."""
 
-    dimension: Dimension = ENERGY
+    measured_in = ENERGY
+
+    @property
+    def unit(self) -> str:
+        return "J"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.heat()
 
 
 @dataclass(frozen=True)
-class Turns:
+class Turns(Counted, kind="turns"):
     """How often a body has turned since the start, counted without sign."""
 
     body: str
-    dimension: Dimension = DIMENSIONLESS
+
+    @property
+    def unit(self) -> str:
+        return "1"
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.revolutions(self.body)
 
 
 @dataclass(frozen=True)
-class Change:
+class Change(Counted, kind="change"):
     """How much a measure has changed since the start."""
 
     measure: Measure
@@ -58,6 +92,14 @@ class Change:
     @property
     def dimension(self) -> Dimension:
         return self.measure.dimension
+
+    @property
+    def unit(self) -> str:
+        is_angle = self.dimension == DIMENSIONLESS
+        return angular_unit(self.dimension) if is_angle else str(self.dimension)
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.change(self.measure)
 
 
 # -- events -----------------------------------------------------------------------------------
@@ -125,36 +167,25 @@ def as_condition(names: Names, text: str) -> str:
 
 
 # -- quantities -------------------------------------------------------------------------------
-Reader = Callable[[Names, dict[str, Any], Path], "Quantity | None"]
-
-
-def _lost(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "energy lost until EVENT",
+    r"(?:energy (?:lost|dissipated)|loss of (?:kinetic |mechanical )?energy|heat)(?: by friction)?",
+    rank=RANK,
+)
+def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
     return EnergyLost()
 
 
-def _turns(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked("turns of BODY until EVENT", rf"(?:number of )?(?:turns|revolutions|rotations) of (?:the )?{_NAME}", rank=RANK)
+def _turns(names: Names, found: Found, path: Path) -> Quantity | None:
     body = names.body(str(found["of"]), *path)
     if not body.turns:
         names.problem(f"{body.name} is a particle and does not turn", None, *path)
     return Turns(body.name)
 
 
-def _change(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked("change of MEASURE until EVENT", r"(?:change of|distance travelled along) (?P<of>.+)", rank=RANK)
+def _change(names: Names, found: Found, path: Path) -> Quantity | None:
     text = str(found["of"])
     measure = read_measure(names, text, *path)
     return None if measure is None else Change(measure, text)
-
-
-CONTACT_FORMS: tuple[tuple[str, str, Reader], ...] = (
-    (
-        "energy lost until EVENT",
-        r"(?:energy (?:lost|dissipated)|loss of (?:kinetic |mechanical )?energy|heat)(?: by friction)?",
-        _lost,
-    ),
-    (
-        "turns of BODY until EVENT",
-        rf"(?:number of )?(?:turns|revolutions|rotations) of (?:the )?{_NAME}",
-        _turns,
-    ),
-    ("change of MEASURE until EVENT", r"(?:change of|distance travelled along) (?P<of>.+)", _change),
-)

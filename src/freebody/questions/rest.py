@@ -6,60 +6,76 @@ does it tip or slide as F grows         does it hold        range of normal forc
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, TORQUE, Dimension
+from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import Held
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import did_you_mean
+from freebody.questions.base import NAME, Found, Path, Quantity, asked
 
 if TYPE_CHECKING:
-    from freebody.model.question import Quantity
+    from freebody.model.names import Names
 
-Path = tuple[str | int, ...]
 Which = Literal["range", "least", "largest"]
+RANK = 88
+
+
+class AtRest(Quantity):
+    """What is asked of the start pose with all that touches held there."""
+
+    scope = "rest"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
 
 
 @dataclass(frozen=True)
-class RestLimit:
+class RestLimit(AtRest, kind="limit of rest"):
     """The values of a parameter with which the system stays at rest, or one end of them."""
 
     parameter: str
     which: Which
-    dimension: Dimension
+    of_parameter: Dimension
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of_parameter
 
 
 @dataclass(frozen=True)
-class FirstFailure:
+class FirstFailure(AtRest, kind="first failure"):
     """Which failure comes first as a parameter grows."""
 
     parameter: str
-    dimension: Dimension
+    of_parameter: Dimension
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of_parameter
 
 
 @dataclass(frozen=True)
-class Holds:
+class Holds(AtRest, kind="holds"):
     """Whether the system stays at rest."""
 
-    dimension: Dimension = DIMENSIONLESS
-
 
 @dataclass(frozen=True)
-class ReactionRange:
+class ReactionRange(AtRest, kind="range of a reaction"):
     """Between which values a reaction lies that rest leaves open: that of the row that touches at the start, of several
     that could."""
 
     rows: tuple[str, ...]
     reaction: str
-    dimension: Dimension
+    transmits: Dimension
 
+    @property
+    def dimension(self) -> Dimension:
+        return self.transmits
 
-RestQuantity = RestLimit | FirstFailure | Holds | ReactionRange
 
 # -- the grammar ------------------------------------------------------------------------------
-Reader = Callable[[Names, dict[str, Any], Path], "Quantity | None"]
-_NAME = r"[A-Za-z_]\w*"
 _REST = (
     r"(?:(?:so )?that|for which|with which|such that)? ?(?:it|the system|everything|the [a-z]+)? ?"
     r"(?:(?:stays?|remains?|is|keeps?|can stay)(?: (?:it|the system))? (?:at rest|in equilibrium|in place)"
@@ -74,11 +90,21 @@ _WHICH: dict[str, Which] = {
 }
 
 
-def _range(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "range of PARAMETER that keeps it at rest",
+    rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})(?: {_REST})?",
+    rank=RANK,
+)
+def _range(names: Names, found: Found, path: Path) -> Quantity | None:
     return _limit(names, found["of"], "range", path)
 
 
-def _end(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "least | largest PARAMETER so that it stays at rest",
+    rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}",
+    rank=RANK,
+)
+def _end(names: Names, found: Found, path: Path) -> Quantity | None:
     return _limit(names, found["of"], _WHICH[found["which"]], path)
 
 
@@ -87,7 +113,13 @@ def _limit(names: Names, name: str, which: Which, path: Path) -> RestLimit | Non
     return None if dimension is None else RestLimit(name, which, dimension)
 
 
-def _failure(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "does it tip or slide as PARAMETER grows",
+    rf"[Dd]oes (?:it|the {NAME}) (?:first )?(?:tip|slide|slip)(?: first)?(?: or (?:tip|slide|slip))?(?: first)?"
+    rf"(?: as (?:the )?(?:force |torque |angle )?(?P<of>{NAME}) (?:grows|increases))?\??",
+    rank=RANK,
+)
+def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     name = found["of"]
     if name is None:
         names.problem("say as what grows: does it tip or slide as F grows", None, *path)
@@ -107,11 +139,23 @@ def _parameter(names: Names, name: str, path: Path) -> Dimension | None:
     return parameter.dimension
 
 
-def _holds(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "does it hold",
+    rf"(?:[Dd]oes (?:it|the {NAME}) (?:hold|stay at rest|remain at rest)"
+    rf"|[Ii]s (?:it|the {NAME}) (?:at rest|in equilibrium))\??",
+    rank=RANK,
+)
+def _holds(names: Names, found: Found, path: Path) -> Quantity | None:
     return Holds()
 
 
-def _reaction_range(names: Names, found: dict[str, Any], path: Path) -> Quantity | None:
+@asked(
+    "range of normal force | friction force of CONNECTION [at PLACE]",
+    rf"(?:range|interval|bounds) of (?:the )?(?P<what>[a-z]+ (?:force|torque)|tension|force|moment) (?:of|in|at) "
+    rf"(?P<of>{NAME})(?: (?:at|on) (?P<at>{NAME}(?:\.\w+)?))?",
+    rank=RANK,
+)
+def _reaction_range(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what, at = found["of"], found["what"], found["at"]
     if of not in names.connections:
         names.problem(f"there is no connection {of}.{did_you_mean(of, names.connections)}", None, *path)
@@ -145,35 +189,3 @@ def _ends(row: Held) -> tuple[str, ...]:
 def _is_at(ends: tuple[str, ...], at: str) -> bool:
     """`leg2`, `table.leg2` or the name of a body."""
     return any(at == end or at == end.rpartition(".")[2] for end in ends)
-
-
-FRICTION_FORMS: tuple[tuple[str, str, Reader], ...] = (
-    (
-        "range of PARAMETER that keeps it at rest",
-        rf"(?:range|interval|values) of {_KIND}(?P<of>{_NAME})(?: {_REST})?",
-        _range,
-    ),
-    (
-        "least | largest PARAMETER so that it stays at rest",
-        rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{_NAME}) {_REST}",
-        _end,
-    ),
-    (
-        "does it tip or slide as PARAMETER grows",
-        rf"[Dd]oes (?:it|the {_NAME}) (?:first )?(?:tip|slide|slip)(?: first)?(?: or (?:tip|slide|slip))?(?: first)?"
-        rf"(?: as (?:the )?(?:force |torque |angle )?(?P<of>{_NAME}) (?:grows|increases))?\??",
-        _failure,
-    ),
-    (
-        "does it hold",
-        rf"(?:[Dd]oes (?:it|the {_NAME}) (?:hold|stay at rest|remain at rest)"
-        rf"|[Ii]s (?:it|the {_NAME}) (?:at rest|in equilibrium))\??",
-        _holds,
-    ),
-    (
-        "range of normal force | friction force of CONNECTION [at PLACE]",
-        rf"(?:range|interval|bounds) of (?:the )?(?P<what>[a-z]+ (?:force|torque)|tension|force|moment) (?:of|in|at) "
-        rf"(?P<of>{_NAME})(?: (?:at|on) (?P<at>{_NAME}(?:\.\w+)?))?",
-        _reaction_range,
-    ),
-)

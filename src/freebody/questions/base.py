@@ -1,0 +1,207 @@
+"""The base of all kinds of questions.
+
+A kind is a frozen dataclass in a file of this folder: a `Quantity` with a `kind`, by which it is found, and a reader of
+the words that ask for it (`asked`). It says its dimension, what it is over a `State` (`value`) or along a motion
+(`counted`), and to what part of mechanics it belongs (`scope`). Whoever answers or tells asks the kind and tests on
+none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.measures.base import Measure
+from freebody.model.elements import Held, Push, RigidBody
+from freebody.model.state import State
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Path = tuple[str | int, ...]
+Scope = Literal[
+    "instant",  # a state has it
+    "course",  # counted from the start to an event
+    "rest",
+    "steady motion",
+    "small motion",  # equilibrium, and small oscillations about it
+    "every motion",  # what all motions have in common: conservation
+    "structure",  # whatever moves: degrees of freedom
+]
+S_co = TypeVar("S_co", covariant=True)
+
+
+class Loaded(Protocol):
+    """A load, as far as quantities read it."""
+
+    pulling_sign: ClassVar[int]
+    stores_energy: ClassVar[bool]
+
+
+class Described(Protocol):
+    """A system, as far as quantities read it."""
+
+    @property
+    def space(self) -> bool: ...
+    @property
+    def bodies(self) -> Mapping[str, RigidBody]: ...
+    @property
+    def moving(self) -> tuple[RigidBody, ...]: ...
+    @property
+    def held(self) -> tuple[Held, ...]: ...
+    @property
+    def rows(self) -> tuple[Held, ...]: ...
+    @property
+    def pushes(self) -> tuple[Push, ...]: ...
+    @property
+    def loads(self) -> Mapping[str, Loaded]: ...
+
+
+class Passage(Protocol[S_co]):
+    """A motion from the start to an event, as far as quantities count along it. Whoever follows motions supplies it;
+    what cannot be told of this one raises CannotAnswer."""
+
+    def time(self) -> S_co:
+        """Since the start."""
+        ...
+
+    def change(self, measure: Measure) -> S_co:
+        """Of a measure, from the start to the event."""
+        ...
+
+    def work(self, load: str) -> S_co:
+        """What a load has done."""
+        ...
+
+    def heat(self) -> S_co:
+        """The energy that dry friction and impacts have taken."""
+        ...
+
+    def revolutions(self, body: str) -> S_co:
+        """How often a body has turned, counted without sign."""
+        ...
+
+    def there(self, quantity: Quantity) -> Any:
+        """A quantity in the state at the event."""
+        ...
+
+
+class Quantity:
+    """Base of the kinds of questions; a subclass is found by its `kind`."""
+
+    kinds: ClassVar[dict[str, type[Quantity]]] = {}
+    kind: ClassVar[str] = ""
+    # the smallest model in which it is asked for, as the question `it`: documentation and the conformance tests read it
+    example: ClassVar[str] = ""
+    scope: ClassVar[Scope] = "instant"
+    # of kinds whose values all have the same dimension
+    measured_in: ClassVar[Dimension] = DIMENSIONLESS
+    # whether a motion can keep it
+    may_be_conserved: ClassVar[bool] = False
+    # whether it depends on which coordinates describe the system
+    is_of_coordinates: ClassVar[bool] = False
+    # whether only the sense of the motion matters, not how fast it is: a pose with one freedom has it
+    is_of_pose_in_motion: ClassVar[bool] = False
+
+    def __init_subclass__(cls, kind: str = "", **rest: Any) -> None:
+        super().__init_subclass__(**rest)
+        if kind:
+            cls.kind = kind
+            Quantity.kinds[kind] = cls
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measured_in
+
+    @property
+    def unit(self) -> str:
+        """The SI unit, as it is shown."""
+        return str(self.dimension)
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """The quantity at the state's instant: a scalar, or a tuple for a vector, whichever arithmetic the state has.
+        Raises CannotAnswer for quantities that are no property of one instant."""
+        words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(self).__name__).lower()
+        raise CannotAnswer(f"the {words} is not worked out at one instant; ask for it without at or when")
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        """The quantity at the event that ends a motion, or what has come together on the way there."""
+        return passage.there(self)
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        """Quantities that this one is about."""
+        return ()
+
+    @property
+    def is_of_whole(self) -> bool:
+        """Whether it is meant of all bodies together."""
+        return False
+
+    @property
+    def is_up_to_constant(self) -> bool:
+        """Whether a constant may be added to it: a potential energy."""
+        return False
+
+    @property
+    def may_jump(self) -> bool:
+        """Whether a change of the contacts can change its value at once: that of forces and accelerations."""
+        return False
+
+    @property
+    def kinematic_order(self) -> int | None:
+        """The order of derivatives from which geometry alone gives it: 0 pose, 1 velocities, 2 accelerations; None for
+        what needs masses or forces."""
+        return None
+
+    def remark(self, system: Described) -> str:
+        """What is to be said of an answer: of which of two opposite forces it is."""
+        return ""
+
+
+def angular_unit(dimension: Dimension) -> str:
+    """The unit of an angle or of its rate, in radians."""
+    table = {
+        DIMENSIONLESS: "rad",
+        DIMENSIONLESS / TIME: "rad/s",
+        DIMENSIONLESS / TIME**2: "rad/s^2",
+    }
+    return table.get(dimension, str(dimension))
+
+
+# -- words ------------------------------------------------------------------------------------
+NAME = r"[A-Za-z_]\w*"
+POINT = PLACE = rf"{NAME}(?:\.\w+)?"
+Found = dict[str, Any]  # the named groups of a pattern, a text or None
+Reader = Callable[["Names", Found, Path], Quantity | None]
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to ask."""
+
+    form: str
+    pattern: re.Pattern[str]
+    read: Reader
+    rank: int
+
+
+FORMS: list[Form] = []  # in the order in which they are tried and listed
+COMMON = 50
+
+
+def asked(form: str, pattern: str, *, rank: int = COMMON) -> Callable[[Reader], Reader]:
+    """Registers a reader of words that ask for a quantity: the form as it is listed, and the whole text's pattern. Of
+    forms that fit the one with the highest rank reads."""
+
+    def register(read: Reader) -> Reader:
+        added = Form(form, re.compile(rf"^(?:the )?(?:{pattern})$"), read, rank)
+        place = next((k for k, other in enumerate(FORMS) if other.rank < rank), len(FORMS))
+        FORMS.insert(place, added)
+        return read
+
+    return register

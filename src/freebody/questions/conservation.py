@@ -1,0 +1,87 @@
+"""Questions whether a quantity stays constant, and the quantities that Lagrange's equations suggest for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
+from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.reading import read_quantity
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class GeneralizedMomentum(Quantity, kind="generalized momentum"):
+    """dL/du of a generalized coordinate."""
+
+    coordinate: str
+    conjugate_to: Dimension  # that of the coordinate
+
+    may_be_conserved = True
+    is_of_coordinates = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return ENERGY * TIME / self.conjugate_to
+
+
+@dataclass(frozen=True)
+class JacobiIntegral(Quantity, kind="jacobi integral"):
+    """sum of u dL/du, minus L: the energy where nothing is driven."""
+
+    measured_in = ENERGY
+    may_be_conserved = True
+    is_of_coordinates = True
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True)
+class Conserved(Quantity, kind="conserved"):
+    """Whether, or when, a quantity stays constant."""
+
+    of: Quantity
+    name: str
+
+    scope = "every motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension / TIME
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked(
+    "is QUANTITY conserved | when is QUANTITY conserved",
+    r"(?:(?:[Ii]s|[Ww]hen is|whether) (?:the )?(?P<of>.+?) (?:is )?conserved\??"
+    r"|conservation of (?:the )?(?P<named>.+))",
+    rank=75,
+)
+def _conserved(names: Names, found: Found, path: Path) -> Quantity | None:
+    text = str(found["of"] or found["named"])
+    of = read_quantity(names, text, path)
+    if of is None or of.may_be_conserved:
+        return None if of is None else Conserved(of, text)
+    names.problem(f"'{text}' is nothing that a motion keeps; ask for a momentum, an energy or a measure", None, *path)
+    return None
+
+
+@asked("generalized momentum of COORDINATE", rf"generali[sz]ed momentum of (?P<of>{NAME})", rank=75)
+def _generalized_momentum(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    measure = names.measures.get(of)
+    return GeneralizedMomentum(of, DIMENSIONLESS if measure is None else measure.dimension)
+
+
+@asked("Jacobi integral", r"[jJ]acobi(?:'s)? integral|generali[sz]ed energy", rank=75)
+def _jacobi(names: Names, found: Found, path: Path) -> Quantity | None:
+    return JacobiIntegral()

@@ -1,0 +1,85 @@
+"""Questions about energies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+from freebody.language.units import ENERGY
+from freebody.measures.geometry import ZERO
+from freebody.model.elements import RigidBody
+from freebody.model.spins import body_axes
+from freebody.model.state import State
+from freebody.model.tensors import entries
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.vectors import Vector, angular_velocity, dot, place, turning_rate
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Energy(Quantity, kind="energy"):
+    """Kinetic, potential or total energy, of the system or one body."""
+
+    what: Literal["kinetic", "potential", "total"]
+    body: str | None = None
+
+    measured_in = ENERGY
+    may_be_conserved = True
+
+    @property
+    def unit(self) -> str:
+        return "J"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return self.body is None
+
+    @property
+    def is_up_to_constant(self) -> bool:
+        return self.what != "kinetic"
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """Kinetic energy m v^2/2 + I w^2/2; potential energy of the loads that store energy."""
+        total: Any = 0
+        if self.what != "potential":
+            for b in system.moving:
+                if self.body in (None, b.name):
+                    total = total + kinetic_energy(system, state, b)
+        if self.what != "kinetic":
+            for push in system.pushes:
+                own = self.body is None or self.body in set(push.measure.bodies())
+                if own and system.loads[push.load].stores_energy:
+                    total = total + state.potential(push)
+        return total
+
+
+def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:
+    """Of one body."""
+    v = place(system, state, b.mass_center, 1)
+    total = state.scalar(b.mass) * dot(v, v) / 2
+    if b.turns and system.space:
+        omega = angular_velocity(system, state, b.name, body_axes(b.name))
+        total = total + dot(omega, times_tensor(b, state, omega)) / 2
+    elif b.turns:
+        w = turning_rate(state, b.name)
+        total = total + state.scalar(b.inertia) * w * w / 2
+    return total
+
+
+def times_tensor(body: RigidBody, state: State[Any], omega: Vector) -> Vector:
+    """I omega along the body's axes."""
+    return tuple(dot(tuple(state.scalar(e) for e in row), omega) for row in entries(body.tensor or (ZERO,) * 6))
+
+
+@asked(
+    "kinetic | potential | total energy [of BODY]",
+    rf"(?P<what>kinetic|potential|total|mechanical) energy(?: of (?:the )?(?P<of>{NAME}))?",
+    rank=40,
+)
+def _energy(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = found["of"]
+    body = None if of is None or of == "system" else names.body(of, *path).name
+    what = str(found["what"]).replace("mechanical", "total")
+    return Energy(cast("Any", what), body)

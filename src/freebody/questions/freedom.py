@@ -1,0 +1,35 @@
+"""The question how many degrees of freedom there are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from freebody.questions.base import Found, Path, Quantity, asked
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Freedom(Quantity, kind="degrees of freedom"):
+    """Degrees of freedom."""
+
+    scope = "structure"
+
+    @property
+    def unit(self) -> str:
+        return "1"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+    @property
+    def kinematic_order(self) -> int:
+        return 0
+
+
+@asked("degrees of freedom", r"(?:number of )?degrees of freedom|mobility", rank=80)
+def _freedom(names: Names, found: Found, path: Path) -> Quantity | None:
+    return Freedom()

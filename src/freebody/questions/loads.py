@@ -1,0 +1,95 @@
+"""Questions about loads and drivers: their force, their power, their work."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import ENERGY, POWER, Dimension
+from freebody.model.names import did_you_mean
+from freebody.model.state import State
+from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
+from freebody.questions.course import Counted
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class LoadForce(Quantity, kind="load"):
+    """Force or torque of a load; a spring's or damper's is positive when it pulls."""
+
+    load: str
+    pushes_with: Dimension
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.pushes_with
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        pushes = [p for p in system.pushes if p.load == self.load]
+        if len(pushes) != 1:
+            raise CannotAnswer(f"{self.load} acts on several bodies; ask for one body's part")
+        return system.loads[self.load].pulling_sign * state.law(pushes[0])
+
+
+@dataclass(frozen=True)
+class Power(Quantity, kind="power"):
+    """Power of a load or a driver."""
+
+    of: str
+
+    measured_in = POWER
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        total: Any = 0
+        for push in system.pushes:
+            if push.load == self.of:
+                total = total + state.law(push) * state.rate(push.measure)
+        for row in system.held:
+            if row.connection == self.of:
+                total = total + state.multiplier(row) * state.rate(row.measure)
+        return total
+
+
+@dataclass(frozen=True)
+class Work(Counted, kind="work"):
+    """Work of a load from the start to the event."""
+
+    of: str
+
+    measured_in = ENERGY
+    until = "x = h"
+
+    @property
+    def unit(self) -> str:
+        return "J"
+
+    def counted(self, passage: Passage[Any]) -> Any:
+        return passage.work(self.of)
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked("force in SPRING", rf"(?:force|torque) (?:in|of) (?P<of>{NAME})", rank=45)
+def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if of not in names.loads:
+        known = [*names.loads, *names.connections]
+        names.problem(f"there is no load {of}.{did_you_mean(of, known)}", None, *path)
+        return None
+    return LoadForce(of, names.loads[of])
+
+
+@asked("power | work of LOAD", rf"(?P<what>power|work) of (?P<of>{NAME})", rank=30)
+def _power(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    known = [*names.loads, *names.connections]
+    if of not in known:
+        names.problem(f"there is no load or driver {of}.{did_you_mean(of, known)}", None, *path)
+        return None
+    return Power(of) if found["what"] == "power" else Work(of)

@@ -1,0 +1,178 @@
+"""Questions about linear and angular momentum."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
+from freebody.measures.geometry import Direction, Point
+from freebody.model.elements import RigidBody
+from freebody.model.spins import body_axes
+from freebody.model.state import State
+from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.energy import times_tensor
+from freebody.questions.vectors import (
+    IN_BASIS,
+    ORIGIN,
+    Basis,
+    Vector,
+    added,
+    angular_velocity,
+    axes_of,
+    component,
+    components_of,
+    cross,
+    place,
+    read_basis,
+    turning_rate,
+)
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+# Of which bodies: None means all of them.
+Group = str | tuple[str, ...] | None
+SYSTEM_CENTER = "mass center"
+_GROUP = rf"{NAME}(?:(?:, | and ){NAME})*"
+
+
+@dataclass(frozen=True)
+class Momentum(Quantity, kind="linear momentum"):
+    """Linear momentum of the system, of one body or of several: a vector or a component."""
+
+    body: Group = None
+    along: Direction | None = None
+
+    measured_in = MOMENTUM
+    may_be_conserved = True
+
+    @property
+    def is_of_whole(self) -> bool:
+        return self.body is None
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """sum of m v"""
+        total: Vector = (0,) * len(axes_of(system))
+        for b in system.moving:
+            if is_among(b.name, self.body):
+                m, v = state.scalar(b.mass), place(system, state, b.mass_center, 1)
+                total = tuple(t + m * c for t, c in zip(total, v, strict=True))
+        return component(total, self.along, False, state)
+
+
+@dataclass(frozen=True)
+class Spin(Quantity, kind="angular momentum"):
+    """Angular momentum of the system, of one body or of several about a point, or about the mass centre of those
+    bodies (the default for one body; else the origin)."""
+
+    body: Group = None
+    about: Point | Literal["mass center"] | None = None
+    along: Direction | None = None  # in space
+    size: bool = False
+    basis: Basis | None = None
+
+    measured_in = ANGULAR_MOMENTUM
+    may_be_conserved = True
+
+    @property
+    def is_of_whole(self) -> bool:
+        return self.body is None
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """H_O = sum I w + m (r - r_O) x v, with absolute velocities."""
+        about, _velocity = point_about(system, state, self)
+        total: Vector = (0, 0, 0) if system.space else (0,)
+        for b in system.moving:
+            if is_among(b.name, self.body):
+                r, v = place(system, state, b.mass_center), place(system, state, b.mass_center, 1)
+                arm, m = tuple(c - o for c, o in zip(r, about, strict=True)), state.scalar(b.mass)
+                total = added(total, tuple(m * c for c in cross(arm, v)))
+                if b.turns:
+                    total = added(total, _own_spin(system, state, b))
+        if not system.space:
+            return total[0]
+        return component(total, self.along, self.size, state, self.basis)
+
+
+def is_among(name: str, group: Group) -> bool:
+    """Whether a body is one of those that are meant."""
+    return group is None or name == group or (isinstance(group, tuple) and name in group)
+
+
+def point_about(system: Described, state: State[Any], quantity: Spin) -> tuple[Vector, Vector]:
+    """Position and velocity of the point about which an angular momentum is meant."""
+    group, about = quantity.body, quantity.about
+    if about == SYSTEM_CENTER:
+        return _mass_center(system, state, group)
+    if about is None:
+        about = system.bodies[group].mass_center if isinstance(group, str) else ORIGIN
+    assert isinstance(about, Point)
+    return place(system, state, about), place(system, state, about, 1)
+
+
+def _mass_center(system: Described, state: State[Any], group: Group) -> tuple[Vector, Vector]:
+    """r_C = sum m r / sum m"""
+    total: Any = 0
+    moment: Vector = (0,) * len(axes_of(system))
+    for b in system.moving:
+        if is_among(b.name, group):
+            m, r = state.scalar(b.mass), place(system, state, b.mass_center)
+            total, moment = total + m, tuple(t + m * c for t, c in zip(moment, r, strict=True))
+    momentum = Momentum(group).value(system, state)
+    try:
+        return tuple(c / total for c in moment), tuple(c / total for c in momentum)
+    except ZeroDivisionError:
+        raise CannotAnswer("these bodies have no mass, and so no mass centre") from None
+
+
+def _own_spin(system: Described, state: State[Any], b: RigidBody) -> Vector:
+    """The angular momentum about the mass centre, by its ground components."""
+    if not system.space:
+        return (state.scalar(b.inertia) * turning_rate(state, b.name),)
+    axes = body_axes(b.name)
+    own = times_tensor(b, state, angular_velocity(system, state, b.name, axes))
+    total: Vector = (0, 0, 0)
+    for h, axis in zip(own, axes, strict=True):
+        total = tuple(t + h * c for t, c in zip(total, components_of(axis, state, 3), strict=True))
+    return total
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked(
+    "linear momentum [of BODY and BODY] [along DIRECTION]",
+    rf"(?:linear )?momentum(?: of (?:the )?(?P<of>{_GROUP}))?(?: along (?P<along>.+))?",
+    rank=35,
+)
+def _momentum(names: Names, found: Found, path: Path) -> Quantity | None:
+    body = _group(names, found["of"], path)
+    return Momentum(body, None if found["along"] is None else names.direction(found["along"], *path))
+
+
+@asked(
+    "angular momentum [of BODY and BODY] [about POINT | about its mass center] [along DIRECTION] [in BASIS]",
+    rf"angular momentum(?: of (?:the )?(?P<of>{_GROUP}))?"
+    rf"(?: about (?:(?P<center>(?:its|their|the) (?:common )?(?:mass cent(?:er|re)|cent(?:er|re) of mass))"
+    rf"|(?P<about>{POINT})))?(?: along (?P<along>.+?))?{IN_BASIS}",
+    rank=35,
+)
+def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
+    body = _group(names, found["of"], path)
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if along is not None and not names.space:
+        names.problem("in the plane an angular momentum has no direction; leave it out", None, *path)
+    basis = read_basis(names, found["basis"], path)
+    if found["center"] is not None:
+        return Spin(body, SYSTEM_CENTER, along=along, basis=basis)
+    about = None if found["about"] is None else names.point(found["about"], *path)
+    return Spin(body, about, along=along, basis=basis)
+
+
+def _group(names: Names, text: str | None, path: Path) -> Group:
+    """The bodies of 'cart and bob'; None for the system."""
+    if text is None or text == "system":
+        return None
+    bodies = tuple(names.body(word, *path).name for word in re.split(r", | and ", text))
+    return bodies[0] if len(bodies) == 1 else bodies

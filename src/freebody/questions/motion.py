@@ -1,0 +1,207 @@
+"""Questions about positions, velocities and accelerations: of measures, of points, and of bodies that turn in space."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
+from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND, Direction, Point
+from freebody.model.names import did_you_mean
+from freebody.model.phrases import read_measure
+from freebody.model.spins import spin
+from freebody.model.state import State
+from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.vectors import AXES, IN_BASIS, Basis, Vector, component, place, read_basis
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Order = Literal[0, 1, 2]
+RANK = 60
+
+
+@dataclass(frozen=True)
+class OfMeasure(Quantity, kind="measure"):
+    """A measure, its rate or its acceleration."""
+
+    measure: Measure
+    order: Order
+    name: str
+
+    example = """
+bodies: {a: {particle: {mass: m, at: [x, 0]}}}
+questions: {it: acceleration of x}
+"""
+    may_be_conserved = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension / TIME**self.order
+
+    @property
+    def unit(self) -> str:
+        is_angle = self.measure.dimension == DIMENSIONLESS
+        return angular_unit(self.dimension) if is_angle else str(self.dimension)
+
+    @property
+    def kinematic_order(self) -> int:
+        return self.order
+
+    @property
+    def may_jump(self) -> bool:
+        return self.order == 2
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return (state.value, state.rate, state.acceleration)[self.order](self.measure)
+
+
+@dataclass(frozen=True)
+class OfPoint(Quantity, kind="point"):
+    """Position, velocity or acceleration of a point: a vector, a component, or its size."""
+
+    point: Point
+    order: Order
+    along: Direction | None = None
+    size: bool = False
+    basis: Basis | None = None
+
+    may_be_conserved = True
+
+    @property
+    def dimension(self) -> Dimension:
+        return LENGTH / TIME**self.order
+
+    @property
+    def kinematic_order(self) -> int:
+        return self.order
+
+    @property
+    def may_jump(self) -> bool:
+        return self.order == 2
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return component(place(system, state, self.point, self.order), self.along, self.size, state, self.basis)
+
+
+@dataclass(frozen=True)
+class Turning(Quantity, kind="turning"):
+    """Angular velocity (order 1) or acceleration (2) of a body in space: a vector, a component, or its size."""
+
+    body: str
+    order: Literal[1, 2]
+    relative_to: str = GROUND
+    along: Direction | None = None
+    size: bool = False
+    basis: Basis | None = None
+
+    @property
+    def dimension(self) -> Dimension:
+        return DIMENSIONLESS / TIME**self.order
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension)
+
+    @property
+    def kinematic_order(self) -> int:
+        return self.order
+
+    @property
+    def may_jump(self) -> bool:
+        return self.order == 2
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """omega or d omega/dt against another body, seen from the ground."""
+        read = (state.rate, state.acceleration)[self.order - 1]
+        total: Vector = (0, 0, 0)
+        for name, sign in ((self.body, 1), (self.relative_to, -1)):
+            if not system.bodies[name].fixed:
+                total = tuple(t + sign * read(spin(name, axis)) for t, axis in zip(total, AXES, strict=True))
+        return component(total, self.along, self.size, state, self.basis)
+
+
+# -- words ------------------------------------------------------------------------------------
+_ORDERS: dict[str, Order] = {"position": 0, "velocity": 1, "acceleration": 2, "value": 0, "rate": 1}
+_ANGULAR: dict[str, Order] = {"angle": 0, "angular velocity": 1, "angular acceleration": 2}
+
+
+@asked(
+    "[size of] angular velocity | angular acceleration of BODY [relative to BODY] [along DIRECTION] [in BASIS]",
+    rf"(?P<size>size of |magnitude of )?(?:the )?(?P<what>angular velocity|angular acceleration) of (?P<of>{NAME})"
+    rf"(?: relative to (?P<rel>{NAME}))?(?: (?:along|about) (?P<along>.+?))?{IN_BASIS}",
+    rank=RANK,
+)
+def _turning(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, order = str(found["of"]), 1 if found["what"] == "angular velocity" else 2
+    is_measure = of in names.measures and of not in names.bodies
+    if not names.space or is_measure:
+        if found["along"] or found["size"] or found["basis"]:
+            names.problem(
+                f"'{of}' turns in the plane and has one angular velocity; leave out the direction", None, *path
+            )
+            return None
+        return _angular(names, found, path)
+    body = names.body(of, *path)
+    if not body.turns:
+        names.problem(f"{of} is a particle and does not turn", None, *path)
+    other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    return Turning(body.name, order, other, along, found["size"] is not None, read_basis(names, found["basis"], path))
+
+
+@asked(
+    "angle | angular velocity | angular acceleration of BODY [relative to BODY]",
+    rf"(?P<what>angle|angular velocity|angular acceleration) of (?P<of>{NAME})(?: relative to (?P<rel>{NAME}))?",
+    rank=RANK,
+)
+def _angular(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, order = str(found["of"]), _ANGULAR[str(found["what"])]
+    if of in names.measures and of not in names.bodies:
+        return OfMeasure(names.measures[of], order, of)
+    body = names.body(of, *path)
+    if not body.turns:
+        names.problem(f"{of} is a particle and has no angle", None, *path)
+    if names.space:
+        names.problem(
+            f"in space a body has no one angle; ask for angle of {of} about z, or name angles with turned", None, *path
+        )
+    other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
+    return OfMeasure(Angle(body.name, other), order, f"angle of {of}")
+
+
+@asked(
+    "position | velocity | acceleration of MEASURE, or of POINT [along DIRECTION]",
+    rf"(?P<what>position|velocity|acceleration|value|rate) of (?P<of>.+?)(?: along (?P<along>.+?))?{IN_BASIS}",
+    rank=RANK,
+)
+def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, order = str(found["of"]), _ORDERS[str(found["what"])]
+    if of in names.measures:
+        return OfMeasure(names.measures[of], order, of)
+    body_name, _, _point_name = of.partition(".")
+    if re.fullmatch(POINT, of) and (body_name in names.bodies or not _is_phrase(of)):
+        if of in names.broken:
+            return None
+        if body_name not in names.bodies:
+            known = [*names.measures, *names.bodies]
+            names.problem(f"{of} is no measure, body or point.{did_you_mean(body_name, known)}", None, *path)
+            return None
+        point = names.point(of, *path)
+        along = None if found["along"] is None else names.direction(found["along"], *path)
+        return OfPoint(point, order, along, basis=read_basis(names, found["basis"], path))
+    text = of if found["along"] is None else f"{of} along {found['along']}"
+    measure = read_measure(names, text, *path)
+    return None if measure is None else OfMeasure(measure, order, text)
+
+
+def _is_phrase(text: str) -> bool:
+    return " " in text
+
+
+@asked("speed of POINT", rf"speed of (?P<of>{POINT})", rank=RANK)
+def _speed(names: Names, found: Found, path: Path) -> Quantity | None:
+    return OfPoint(names.point(found["of"], *path), 1, size=True)

@@ -1,0 +1,53 @@
+"""Questions about the ratio of two quantities."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.model.state import State
+from freebody.questions.base import Described, Found, Path, Quantity, asked
+from freebody.questions.reading import read_quantity
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class RatioOf(Quantity, kind="ratio"):
+    """One quantity over another."""
+
+    top: Quantity
+    bottom: Quantity
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.top.dimension / self.bottom.dimension
+
+    @property
+    def unit(self) -> str:
+        return "1" if self.dimension == DIMENSIONLESS else str(self.dimension)
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return self.top, self.bottom
+
+    @property
+    def kinematic_order(self) -> int | None:
+        orders = [q.kinematic_order for q in self.inner]
+        known = [k for k in orders if k is not None]
+        return max(known) if len(known) == len(orders) else None
+
+    @property
+    def may_jump(self) -> bool:
+        return any(q.may_jump for q in self.inner)
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return self.top.value(system, state) / self.bottom.value(system, state)
+
+
+@asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)
+def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
+    top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
+    return None if top is None or bottom is None else RatioOf(top, bottom)

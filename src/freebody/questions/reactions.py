@@ -1,0 +1,248 @@
+"""Questions about what connections transmit: forces and moments on a body, tensions, normal forces, tooth forces."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.errors import CannotAnswer
+from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
+from freebody.measures.geometry import RIGHT, UP, Direction, Point
+from freebody.model.elements import Held, Stretch
+from freebody.model.names import did_you_mean
+from freebody.model.state import State
+from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.loads import LoadForce
+from freebody.questions.vectors import IN_BASIS, Basis, Vector, added, axes_of, component, cross, place, read_basis
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+# what else can be asked of something: the nearest is proposed where the name of a reaction is misspelt
+_OPENINGS = (
+    "position",
+    "velocity",
+    "acceleration",
+    "angular velocity",
+    "angular acceleration",
+    "speed",
+    "instant centre",
+    "angle",
+    "reaction",
+    "moment",
+    "tension",
+    "normal force",
+    "friction force",
+    "kinetic energy",
+    "potential energy",
+    "total energy",
+    "linear momentum",
+    "angular momentum",
+    "power",
+    "work",
+    "equilibrium",
+)
+
+
+@dataclass(frozen=True)
+class Multiplier(Quantity, kind="reaction component"):
+    """What one row of a connection transmits: tension, normal force, tooth force ..."""
+
+    connection: str
+    reaction: str
+    row: str
+    at: tuple[str, ...] = ()
+    less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
+    transmits: Dimension = FORCE
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.transmits
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """What the row transmits, less the dry friction on the way to the place that is asked for."""
+        rows = {row.name: row for row in system.rows}
+        total = rows[self.row].sign * state.multiplier(rows[self.row])
+        for name in self.less:
+            total = total - rows[name].sign * state.multiplier(rows[name])
+        return total
+
+
+@dataclass(frozen=True)
+class Wrench(Quantity, kind="reaction"):
+    """Force or moment of a connection on a body: a vector, a component, the size, or the moment about the mass
+    centre or a point."""
+
+    connection: str
+    on: str | None
+    along: Direction | None = None
+    size: bool = False
+    moment: bool = False
+    about: Point | None = None
+    basis: Basis | None = None
+
+    @property
+    def dimension(self) -> Dimension:
+        return TORQUE if self.moment else FORCE
+
+    @property
+    def may_jump(self) -> bool:
+        return True
+
+    def remark(self, system: Described) -> str:
+        what = "moment" if self.moment else "force"
+        return f"the {what} that {self.connection} exerts on {self.body(system)}"
+
+    def body(self, system: Described) -> str:
+        """The body on which the force is asked: the one named, else the one that is not fixed, else the second that the
+        connection names."""
+        rows = [row for row in system.held if row.connection == self.connection]
+        bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
+        if self.on is not None:
+            if self.on not in bodies:
+                raise CannotAnswer(f"{self.connection} does not act on {self.on}, but on {', '.join(bodies)}")
+            return self.on
+        moving = [b for b in bodies if not system.bodies[b].fixed]
+        if not moving:
+            raise CannotAnswer(f"{self.connection} joins fixed bodies only")
+        return moving[0]
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        """The sum of multiplier * gradient over the rows of the connection."""
+        body = self.body(system)
+        rows = [row for row in system.held if row.connection == self.connection]
+        if self.moment and self.about is None and not system.space:
+            couples = [row for row in rows if row.reaction == "moment"]
+            if couples:
+                total: Any = 0
+                for row in couples:
+                    total = total + state.gradient(row.measure, body)[2] * state.multiplier(row)
+                return total
+        n = len(axes_of(system))
+        force: Vector = (0,) * n
+        moment: Vector = (0,) * (3 if system.space else 1)
+        for row in rows:
+            push, multiplier = state.gradient(row.measure, body), state.multiplier(row)
+            force = tuple(f + g * multiplier for f, g in zip(force, push[:n], strict=True))
+            moment = tuple(m + g * multiplier for m, g in zip(moment, push[n:], strict=True))
+        if not self.moment:
+            return component(force, self.along, self.size, state, self.basis)
+        if self.about is not None:
+            center, about = place(system, state, system.bodies[body].mass_center), place(system, state, self.about)
+            arm = tuple(c - p for c, p in zip(center, about, strict=True))
+            moment = added(moment, cross(arm, force))
+        if not system.space:
+            return moment[0]
+        return component(moment, self.along, self.size, state, self.basis)
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked(
+    "reaction of CONNECTION [on BODY] [along DIRECTION]; x, y component of, size of",
+    rf"(?:(?P<part>horizontal|vertical|size of|magnitude of|x component of|y component of) )?(?:the )?"
+    rf"(?:reaction|force) of (?P<of>{NAME})"
+    rf"(?: on (?P<on>{NAME}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+)
+def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if of in names.loads:
+        return LoadForce(of, names.loads[of])
+    if not _has_connection(names, of, path):
+        return None
+    on = None if found["on"] is None else names.body(str(found["on"]), *path).name
+    part = str(found["part"] or "")
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if part in ("horizontal", "x component of"):
+        along = RIGHT
+    if part in ("vertical", "y component of"):
+        along = UP
+    is_size = part in ("size of", "magnitude of")
+    return Wrench(of, on, along, size=is_size, basis=read_basis(names, found["basis"], path))
+
+
+@asked(
+    "moment of CONNECTION [on BODY] [about POINT] [along DIRECTION] [in BASIS]",
+    rf"(?P<size>size of |magnitude of )?(?:the )?moment of (?P<of>{NAME})(?: on (?P<on>{NAME}))?"
+    rf"(?: about (?P<about>{POINT}))?(?: along (?P<along>.+?))?{IN_BASIS}",
+)
+def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = str(found["of"])
+    if not _has_connection(names, of, path):
+        return None
+    on = None if found["on"] is None else names.body(str(found["on"]), *path).name
+    about = None if found["about"] is None else names.point(found["about"], *path)
+    along = None if found["along"] is None else names.direction(found["along"], *path)
+    if not names.space and (along or found["size"]):
+        names.problem("in the plane a moment has no direction; leave it out", None, *path)
+    basis = read_basis(names, found["basis"], path)
+    return Wrench(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
+
+
+@asked(
+    "tension | normal force | friction force | tooth force | ... of CONNECTION [at BODY | between BODY and BODY]",
+    rf"(?P<what>[a-z][a-z ]*?) (?:of|in) (?P<of>{NAME})"
+    rf"(?: (?:at|on) (?P<at>{PLACE})| between (?P<a>{PLACE}) and (?P<b>{PLACE}))?",
+    rank=0,  # any word of any name: after all others
+)
+def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
+    of, what = str(found["of"]), str(found["what"])
+    if of not in names.connections:
+        close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
+        if close and close[0] != what:
+            names.problem(f"there is nothing called {what}. Did you mean: {close[0]} of {of}", None, *path)
+            return None
+        if of in names.bodies:
+            known_forms = ", ".join(_OPENINGS[:7])
+            names.problem(f"a body has no {what}; one can ask for its {known_forms}, momenta and energies", None, *path)
+            return None
+    if not _has_connection(names, of, path):
+        return None
+    rows = [row for row in names.held if row.connection == of]
+    kinds = sorted({row.reaction for row in rows})
+    if what not in kinds:
+        names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)} Or ask for: reaction of {of}", None, *path)
+        return None
+    at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
+    places = [place for row in rows if row.reaction == what for place in _places(row)]
+    matching = [place for place in places if set(at) <= set(place[1].places)]
+    if len(matching) != 1:
+        ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
+        names.problem(
+            f"{of} has {'several values' if matching else 'no value'} of {what}"
+            f"{' at ' + ' and '.join(at) if at else ''}; say which: at BODY, or between BODY and BODY ({ends})",
+            None,
+            *path,
+        )
+        return None
+    row, stretch = matching[0]
+    dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
+    return Multiplier(of, what, row.name, at, tuple(f"{of}.{component}" for component in stretch.less), dimension)
+
+
+def _listed(places: tuple[str, ...]) -> list[str]:
+    """The places of a stretch, a body that is there by a point of its own as that point."""
+    return [p for p in places if not any(other.startswith(f"{p}.") for other in places)]
+
+
+def _place(names: Names, text: str, path: Path) -> str:
+    """A body, or a point as `rod.end`, by the name that rows have for it."""
+    return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
+
+
+def _places(row: Held) -> list[tuple[Held, Stretch]]:
+    """The row with each of its stretches; one that is no string is one of its own."""
+    bodies = row.ends or tuple(dict.fromkeys(row.measure.bodies()))
+    return [(row, stretch) for stretch in row.stretches or (Stretch(bodies),)]
+
+
+def _has_connection(names: Names, name: str, path: Path) -> bool:
+    if name in names.connections:
+        return True
+    known = [*names.connections, *names.loads]
+    names.problem(f"there is no connection {name}.{did_you_mean(name, known)}", None, *path)
+    return False

@@ -1,0 +1,70 @@
+"""Questions about equilibrium and small oscillations about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
+from freebody.measures.base import Measure
+from freebody.questions.base import Found, Path, Quantity, angular_unit, asked
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+@dataclass(frozen=True)
+class Small(Quantity, kind="small oscillations"):
+    """Natural frequencies or period of small oscillations about the equilibrium."""
+
+    what: Literal["frequencies", "frequency", "period"]
+
+    scope = "small motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return TIME if self.what == "period" else ANGULAR_VELOCITY
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension)
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True)
+class Equilibrium(Quantity, kind="equilibrium"):
+    """The value of a measure at rest."""
+
+    measure: Measure
+    name: str
+
+    scope = "small motion"
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension
+
+    @property
+    def unit(self) -> str:
+        is_angle = self.dimension == DIMENSIONLESS
+        return angular_unit(self.dimension) if is_angle else str(self.dimension)
+
+
+# -- words ------------------------------------------------------------------------------------
+@asked("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)", rank=70)
+def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
+    return Small("frequency" if found["f"] == "frequency" else "frequencies")
+
+
+@asked("period of small oscillations", r"period(?: of(?: small)? oscillations?)?", rank=70)
+def _period(names: Names, found: Found, path: Path) -> Quantity | None:
+    return Small("period")
+
+
+@asked("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)", rank=25)
+def _equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
+    measure = names.measure(found["of"], *path)
+    return None if measure is None else Equilibrium(measure, str(found["of"]))

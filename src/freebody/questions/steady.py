@@ -1,0 +1,159 @@
+"""Questions about motion that goes on evenly: steady motion, what a turn brings, and whether a disturbance grows.
+
+rate of psi in steady motion                       extremes of QUANTITY [over a turn of ANGLE]
+stability of the spin of BODY about x | y | z      stability of steady motion
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.model.names import did_you_mean
+from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.reading import read_quantity
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+Axis = Literal["x", "y", "z"]
+PER_TIME_SQUARED = DIMENSIONLESS / TIME**2
+RANK = 85
+
+
+class Steady(Quantity):
+    """What is asked of a motion that goes on evenly, of the whole system."""
+
+    scope = "steady motion"
+
+    @property
+    def is_of_whole(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True)
+class SteadyValue(Steady, kind="steady value"):
+    """A quantity while the system moves steadily."""
+
+    of: Quantity
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+@dataclass(frozen=True)
+class Extremes(Steady, kind="extremes"):
+    """The least and the largest value of a quantity over a turn of an angle; None: of the one angle it depends on."""
+
+    of: Quantity
+    over: str | None
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.of.dimension
+
+    @property
+    def unit(self) -> str:
+        return self.of.unit
+
+    @property
+    def inner(self) -> tuple[Quantity, ...]:
+        return (self.of,)
+
+
+@dataclass(frozen=True)
+class SpinStability(Steady, kind="stability of a spin"):
+    """Whether a small disturbance of a spin about an axis of a body grows: the square of its exponent."""
+
+    body: str
+    axis: Axis
+
+    measured_in = PER_TIME_SQUARED
+
+
+@dataclass(frozen=True)
+class SteadyStability(Steady, kind="stability of steady motion"):
+    """Whether a small disturbance of the steady motion at the start grows: the squares of its exponents."""
+
+    measured_in = PER_TIME_SQUARED
+
+
+# -- the grammar ------------------------------------------------------------------------------
+
+
+def _of_instant(names: Names, text: str, path: Path) -> Quantity | None:
+    """The quantity inside a question, if it is a property of one instant."""
+    of = read_quantity(names, text, path)
+    if of is None or of.scope not in ("every motion", "steady motion"):
+        return of
+    names.problem(f"'{text}' is no property of one instant; ask for a measure, a velocity or a force", None, *path)
+    return None
+
+
+@asked(
+    "stability of the spin of BODY about x | y | z",
+    rf"stability of (?:the )?(?:spin|rotation) of (?:the )?(?P<of>{NAME}) about (?:its )?"
+    rf"(?P<axis>(?:{NAME}\.)?[xyz])(?: axis)?",
+    rank=RANK,
+)
+def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
+    body = names.body(found["of"], *path)
+    owner, _, axis = found["axis"].rpartition(".")
+    if not names.space:
+        names.problem("in the plane a body turns about one axis only: write space: true", None, *path)
+        return None
+    if owner not in ("", body.name):
+        names.problem(f"the spin of {body.name} is about an axis of its own: x, y or z", None, *path)
+        return None
+    if not body.turns or body.fixed:
+        names.problem(f"{body.name} does not spin: it is {'fixed' if body.fixed else 'a particle'}", None, *path)
+        return None
+    return SpinStability(body.name, axis)
+
+
+@asked(
+    "stability of steady motion",
+    r"stability of (?:the )?steady motion",
+    rank=RANK,
+)
+def _stability(names: Names, found: Found, path: Path) -> Quantity | None:
+    return SteadyStability()
+
+
+@asked(
+    "QUANTITY in steady motion",
+    r"(?P<of>.+) in (?:the )?steady (?:motion|precession|turning)",
+    rank=RANK,
+)
+def _steady(names: Names, found: Found, path: Path) -> Quantity | None:
+    of = _of_instant(names, found["of"], path)
+    return None if of is None else SteadyValue(of)
+
+
+@asked(
+    "extremes of QUANTITY [over a turn of ANGLE]",
+    rf"(?:extremes|extreme values|least and largest value) of (?:the )?(?P<of>.+?)"
+    rf"(?: over (?:a|one|a full) (?:turn|revolution) of (?:the )?(?P<over>{NAME}))?",
+    rank=RANK,
+)
+def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
+    over = found["over"]
+    if over is not None:
+        measure = names.measures.get(over)
+        if measure is None or measure.dimension != DIMENSIONLESS:
+            angles = [name for name, m in names.measures.items() if m.dimension == DIMENSIONLESS]
+            what = "is no angle" if measure is not None else "is no measure"
+            names.problem(f"{over} {what} of the model.{did_you_mean(over, angles)}", None, *path)
+            return None
+    of = _of_instant(names, found["of"], path)
+    return None if of is None else Extremes(of, over)
