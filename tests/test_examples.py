@@ -16,6 +16,8 @@ import freebody as fb
 from conftest import formula
 from declared import undeclared
 from freebody.language.parser import parse
+from freebody.present.terminal import solution_lines
+from goldens import assert_golden
 
 FOLDER = Path(__file__).parents[1] / "examples"
 EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
@@ -35,6 +37,12 @@ def test_example_is_solved_completely(name: str) -> None:
     assert solution.answers
     assert {a.id: a.reason for a in solution.answers if a.expression is None} == {}
     assert solution.is_complete
+
+
+@example
+def test_the_solution_of_an_example_is_the_golden_one(name: str) -> None:
+    solution = solved(name)
+    assert_golden("solve", name, {"text": list(solution_lines(solution)), "json": solution.to_plain()})
 
 
 @example

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import json
 import math
 import random
@@ -18,7 +19,9 @@ from freebody.cli import app
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.reference import Reference
+from freebody.present.mobility import mobility_lines
 from freebody.study.mobility import Mobility, mobility
+from goldens import assert_golden
 from mechanisms import ladder
 
 Within = Callable[[int, Callable[[], object]], None]
@@ -351,11 +354,23 @@ def test_a_driver_is_counted_and_can_be_thought_away() -> None:
     assert any("without motor: 2" in note for note in found.notes)
 
 
+# -- examples ---------------------------------------------------------------------------------
+@functools.cache
+def of_example(name: str) -> Mobility:
+    return mobility(fb.System.load(FOLDER / f"{name}.yaml"))
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_mobility_of_an_example_is_the_golden_one(name: str) -> None:
+    found = of_example(name)
+    assert_golden("mobility", name, {"text": list(mobility_lines(found)), "json": found.to_plain()})
+
+
 # -- against the engine -----------------------------------------------------------------------
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_the_mobility_of_every_example_is_that_of_the_symbolic_route(name: str) -> None:
-    system = fb.System.load(FOLDER / f"{name}.yaml")
-    found = mobility(system)
+    found = of_example(name)
+    system = found.system
     if not system.rubs:  # what sticks or slips is a case distinction there
         assert found.finite_freedom == fb.solve(system, "degrees of freedom").degrees_of_freedom
     assert len(found.independent_coordinates) == found.degrees_of_freedom

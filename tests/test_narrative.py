@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,12 +15,18 @@ from freebody.language.parser import parse
 from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
 from freebody.narrative.lines.script import Legend, Line, Script, Sentence, Stage, names_in
+from goldens import assert_golden, digest
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
 
 def load(name: str) -> System:
     return System.load(EXAMPLES / f"{name}.yaml")
+
+
+@functools.cache
+def explained(name: str) -> Explanation:
+    return explain(load(name))
 
 
 def lines_of(stages: tuple[Stage, ...]) -> list[Line]:
@@ -79,11 +86,20 @@ def principles(derivation: Derivation) -> list[tuple[str, tuple[str, ...], str]]
     return found
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.yaml")))
+example = pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.yaml")))
+
+
+@example
+def test_the_derivation_of_an_example_is_the_golden_one(name: str) -> None:
+    found = explained(name)
+    assert_golden("explain", name, {"text": found.to_text().splitlines(), "page": digest(found.to_html())})
+
+
+@example
 def test_every_example_is_derived_and_its_derivation_reads_well(name: str) -> None:
     """Each line holds (else it would not be there), names what was introduced, follows from earlier ones; the last one
     is the answer."""
-    found = explain(load(name))
+    found = explained(name)
     assert [d.question.id for d in found.derivations] == [q.id for q in found.system.questions]
     for derivation in found.derivations:
         assert not derivation.reason, f"{derivation.question.text}: {derivation.reason}"
