@@ -21,6 +21,8 @@ import pytest
 
 import freebody as fb
 from freebody import cli, progress
+from freebody.cli.output import print_json
+from freebody.cli.running import Terminated
 from freebody.errors import CannotAnswer, InputError
 from freebody.present import busy as busy_line
 from freebody.present.files import check_writable, replaced, write_whole
@@ -251,7 +253,7 @@ def test_a_defect_is_one_line_with_its_place(
         (CannotAnswer("no"), 1),
         (InputError("no"), 2),
         (KeyboardInterrupt(), 130),
-        (cli._Terminated(), 143),
+        (Terminated(), 143),
         (MemoryError(), 1),
     ],
 )
@@ -273,7 +275,7 @@ def test_every_end_has_its_exit_code(
 
 
 def test_documents_are_plain_json(capsys: pytest.CaptureFixture[str]) -> None:
-    cli._print_json({"a": math.nan, "b": [math.inf, 1.0], "c": np.float64(2.0), "d": np.array([1, 2]), 3: (True, None)})
+    print_json({"a": math.nan, "b": [math.inf, 1.0], "c": np.float64(2.0), "d": np.array([1, 2]), 3: (True, None)})
     found = json.loads(capsys.readouterr().out, parse_constant=lambda name: pytest.fail(name))
     assert found == {"a": None, "b": [None, 1.0], "c": 2.0, "d": [1, 2], "3": [True, None]}
 

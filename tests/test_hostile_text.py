@@ -193,12 +193,12 @@ def test_the_terminal_is_not_given_orders(words: str) -> None:
 
 
 def test_messages_do_not_repeat_orders(capsys: pytest.CaptureFixture[str]) -> None:
-    from freebody import cli
+    from freebody.cli.running import say
 
     text = 'title: t\nbodies: {"\\e[31mb\\a": {particle: {mass: 1 kg}}}\nquestions: ["\\e[2Jacceleration"]\n'
     with pytest.raises(InputError) as refused:
         fb.System.from_text(text)
-    cli._say(str(refused.value))
+    say(str(refused.value))
     said = capsys.readouterr().err
     assert "bodies" in said
     assert is_clean(said)

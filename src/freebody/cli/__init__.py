@@ -1,0 +1,82 @@
+"""The command line. Exit codes: 0 answered, 1 could not answer (and said why), 2 bad input or a file that cannot be
+written, 70 a defect of freebody, 130 and 143 interrupted (Ctrl-C, SIGTERM)."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable
+from typing import Annotated
+
+import typer
+
+from freebody.cli.files import examples, new, schema
+from freebody.cli.motion import simulate
+from freebody.cli.pictures import draw
+from freebody.cli.questions import eom, explain, sheet, solve
+from freebody.cli.rest import equilibrium, modes, statics
+from freebody.cli.running import Terminated, command, quiet, say
+from freebody.cli.structure import conserved, mobility
+
+app = typer.Typer(
+    name="freebody",
+    help="Rigid-body mechanics that shows its work and proves it.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+
+def _offer(*functions: Callable[..., None]) -> None:
+    """Makes commands of functions; --help lists them in the same order."""
+    for function in functions:
+        app.command()(command(function))
+
+
+_offer(solve, explain, sheet, eom, simulate, draw)
+_offer(equilibrium, modes, statics, mobility, conserved)
+_offer(examples, new, schema)
+
+
+def _version(value: bool) -> None:
+    if value:
+        from importlib.metadata import version
+
+        print(f"freebody {version('freebody')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    pass
+
+
+def main() -> None:
+    """Entry point."""
+    for name in ("SIGTERM", "SIGHUP"):
+        sign = getattr(signal, name, None)
+        if sign is not None and signal.getsignal(sign) == signal.SIG_DFL:
+            signal.signal(sign, _terminate)
+    from freebody.errors import FreebodyError, InputError
+
+    try:
+        app()
+    except FreebodyError as error:  # of an option, before its command begins
+        say(str(error))
+        sys.exit(2 if isinstance(error, InputError) else 1)
+    finally:
+        # help and version are printed by the library
+        try:
+            if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison]
+                sys.stdout.flush()
+        except OSError:
+            quiet()
+
+
+def _terminate(_signal: int, _frame: object) -> None:
+    raise Terminated

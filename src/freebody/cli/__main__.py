@@ -1,0 +1,3 @@
+from freebody.cli import main
+
+main()

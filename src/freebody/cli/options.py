@@ -1,0 +1,65 @@
+"""Options and arguments that several commands have, and how they are read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document.")]
+
+
+def _raise_effort(factor: float) -> float:
+    from freebody.budgets import raise_effort
+
+    raise_effort(factor)
+    return factor
+
+
+Effort = Annotated[
+    float,
+    typer.Option(
+        "--effort", callback=_raise_effort, help="Searches may do so many times the ordinary work before giving up."
+    ),
+]
+
+
+def assignment(text: str) -> tuple[str, str]:
+    from freebody.errors import InputError
+
+    name, equals, value = text.partition("=")
+    if not equals or not name.strip() or not value.strip():
+        raise InputError(f"--set {text}: write name=value, as 'm1=2 kg'")
+    return name.strip(), value.strip()
+
+
+def seconds_of(text: str, option: str) -> float:
+    """A time: a number of seconds, or a number with a unit."""
+    from freebody.errors import InputError
+    from freebody.language.units import TIME, parse_quantity
+
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    try:
+        quantity = parse_quantity(text)
+    except InputError as error:
+        raise InputError(f"{option} {text}: {error}") from error
+    if quantity.dimension != TIME:
+        raise InputError(f"{option} {text} is no time; write 10 or 200 ms")
+    return float(quantity.value)
+
+
+def listed(texts: list[str] | None) -> list[str]:
+    """Words that were given one by one, or with commas between them."""
+    return [word.strip() for text in texts or () for word in text.split(",") if word.strip()]
+
+
+def load_engine() -> None:
+    """What checks every answer, before any of the time that a check may take is counted."""
+    from importlib import import_module
+
+    import_module("freebody.study.witness")
