@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from freebody.errors import InputError
+from freebody.model.glyphs import Lead
 from freebody.numeric.reference import Reference
 from freebody.present import animation
 from freebody.present.animation import resampled, write_animation
@@ -94,8 +95,8 @@ def test_every_body_of_every_example_is_drawn_inside_its_picture(path: Path) -> 
 def test_pinned_points_and_the_ends_of_links_meet_in_the_picture(path: Path) -> None:
     scene, poses = posed(path)
     drawing = Drawing.of(scene, poses)
-    for pin in scene.joints.pins:
-        a, b = (positions(drawing.poses, place)[0] for place in (pin.first, pin.second))
+    for first, second in scene.pins:
+        a, b = (positions(drawing.poses, place)[0] for place in (first, second))
         assert np.abs(a - b).max() < 1e-6
 
 
@@ -196,11 +197,10 @@ def test_the_triangle_of_a_support_hangs_above_what_hangs_and_stands_below_what_
 def test_a_weld_a_rail_on_a_body_and_parallel_spring_and_damper_are_drawn() -> None:
     scene, poses = posed(EXAMPLES_TEXT["joints"])
     drawing = Drawing.of(scene, poses)
-    joints = scene.joints
-    assert [pin.clamps for pin in joints.pins] == [True, False]
-    assert [guide.along.body for guide in joints.guides] == [1, GROUND]  # and the driver guides nothing
+    assert (len(scene.welds), len(scene.pins)) == (1, 1)
+    assert [rail.along.body for rail in scene.rails] == [1, GROUND]  # and the driver guides nothing
     springs = [stroke for stroke in drawing.strokes if isinstance(stroke, Stretch)]
-    end = positions(drawing.poses, joints.springs[0].second)[0]
+    end = positions(drawing.poses, scene.springs[0].second)[0]
     ends = [p for s in springs for p in (drawing.points(s, 0)[0], drawing.points(s, 0)[-1])]
     assert min(float(np.hypot(*(p - end))) for p in ends) < 1e-9
     left = [s.points[:, 1].mean() for s in springs if len(s.points) > 8]
@@ -261,10 +261,10 @@ def test_a_drawn_string_keeps_its_length_while_everything_swings() -> None:
 @pytest.mark.parametrize("arms", [(0.3, 0.5), (0.3, -0.5), (-0.2, 0.4), (0.0, 0.5), (-0.3, 0.0)])
 def test_a_lead_touches_both_circles_and_runs_at_right_angles_to_their_radii(arms: tuple[float, float]) -> None:
     a, b = Place(GROUND, 0.2, -0.1), Place(GROUND, 1.9, 0.8)
-    rope = Rope((Node(a, arms[0]), Node(b, arms[1])), (None,))
+    rope = Rope((Node(a, arms[0]), Node(b, arms[1])), (Lead(None),))
     angle = float(headings(rope, np.zeros((1, 0, 3)))[0, 0])
     normal = np.array((-np.sin(angle), np.cos(angle)))
-    start, end = np.array(a[1:]) - arms[0] * normal, np.array(b[1:]) - arms[1] * normal
+    start, end = np.array(a.xy) - arms[0] * normal, np.array(b.xy) - arms[1] * normal
     assert (end - start) @ normal == pytest.approx(0.0, abs=1e-12)
     assert (end - start) @ (np.cos(angle), np.sin(angle)) > 0
 
@@ -343,7 +343,8 @@ def test_a_rack_is_drawn_with_its_edge_at_the_pinion() -> None:
 
 
 def test_the_direction_of_a_lead_fixed_in_a_body_turns_with_it() -> None:
-    rope = Rope((Node(Place(0, 0.0, 0.0)), Node(Place(0, 0.0, 0.0))), (Heading(0, 0.0, 1.0),))
+    node = Node(Place(0, 0.0, 0.0), 0.0)
+    rope = Rope((node, node), (Lead(Heading(0, 0.0, 1.0)),))
     assert headings(rope, np.array([[(0.0, 0.0, 0.3)]]))[0, 0] == pytest.approx(0.3 + np.pi / 2)
 
 
@@ -604,10 +605,9 @@ def test_pictures_do_without_pyplot_and_importing_them_without_matplotlib(tmp_pa
 import sys
 import numpy as np
 from freebody.present import animation, plots
-from freebody.present.figures import Joints
 from freebody.present.scene import Scene
 assert "matplotlib" not in sys.modules
-animation.write_animation(Scene("", (), (), Joints()), np.zeros(1), np.zeros((1, 0, 3)), sys.argv[1], title="nothing")
+animation.write_animation(Scene("", (), (), ()), np.zeros(1), np.zeros((1, 0, 3)), sys.argv[1], title="nothing")
 assert "matplotlib.figure" in sys.modules
 assert "matplotlib.pyplot" not in sys.modules
 """

@@ -21,6 +21,7 @@ from freebody.errors import InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix
 from freebody.present.figures import Array, hull
+from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
 from freebody.present.space.drawing import Drawing, round_length
@@ -28,7 +29,6 @@ from freebody.present.space.labels import Ink, names
 from freebody.present.space.motion import at_times, between, matrices, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
 from freebody.present.space.painter import Shot, paint, shots
-from freebody.present.space.scene import Scene
 from freebody.present.space.solids import Solid
 from freebody.present.space.stills import draw, owner
 from freebody.present.space.view import View
@@ -128,7 +128,7 @@ def spun(text: str, rate: float, duration: float = 1.0, n: int = 51) -> tuple[Sc
 
 def looks(drawing: Drawing, body: str = "") -> list[str]:
     """How the pieces of a drawing look, or those that turn with one body."""
-    index = {form.name: form.index for form in drawing.scene.forms}
+    index = {form.name: form.index for form in drawing.scene.figures}
     return [piece.look for piece in drawing.pieces if not body or piece.turn == index[body]]
 
 
@@ -264,7 +264,7 @@ def test_pieces_in_a_circle_are_all_drawn_once() -> None:
 
 def test_the_far_half_of_a_ring_is_behind_the_rotor_and_the_near_half_before_it() -> None:
     drawing = drawn(GYRO)
-    index = {form.name: form.index for form in drawing.scene.forms}
+    index = {form.name: form.index for form in drawing.scene.figures}
     taken = shots(drawing, 0, drawing.view((30.0, 20.0)))
     rotor = next(k for k, shot in enumerate(taken) if shot.piece.look == "body")
     assert taken[rotor].piece.turn == index["rotor"]
@@ -297,7 +297,7 @@ def test_hidden_edges_of_a_box_are_weak_and_dashed() -> None:
 @pytest.mark.parametrize("name", MODELS)
 def test_every_body_is_drawn(name: str) -> None:
     drawing = drawn(MODELS[name])
-    for form in drawing.scene.forms:
+    for form in drawing.scene.figures:
         assert {"body", "hoop", "dot", "fixed body"} & set(looks(drawing, form.name)), form.name
 
 
@@ -326,7 +326,7 @@ def test_joints_have_their_signs() -> None:
 def test_an_axle_comes_out_of_the_bodies_that_it_joins() -> None:
     scene, centers, axes = posed(SLIDER_CRANK)
     drawing = Drawing.of(scene, centers, axes)
-    crank = next(form for form in scene.forms if form.name == "crank")
+    crank = next(form for form in scene.figures if form.name == "crank")
     pieces = [p for p in drawing.pieces if p.look == "joint" and p.turn == crank.index and not p.radius]
     x = np.concatenate([p.placed(drawing.poses, 0)[0][:, 0] for p in pieces])
     assert x.min() < -0.015 - 0.5 * drawing.symbol  # the crank is 0.03 m thick
@@ -335,7 +335,7 @@ def test_an_axle_comes_out_of_the_bodies_that_it_joins() -> None:
 
 def test_the_axle_of_a_ring_is_at_its_rim_not_in_its_middle() -> None:
     drawing = drawn(GYRO)
-    outer = next(form for form in drawing.scene.forms if form.name == "outer")
+    outer = next(form for form in drawing.scene.figures if form.name == "outer")
     axle = [p for p in drawing.pieces if p.look == "joint" and p.turn == outer.index]
     heights = np.abs(np.concatenate([p.placed(drawing.poses, 0)[0][:, 2] for p in axle]))
     assert heights.min() > 0.29
@@ -348,7 +348,7 @@ def test_nothing_stands_where_a_plane_holds_it() -> None:
 
 def test_a_torque_turns_right_handed_about_its_axis() -> None:
     drawing = drawn(SLIDER_CRANK)
-    crank = next(form for form in drawing.scene.forms if form.name == "crank")
+    crank = next(form for form in drawing.scene.figures if form.name == "crank")
     arc = [p for p in drawing.pieces if p.look == "force" and p.place.body == crank.index]
     middles = np.array([p.placed(drawing.poses, 0)[0].mean(axis=0) for p in arc])[:-1]
     radii = middles - middles[:, :] @ np.diag((1.0, 0.0, 0.0)) - (0.0, 0.0, 0.3)
@@ -387,7 +387,7 @@ def test_names_stand_in_the_picture_and_not_on_each_other(name: str, angles: tup
         if shot.piece.look != "plane":
             painted.setdefault(owner(shot), []).append((shot, list(paint(shot))))
     inks = {index: Ink.of(own, letter) for index, own in painted.items()}
-    bodies = {form.index: form.name for form in drawing.scene.forms}
+    bodies = {form.index: form.name for form in drawing.scene.figures}
     found = names(inks, bodies, (0.56 * letter, letter), frame)
     assert [label.text for label in found] == list(bodies.values())
     for k, label in enumerate(found):
@@ -610,7 +610,7 @@ connections:
 def test_bodies_without_extent_are_arcs_between_the_axes_of_their_joints() -> None:
     drawing = drawn(GIMBALS)
     assert not drawing.has_lengths
-    index = {form.name: form.index for form in drawing.scene.forms}
+    index = {form.name: form.index for form in drawing.scene.figures}
     for name, axes in (("outer", np.array([(0, 1, 0), (1, 0, 0)])), ("inner", np.array([(1, 0, 0), (0, 0, 1)]))):
         parts = [p for p in drawing.pieces if p.turn == index[name] and p.look == "hoop"]
         middles = np.array([p.solid.points.mean(axis=0) for p in parts])
@@ -646,4 +646,4 @@ def test_every_example_in_space_can_be_drawn(path: Path) -> None:
     drawing = drawn(path.read_text(encoding="utf-8"))
     taken = shots(drawing, 0, drawing.view())
     assert all(np.isfinite(mark.points).all() for shot in taken for mark in paint(shot))
-    assert {form.index for form in drawing.scene.forms} <= {piece.turn for piece in drawing.pieces}
+    assert {form.index for form in drawing.scene.figures} <= {piece.turn for piece in drawing.pieces}

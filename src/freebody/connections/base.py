@@ -1,20 +1,21 @@
 """The base of all connections.
 
-A connection is one file in this folder: a `Spec` with a `kind`, and `rows`, which says which measures it holds, or
-`bounds`, which says which it bounds or rubs along.
+A connection is one file in this folder: a `Spec` with a `kind`; `rows`, which says which measures it holds, or
+`bounds`, which says which it bounds or rubs along; and `glyphs`, which says what is drawn of it.
 It may offer natural coordinates (`offers`), which are used where the user named none.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import RIGHT, UP, Direction, Point
+from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import Attitude, Bound, Held, Rub
+from freebody.model.glyphs import Glyph, Relation
 from freebody.model.spec import Heading, Spec
 
 if TYPE_CHECKING:
@@ -58,16 +59,24 @@ class Connection(Spec):
 
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
-        found: set[str] = set()
+        return {owner for owner, _point in self._named(names)}
+
+    def _named(self, names: Names) -> Iterator[tuple[str, str]]:
+        """What its fields name of bodies: the body, and a point, a line or an axis of it, or nothing."""
         for name, field in type(self).model_fields.items():
             value = getattr(self, name)
             # `along: right` is a direction, also where a body is called right; `along: rod.x` is one of a body
             is_direction = field.annotation in (Heading, Heading | None)
             for text in cast("list[Any]", value) if isinstance(value, list) else [value]:
-                owner, dot, _point = text.partition(".") if isinstance(text, str) else ("", "", "")
+                owner, dot, point = text.partition(".") if isinstance(text, str) else ("", "", "")
                 if owner in names.bodies and (dot or not is_direction):
-                    found.add(owner)
-        return found
+                    yield owner, point
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        """What is drawn of it (see `model.glyphs`); a thin line through its points if nothing is said."""
+        bodies = [(names.known(owner), point) for owner, point in self._named(names) if owner != GROUND or point]
+        points = [body.point(point or None) for body, point in bodies if not point or point in body.points]
+        yield Relation(tuple(dict.fromkeys(points)))
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         """Measures that make natural coordinates, by name within the connection."""

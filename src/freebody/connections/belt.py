@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.circles import touching
-from freebody.language.units import LENGTH
+from freebody.connections.circles import own_radius, touching
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -38,13 +40,17 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
         if first.name == second.name:
             names.problem(f"a belt needs two pulleys, not {first.name} twice")
             return []
-        r1, r2 = (names.optional(self, f"{which}_radius", LENGTH) for which in ("first", "second"))
         # on a carrier of constant length an open belt couples angles as an internal mesh does
         _distance, _total, rolled = touching(
             first.center,
-            names.radius(first.name, "first") if r1 is None else r1,
+            own_radius(names, self, "first"),
             second.center,
-            names.radius(second.name, "second") if r2 is None else r2,
+            own_radius(names, self, "second"),
             internal=not self.crossed,
         )
         return [Held("belt", "belt force", rolled, sign=-1)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        centers = names.body(self.first).center, names.body(self.second).center
+        radii = own_radius(names, self, "first"), own_radius(names, self, "second")
+        yield glyphs.Belt(*centers, radii, is_crossed=self.crossed)

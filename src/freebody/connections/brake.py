@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
@@ -9,8 +10,10 @@ from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_friction
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -42,6 +45,10 @@ connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], 
         measure = Angle(first.name, second.name)
         return [], [_rub(names, connection, "torque", measure, self.torque, TORQUE, "torque")]
 
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        first, second = (names.body(name) for name in self.between)
+        yield glyphs.Shoe(first.center, second.center)
+
 
 class DryFriction(Connection, kind="dry_friction"):
     """`dry_friction: {measure: x, force: F}`: a Coulomb force (a torque for an angle) of a given size that resists
@@ -63,6 +70,12 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
             return [], []
         dimension = TORQUE if measure.dimension == DIMENSIONLESS else FORCE
         return [], [_rub(names, connection, "friction", measure, self.force, dimension, "force")]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        measure = names.measure(self.measure)
+        force = self.force.get("static", "") if isinstance(self.force, dict) else self.force
+        for body in list(measure.bodies())[:1] if measure is not None else ():
+            yield glyphs.Equation(names.known(body).center, f"friction <= {force}")
 
 
 def _rub(

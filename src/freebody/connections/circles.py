@@ -10,6 +10,8 @@ Source: Norton, Design of Machinery, ch. 9 (the fundamental law of gearing, on p
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from freebody.language.expression import ZERO, Expr, add, negate
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
@@ -17,6 +19,16 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Point
+from freebody.model.spec import Spec
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+
+def own_radius(names: Names, spec: Spec, which: str) -> Expr:
+    """The radius that a connection states for one of its wheels, else that of the body."""
+    own = names.optional(spec, f"{which}_radius", LENGTH)
+    return names.radius(getattr(spec, which), which) if own is None else own
 
 
 def touching(

@@ -9,6 +9,7 @@ and Driveshafts, 2nd ed. 2006, sec. 1.5.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
@@ -17,7 +18,9 @@ from freebody.language.expression import Symbol
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.measures.turn import Alignment
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:
@@ -46,3 +49,6 @@ connections: {it: {constant_velocity: {first: ground.A, second: shaft.start, abo
         terms = (("p", Alignment(joint.c2, joint.b)), ("q", Alignment(joint.b2, joint.c)))
         equal = Composed(Symbol("p") - Symbol("q"), terms, DIMENSIONLESS)
         return [*joint.meeting(), Held("equal speed", "moment", equal)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Ball(names.point(self.first), names.point(self.second), passes_turn=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
@@ -10,7 +11,10 @@ from freebody.language.expression import Symbol, differentiate, free_symbols, nu
 from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, TIME, dimension_of
 from freebody.measures.combination import Composed
+from freebody.measures.geometry import GROUND
+from freebody.model import glyphs
 from freebody.model.elements import Held, RateMeasure
+from freebody.model.glyphs import Glyph
 from freebody.model.phrases import composed
 
 if TYPE_CHECKING:
@@ -31,6 +35,13 @@ connections: {it: {constraint: x - 2*y}}
     def rows(self, names: Names) -> list[Held]:
         measure = composed(names, self.expression, "expression")
         return [] if measure is None else [Held("constraint", "constraint force", measure)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        measure = composed(names, self.expression, "expression")
+        bodies = dict.fromkeys(() if measure is None else measure.bodies())
+        points = tuple(names.known(body).center for body in bodies if body != GROUND)
+        yield glyphs.Relation(points)
+        yield from (glyphs.Equation(point, f"{self.expression} = 0") for point in points[:1])
 
 
 class VelocityConstraint(Connection, kind="velocity_constraint"):
@@ -84,3 +95,10 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
             return []
         measure = RateMeasure(tuple(terms), (dimension or DIMENSIONLESS / TIME) * TIME)
         return [Held("constraint", "constraint force", measure)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        measures = [row.measure for row in self.rows(names)]
+        bodies = dict.fromkeys(body for measure in measures for body in measure.bodies())
+        points = tuple(names.known(body).center for body in bodies if body != GROUND)
+        yield glyphs.Relation(points)
+        yield from (glyphs.Equation(point, f"{self.expression} = 0") for point in points[:1])

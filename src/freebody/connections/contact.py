@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +14,10 @@ from freebody.language.expression import ZERO, Expr
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import Friction, read_friction, read_restitution
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -180,6 +183,16 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         return {t.removeprefix("inside of ").removeprefix("inside ").partition(".")[0] for t in texts} & set(
             names.bodies
         )
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        pairs = self.pairs(names, "")
+        ordered = [*((p.first, p.second) for p in pairs), *((p.second, p.first) for p in pairs)]
+        for solid, other in ordered:
+            yield glyphs.Touch(solid.body, other.body, within=bool(solid.hollows))
+            tips = tuple(glyphs.Tip(r.center, r.radius, r.body) for r in other.rounds)
+            for straight in solid.straights:
+                if straight.length is None:
+                    yield glyphs.Surface(straight.line.through, straight.line.direction, tips, straight.body)
 
 
 def _has_outline(body: Any) -> bool:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import read_joint
 from freebody.measures.base import Measure
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:
@@ -43,3 +45,8 @@ connections: {it: {cylindrical: {first: ground.A, second: collar, about: x}}}
         if joint is not None:
             yield "travel", joint.travel
             yield "angle", joint.angle
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        if joint is not None:
+            yield glyphs.Rail(joint.first, joint.second, joint.axis, "about")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -33,3 +36,8 @@ parameters: {w: 2 rad/s}
         target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
         what = {LENGTH: "driving force", DIMENSIONLESS: "driving torque"}
         return [Held("drive", what.get(measure.dimension, "driving force"), measure, target)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        measure = names.measure(self.measure)
+        for body in list(measure.bodies())[:1] if measure is not None else ():
+            yield glyphs.Equation(names.known(body).center, f"{self.measure} = {self.follows}")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.circles import touching
-from freebody.language.units import LENGTH
+from freebody.connections.circles import own_radius, touching
+from freebody.language.expression import Expr, negate
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -39,15 +42,17 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         if first.name == second.name:
             names.problem(f"{first.name} cannot mesh with itself")
             return []
-        r1, r2 = (names.optional(self, f"{which}_radius", LENGTH) for which in ("first", "second"))
-        distance, total, rolled = touching(
-            first.center,
-            names.radius(first.name, "first") if r1 is None else r1,
-            second.center,
-            names.radius(second.name, "second") if r2 is None else r2,
-            internal=self.internal,
-        )
+        r1, r2 = self._radii(names)
+        distance, total, rolled = touching(first.center, r1, second.center, r2, internal=self.internal)
         return [
             Held("teeth", "tooth force", rolled, sign=-1),
             Held("centers", "radial force", distance, total, if_needed=True),
         ]
+
+    def _radii(self, names: Names) -> tuple[Expr, Expr]:
+        return own_radius(names, self, "first"), own_radius(names, self, "second")
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        r1, r2 = self._radii(names)
+        radii = (r1, negate(r2) if self.internal else r2)
+        yield glyphs.Wheels(names.body(self.first).center, names.body(self.second).center, radii, is_toothed=True)

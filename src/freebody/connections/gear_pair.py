@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
@@ -11,7 +12,9 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, Direction
 from freebody.measures.turn import Turn
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Formula, Heading
 
@@ -78,3 +81,6 @@ connections:
             return ONE
         first, second = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
         return -divide(first, second)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Toothed((names.body(self.first).center, names.body(self.second).center))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
@@ -10,7 +11,9 @@ from freebody.language.units import LENGTH
 from freebody.measures.combination import Combination
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -46,3 +49,7 @@ connections: {it: {link: [ground.A, bob]}}
         length = names.length_or(self, "length")
         held = distance if length is not None else Combination(((ONE, distance),), LENGTH)
         return [Held("length", "tension", held, length, sign=-1, ends=(first.body, second.body))]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        length = names.length_or(self, "length")
+        yield glyphs.Rod(names.point(self.first), names.point(self.second), length)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection, coincidence
@@ -10,8 +11,10 @@ from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import Direction, Point
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_friction
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -65,3 +68,6 @@ connections: {it: {pin: [ground.A, rod.start]}}
         row = Held("friction", "friction torque", Angle(bodies[1], bodies[0]), connection=connection)
         load = (f"{connection}.x", f"{connection}.y")
         return [], [Rub(row, friction.static * radius, friction.kinetic * radius, load)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Pin(names.point(self.first), names.point(self.second))

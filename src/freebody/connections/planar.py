@@ -7,12 +7,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
-from freebody.connections.joints import AXES, Joint, is_spatial, read_joint
+from freebody.connections.joints import AXES, Joint, is_spatial, own_direction, read_joint
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:
@@ -79,3 +81,9 @@ connections: {it: {planar: {body: plate}}}
             yield "x", Displacement(joint.second, joint.first, joint.b)
             yield "y", Displacement(joint.second, joint.first, joint.c)
             yield "angle", joint.angle
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        point, through = names.point(self.body), names.point(self.through)
+        joint = self._joint(names) if names.known(point.body).turns else None
+        normal = own_direction(names, self.normal, through.body) if joint is None else joint.axis
+        yield glyphs.Face(through, point, normal, "freely" if joint is None else "about")

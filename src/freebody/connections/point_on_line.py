@@ -10,7 +10,9 @@ from freebody.connections.joints import across_names, is_spatial
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Heading
 
@@ -58,6 +60,12 @@ connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}
         if line is not None:
             yield "travel", Displacement(*line)
 
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        line = self._line(names)
+        if line is not None:
+            point, through, along = line
+            yield glyphs.Rail(through, point, along, "freely")
+
 
 class PointOnPlane(Connection, kind="point_on_plane"):
     """`point_on_plane: {point: leg.foot, on: ground.floor}`: a point stays in a plane of another body, without friction
@@ -92,3 +100,8 @@ connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
             names.problem(f"the point and the plane are both on {point.body}")
             return []
         return [Held("contact", "normal force", Displacement(point, plane.through, plane.normal))]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        plane = names.plane(self.on)
+        if plane is not None:
+            yield glyphs.Face(plane.through, names.point(self.point), plane.normal, "freely")

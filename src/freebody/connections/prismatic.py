@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import read_joint
 from freebody.measures.base import Measure
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:
@@ -42,3 +44,8 @@ connections: {it: {prismatic: {first: ground.A, second: block, along: x}}}
         joint = read_joint(names, self, self.first, self.second, self.along, self.second_axis, "along")
         if joint is not None:
             yield "travel", joint.travel
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        joint = read_joint(names, self, self.first, self.second, self.along, self.second_axis, "along")
+        if joint is not None:
+            yield glyphs.Rail(joint.first, joint.second, joint.axis, "not")

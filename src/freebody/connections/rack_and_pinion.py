@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.slider import Slider
 from freebody.connections.slot import Slot
 from freebody.connections.standing import is_parallel, number_of, stands_at
-from freebody.language.expression import Call, add, negate
+from freebody.language.expression import Call, Expr, add, negate
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction
+from freebody.model import glyphs
 from freebody.model.elements import Held, RigidBody
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -43,17 +46,21 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
 
     def rows(self, names: Names) -> list[Held]:
         pinion, rack = names.body(self.pinion, "pinion"), names.body(self.rack, "rack")
-        own = names.optional(self, "radius", LENGTH)
-        radius = names.radius(pinion.name, "pinion") if own is None else own
         along = self._pitch_line(names, rack, pinion)
         if pinion.name == rack.name:
             names.problem(f"{pinion.name} cannot be its own rack")
             return []
         # rolling of the pinion on a line of the rack: s + R theta, seen from the rack
-        arm = negate(radius) if self._is_above(names, pinion, rack, along) else radius
         travel = Displacement(pinion.center, rack.center, along)
+        arm = self._arm(names, pinion, rack, along)
         rolled = Combination(((ONE, travel), (arm, Angle(pinion.name, along.body))), LENGTH)
         return [Held("teeth", "tooth force", rolled, sign=-1)]
+
+    def _arm(self, names: Names, pinion: RigidBody, rack: RigidBody, along: Direction) -> Expr:
+        """The radius of the pinion, negative where the rack is on its left."""
+        own = names.optional(self, "radius", LENGTH)
+        radius = names.radius(pinion.name, "pinion") if own is None else own
+        return negate(radius) if self._is_above(names, pinion, rack, along) else radius
 
     def _pitch_line(self, names: Names, rack: RigidBody, pinion: RigidBody) -> Direction:
         """Where the teeth run: what a guide on the ground lets the rack do must be a motion along them."""
@@ -91,6 +98,11 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         if places[0] is None or places[1] is None:
             return False
         return number_of(names, add(places[0], negate(places[1]))) > 1e-9
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        pinion, rack = names.body(self.pinion), names.body(self.rack)
+        along = self._pitch_line(names, rack, pinion)
+        yield glyphs.Track(pinion.center, along, self._arm(names, pinion, rack, along), is_toothed=True)
 
 
 def _guide_on_ground(names: Names, body: RigidBody) -> Direction | None:

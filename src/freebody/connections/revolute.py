@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import read_joint
 from freebody.measures.base import Measure
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:
@@ -42,3 +44,8 @@ connections: {it: {revolute: {first: ground.A, second: rod.left, about: z}}}
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
         if joint is not None:
             yield "angle", joint.angle
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        if joint is not None:
+            yield glyphs.Pin(joint.first, joint.second, joint.axis)

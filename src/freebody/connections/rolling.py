@@ -15,7 +15,9 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE
+from freebody.model import glyphs
 from freebody.model.elements import Held, Line, RigidBody
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -104,3 +106,19 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         line = None if self.on is None else names.line(self.on, "on")
         if line is not None:
             yield "travel", Displacement(names.body(self.body).center, line.through, line.direction)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        body = names.body(self.body)
+        own = names.optional(self, "radius", LENGTH)
+        plane = names.plane(self.on) if names.space else None
+        if plane is not None:
+            yield glyphs.Face(plane.through, body.center, plane.normal, "rolls")
+            return
+        radius = names.radius(body.name) if own is None else own
+        line = None if self.on is None else names.line(self.on)
+        if line is not None:
+            yield glyphs.Track(body.center, line.direction, negate(radius) if self.below else radius)
+            return
+        other = names.body(str(self.on or self.inside))
+        radii = names.radius(other.name), negate(radius) if self.inside is not None else radius
+        yield glyphs.Wheels(other.center, body.center, radii)

@@ -12,7 +12,9 @@ from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -51,3 +53,8 @@ connections: {it: {screw: {first: ground.A, second: nut, about: x, pitch: 0.1 m}
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
         if joint is not None:
             yield "angle", joint.angle
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
+        if joint is not None:
+            yield glyphs.Rail(joint.first, joint.second, joint.axis, "about", has_thread=True)

@@ -15,8 +15,10 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction, Point
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_friction
+from freebody.model.glyphs import Glyph, Turning
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -33,6 +35,11 @@ class Guide:
     @property
     def direction(self) -> Direction:
         return self.travel.along
+
+    def glyph(self, point: Point, turning: Turning) -> Glyph:
+        """The rail of a point; it goes through a point of the line, where one is known."""
+        through = self.across.origin if isinstance(self.across, Displacement) else None
+        return glyphs.Rail(through, point, self.direction, turning)
 
 
 def guide(
@@ -141,3 +148,8 @@ connections: {it: {slider: {body: block, along: right}}}
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.body, "body")
         yield "travel", self._guide(names, point).travel
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        point = names.point(self.body)
+        rail = self._guide(names, point)
+        yield rail.glyph(point, "not")

@@ -12,6 +12,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_friction
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -55,3 +56,7 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.pin, "pin")
         yield "travel", guide(names, point, self.along, self.on, self.through).travel
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        point = names.point(self.pin)
+        yield guide(names, point, self.along, self.on, self.through).glyph(point, "about")

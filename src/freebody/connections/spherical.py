@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, meeting
+from freebody.model import glyphs
 from freebody.model.elements import Held
+from freebody.model.glyphs import Glyph
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -32,3 +35,6 @@ connections: {it: {spherical: [ground.A, rod.left]}}
             names.problem(f"joins {first.body} to itself; name points of two bodies")
             return []
         return meeting(first, second)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Ball(names.point(self.first), names.point(self.second))

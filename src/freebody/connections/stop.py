@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
+from freebody.language.expression import add
 from freebody.language.units import DIMENSIONLESS, LENGTH
+from freebody.measures.angle import Angle
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import ONE, ZERO, Direction
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub
 from freebody.model.friction import read_restitution
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -48,3 +55,21 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
         if len(found) == 2 and low is not None and high is not None and low > high:
             names.problem(f"min ({low:g}) is above max ({high:g})")
         return found, []
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        measure = names.measure(self.measure)
+        for key, side in (("min", 1), ("max", -1)):
+            value = getattr(self, key)
+            if value is None or measure is None:
+                continue
+            limit = names.formula(value, measure.dimension, key)
+            match measure:
+                case Displacement(of, origin, along) if origin.body == along.body != of.body:
+                    yield glyphs.Halt(of, origin, along, limit, side)
+                case Angle(of, origin, reference):
+                    axes = Direction(of, (ONE, ZERO)), Direction(origin, (ONE, ZERO))
+                    yield glyphs.TurnHalt(*axes, add(limit, reference), side)
+                case _:
+                    body = names.known(next(iter(measure.bodies())))
+                    text = f"{self.measure} {'>=' if side > 0 else '<='} {value}"
+                    yield glyphs.Equation(body.center, text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +27,9 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.lead import Lead
 from freebody.measures.turned import turned_in
+from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub, Stretch
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -392,23 +395,28 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
     def _hanging(self, names: Names, laid: Laid) -> list[Held]:
         """Holds every body that hangs on this string, and on none before, across its lead."""
         me = next((name for name, other in names.connections.items() if other is self), "")
-        before = list(itertools.takewhile(lambda other: other is not self, names.connections.values()))
         rows: list[Held] = []
-        for body, hook in laid.hooks.items():
-            if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
-                rows.append(hook.row(names))
-                self._note_guided(names, me, rows[-1], hook)
-                if names.known(body).start.at is not None:
-                    names.assumptions.append(
-                        f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
-                        "lets it swing"
-                    )
+        for body, hook in self._own_hooks(names, laid):
+            rows.append(hook.row(names))
+            self._note_guided(names, me, rows[-1], hook)
+            if names.known(body).start.at is not None:
+                names.assumptions.append(
+                    f"{me}: {body} is put where it hangs straight down, so it moves up and down only; swings: true "
+                    "lets it swing"
+                )
         for first, second, lead in askew(names, laid.way, laid.leads, laid.arms):
             names.assumptions.append(
                 f"{me}: the lead from {first} to {second} runs {lead.name or 'in a constant direction'}, although it "
                 "would be askew where these stand"
             )
         return rows
+
+    def _own_hooks(self, names: Names, laid: Laid) -> Iterator[tuple[str, Hook]]:
+        """The bodies that hang on this string, and on none before."""
+        before = list(itertools.takewhile(lambda other: other is not self, names.connections.values()))
+        for body, hook in laid.hooks.items():
+            if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
+                yield body, hook
 
     def _note_guided(self, names: Names, me: str, row: Held, hook: Hook) -> None:
         """What is taken for granted of a body that hangs on what moves sideways, or beside a level lead."""
@@ -456,6 +464,15 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
     def mentions(self, names: Names) -> set[str]:
         found = (_NODE.fullmatch(" ".join(text.split())) for text in self._texts())
         return {match["what"].partition(".")[0] for match in found if match}
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        laid = self._laid(names)
+        if laid is None:
+            return
+        nodes = tuple(glyphs.Node(n.point, arm, n.way == "drum") for n, arm in zip(laid.way, laid.arms, strict=True))
+        rows = [s.component(len(laid.sections)) for s in laid.sections for _lead in itertools.pairwise(s.nodes)]
+        leads = tuple(glyphs.Lead(along, row) for along, row in zip(laid.leads, rows, strict=True))
+        yield glyphs.Rope(nodes, leads, tuple(body for body, _hook in self._own_hooks(names, laid)))
 
 
 def _sections(

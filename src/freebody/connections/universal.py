@@ -11,7 +11,9 @@ from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ZERO
 from freebody.measures.turn import Alignment
+from freebody.model import glyphs
 from freebody.model.elements import Attitude, Held, Rotation
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, angles_of, dot
 from freebody.model.spec import Heading
 
@@ -68,3 +70,8 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
         found = self.attitude(names)
         for _axis, name, measure in found.turns if found is not None else ():
             yield name, measure
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        first, second = names.point(self.first), names.point(self.second)
+        arms = own_direction(names, self.arm, first.body), own_direction(names, self.second_arm, second.body)
+        yield glyphs.Cross(first, second, arms)

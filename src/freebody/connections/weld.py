@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection, coincidence
@@ -11,8 +12,10 @@ from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE, Direction, Point
 from freebody.measures.turn import Alignment
+from freebody.model import glyphs
 from freebody.model.chains import read_chain
 from freebody.model.elements import Attitude, Held
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, columns_of
 
 if TYPE_CHECKING:
@@ -70,3 +73,6 @@ connections: {it: {weld: [ground.A, beam.start]}}
         chain = read_chain(names, [] if self.turned is None else self.turned, "turned", named=False)
         rows = ("moment x", "moment y", "moment z")
         return Attitude(first.body, second.body, columns_of(chain), UNIT, (), rows)
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Weld(names.point(self.first), names.point(self.second))

@@ -1,14 +1,16 @@
 """The base of all loads.
 
-A load is one file in this folder: a `Spec` with a `kind`, and `pushes`, which says which measures it pushes and
-by what law. Extension and pulling are positive.
+A load is one file in this folder: a `Spec` with a `kind`; `pushes`, which says which measures it pushes and by what
+law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.model.elements import Push
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Spec
 
 if TYPE_CHECKING:
@@ -33,4 +35,8 @@ class Load(Spec):
 
     def pushes(self, names: Names) -> list[Push]:
         """The measures it pushes."""
+        raise NotImplementedError
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        """What is drawn of it (see `model.glyphs`)."""
         raise NotImplementedError

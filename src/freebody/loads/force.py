@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.language.units import FORCE, LENGTH
@@ -9,7 +10,9 @@ from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction
+from freebody.model import glyphs
 from freebody.model.elements import Component, Push, RateMeasure
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -43,3 +46,6 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         parts = [(Component(along, "x"), x), (Component(along, "y"), y)]
         follower = RateMeasure((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
         return [Push("", follower, magnitude, used)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along, "along"))

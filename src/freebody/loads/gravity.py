@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import multiply
@@ -9,7 +10,9 @@ from freebody.language.units import ACCELERATION
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ZERO
+from freebody.model import glyphs
 from freebody.model.elements import Push
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
@@ -37,3 +40,6 @@ loads: {it: {gravity: 9.81 m/s^2}}
             for body in names.bodies.values()
             if body.mass != ZERO and not body.fixed
         ]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Field(names.direction(self.along, "along"))

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import ExpressionError, InputError
 from freebody.language.expression import (
     ZERO,
     Expr,
+    Number,
     differentiate,
     evaluate,
     free_symbols,
@@ -17,9 +19,17 @@ from freebody.language.expression import (
 )
 from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
 from freebody.loads.base import Load
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.measures.combination import Composed
-from freebody.model.elements import RATE, VALUE, Push
+from freebody.measures.combination import Combination, Composed
+from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
+from freebody.measures.geometry import Direction
+from freebody.measures.turn import Turn
+from freebody.model import glyphs
+from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.glyphs import Glyph
+from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -62,6 +72,42 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
         rest = tuple(item for item in used if item[0] not in own)
         alone = _in_the_measure(expr, measure, [name for name, _measure in rest])
         return [Push("", measure, expr, rest) if alone is None else Push("", measure, alone)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        for push in self.pushes(names):
+            used = free_symbols(push.law)
+            yield from _signs(names, push.measure, VALUE.name in used, RATE.name in used)
+
+
+def _signs(
+    names: Names, measure: Measure | RateMeasure, of_value: bool, of_rate: bool, sense: int = 1
+) -> Iterable[Glyph]:
+    """What a law along a measure looks like: of a distance a spring or a damper, else arrows. sense: -1 where the law
+    pushes against a part of it."""
+    match measure:
+        case Distance(start, end):
+            yield glyphs.Spring(start, end, of_value, of_rate)
+        case Displacement(of, _origin, along):
+            yield glyphs.ForceArrow(of, along if sense > 0 else along.reversed())
+        case Angle(of):
+            yield glyphs.MomentArrow(names.known(of).mass_center)
+        case Turn(of, start, side):
+            axis = Direction(start.body, vector_product(start.components, side.components))
+            body, base = names.known(of.body).mass_center, names.known(start.body).mass_center
+            yield glyphs.Coil(body, base, axis, of_value) if of_value or of_rate else glyphs.MomentArrow(body, axis)
+        case Combination(terms):
+            for factor, part in terms:
+                yield from _signs(names, part, of_value, of_rate, sense * _sign(factor))
+        case Composed(expression, parts):
+            for called, part in parts:
+                yield from _signs(names, part, of_value, of_rate, sense * _sign(differentiate(expression, called)))
+        case _:
+            pass
+
+
+def _sign(slope: Expr) -> int:
+    """-1 for a slope that is negative wherever it is a number."""
+    return -1 if isinstance(slope, Number) and slope.value < 0 else 1
 
 
 def _in_the_measure(expr: Expr, measure: Measure, used: list[str]) -> Expr | None:

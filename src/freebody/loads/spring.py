@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ZERO, Symbol, multiply, negate
@@ -20,7 +21,9 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE, Direction
 from freebody.measures.turn import Turn
+from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, Push
+from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Formula, Heading
 
@@ -54,6 +57,9 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
         return [Push("", stretch, negate(multiply(k, VALUE)))]
 
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Spring(names.point(self.first), names.point(self.second))
+
 
 class Damper(Load, kind="damper"):
     """`damper: {first: ground.A, second: block, damping: c}`: pulls with c dl/dt."""
@@ -71,6 +77,9 @@ loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
     def pushes(self, names: Names) -> list[Push]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
         return [Push("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        yield glyphs.Spring(names.point(self.first), names.point(self.second), is_spring=False, is_damper=True)
 
 
 def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measure:
@@ -111,6 +120,10 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
         turned = theta if relaxed == ZERO else Composed(Symbol("angle") - relaxed, (("angle", theta),), DIMENSIONLESS)
         return [Push("", turned, negate(multiply(k, VALUE)))]
 
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        axis = names.direction(self.about, "about", body=self.on) if names.space else None
+        yield glyphs.Coil(names.body(self.body).mass_center, names.body(self.on).mass_center, axis, is_spring=True)
+
 
 class TorsionalDamper(Load, kind="torsional_damper"):
     """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt. In space
@@ -130,3 +143,7 @@ loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}
         theta = turn_about(names, self.body, self.on, self.about)
         c = names.positive(self, "damping", ROTARY_DAMPING)
         return [Push("", theta, negate(multiply(c, RATE)))]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        axis = names.direction(self.about, "about", body=self.on) if names.space else None
+        yield glyphs.Coil(names.body(self.body).mass_center, names.body(self.on).mass_center, axis, is_spring=False)

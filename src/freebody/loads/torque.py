@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
@@ -9,7 +10,9 @@ from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
+from freebody.model import glyphs
 from freebody.model.elements import Push
+from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.model.spins import spin
 
@@ -46,3 +49,7 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
             return []
         along = names.direction(self.about, "about")
         return [Push("", spin(body.name, along, other.name), magnitude, used)]
+
+    def glyphs(self, names: Names) -> Iterable[Glyph]:
+        axis = names.direction(self.about, "about") if names.space and self.about is not None else None
+        yield glyphs.MomentArrow(names.body(self.on).mass_center, axis)

@@ -84,7 +84,7 @@ class Drawing:
     @cached_property
     def marks(self) -> list[tuple[int, int, Path | Stretch]]:
         """Marks where bodies touch: the number of the meeting, the state in which it shows, and the mark."""
-        thicker = {figure.turn: surplus(figure, self.symbol) for figure in self.scene.figures}
+        thicker = {figure.index: surplus(figure, self.symbol) for figure in self.scene.figures}
         return [] if self.contacts is None else list(self.contacts.marks(self.symbol, thicker))
 
     def shown(self, frame: int) -> list[Stroke]:

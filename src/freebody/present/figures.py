@@ -1,21 +1,25 @@
-"""What a picture of a system consists of, in numbers: places fixed in bodies and what joins them.
+"""What a picture of a system consists of, in numbers: places and directions fixed in bodies, and the bodies.
 
-A place is given by the index of a moving body (its order in `System.moving`) and components from its mass centre
-[m]; the index `GROUND` stands for the ground and all bodies fixed in it, with ground components.
+A place is given by the index of a moving body (its order in `System.moving`) and components from its mass centre along
+its axes [m]. In the plane the index `GROUND` stands for the ground and all bodies fixed in it, with ground components;
+in space the bodies that stand still have indices after those that move, the ground the last.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.model import glyphs
+
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
+Triple = tuple[float, float, float]
 
 GROUND = -1
 
@@ -26,6 +30,15 @@ class Place(NamedTuple):
     body: int
     x: float
     y: float
+    z: float = 0.0
+
+    @property
+    def xy(self) -> Pair:
+        return self.x, self.y
+
+    @property
+    def at(self) -> Triple:
+        return self.x, self.y, self.z
 
 
 class Heading(NamedTuple):
@@ -34,6 +47,15 @@ class Heading(NamedTuple):
     body: int
     x: float
     y: float
+    z: float = 0.0
+
+    @property
+    def xy(self) -> Pair:
+        return self.x, self.y
+
+    @property
+    def along(self) -> Triple:
+        return self.x, self.y, self.z
 
     @property
     def angle(self) -> float:
@@ -44,111 +66,69 @@ class Heading(NamedTuple):
         """A quarter turn counter-clockwise from it."""
         return Heading(self.body, -self.y, self.x)
 
+    def quarter_back(self) -> Heading:
+        """A quarter turn clockwise from it."""
+        return Heading(self.body, self.y, -self.x)
+
 
 @dataclass(frozen=True)
 class Figure:
-    """A body: its named points, its rim and its hubs (radii of further circles about the rim's centre)."""
+    """A body: its named points, its form. In the plane a rim and its hubs (radii of further circles about the rim's
+    centre) or corners; in space a solid with sizes [m] about its centre."""
 
     name: str
     number: int  # in the order of the model, for its colour
+    index: int  # the body that it moves with: itself, or what it is fixed in
     mass_center: Place
     points: Mapping[str, Place]
     center: Place
-    turn: int  # the body that it turns with: itself, or GROUND
-    radius: float | None = None
-    hubs: tuple[float, ...] = ()
-    is_hollow: bool = False
     is_particle: bool = False
     has_mass: bool = True
     has_place: bool = False  # the model says where it starts
     corners: tuple[Place, ...] = ()  # of a straight-edged rim, in order
+    is_toothed: bool = False
+    # in the plane
+    radius: float | None = None
+    hubs: tuple[float, ...] = ()
+    is_hollow: bool = False
     outside: tuple[str, ...] = ()  # what may touch it, by name: its rim from outside, its corners, its points
     inside: tuple[str, ...] = ()  # what may touch its rim from inside
+    # in space
+    solid: str = ""  # empty for a body without a form
+    sizes: tuple[float, ...] = ()
+    axis: Triple | None = None
 
     @property
     def outline(self) -> Array:
         """(n, 2) [m] its corners, if they enclose an area; or those of the hull of its points, counter-clockwise: two
         for a rod, one for a dot."""
-        corners = np.array([(p.x, p.y) for p in self.corners])
+        corners = np.array([p.xy for p in self.corners])
         if len(corners) > 2 and len(hull(corners)) > 2:
             return corners
-        return hull(np.array([(p.x, p.y) for p in self.points.values()] or [(0.0, 0.0)]))
+        return hull(np.array([p.xy for p in self.points.values()] or [(0.0, 0.0)]))
+
+
+# glyphs in numbers
+Rail = glyphs.Rail[Place, Heading]
+Track = glyphs.Track[Place, Heading, float]
+Wheels = glyphs.Wheels[Place, float]
+Node = glyphs.Node[Place, float]
+Belt = glyphs.Belt[Place, float]
+Groove = glyphs.Groove[Place, float]
+Rope = glyphs.Rope[Place, Heading, float]
+Surface = glyphs.Surface[Place, Heading, float]
+Spring = glyphs.Spring[Place]
+Tip = glyphs.Tip[Place, float]
+Halt = glyphs.Halt[Place, Heading, float]
+TurnHalt = glyphs.TurnHalt[Heading, float]
+Drawn = glyphs.Sign[Place, Heading, float]
+Shown = glyphs.Shown[Place, Heading, float]
 
 
 @dataclass(frozen=True)
-class Pin:
-    """Two coincident points; a clamp where the bodies keep their angle too."""
-
-    first: Place
-    second: Place
-    clamps: bool = False
-
-
-@dataclass(frozen=True)
-class Guide:
-    """A point kept at a distance `offset` on the left of a straight line of another body: a rail that it slides on, a
-    slot in which it turns, or a surface on which a circle of that radius rolls."""
-
-    point: Place
-    along: Heading
-    offset: float = 0.0
-    turns: bool = False
-
-
-@dataclass(frozen=True)
-class Contact:
-    """Two circles that roll on each other, directly or joined by a belt; the radius of the second is negative where
-    it lies inside the first, or where the belt is open."""
-
-    first: Place
-    second: Place
-    radii: Pair
-    is_toothed: bool = False  # gears, whose pitch circles these are, or a belt
-
-    def touches(self, distance: float) -> bool:
-        return abs(distance - abs(sum(self.radii))) < 0.01 * max(map(abs, self.radii))
-
-
-@dataclass(frozen=True)
-class Node:
-    """A place on a string's way: it runs round a circle counter-clockwise (arm = +R), clockwise (-R), or through a
-    point (0). On a drum it is wound up."""
-
-    place: Place
-    arm: float = 0.0
-    is_drum: bool = False
-
-
-@dataclass(frozen=True)
-class Rope:
-    """A string: its nodes, and the constant direction of each lead or None for the common tangent."""
-
-    nodes: tuple[Node, ...]
-    leads: tuple[Heading | None, ...]
-    is_closed: bool = False
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A load along the line between two points: of their distance (a spring), of its rate (a damper), or both."""
-
-    first: Place
-    second: Place
-    has_spring: bool = True
-    has_damper: bool = False
-
-
-class Tip(NamedTuple):
-    """What of a body may touch a surface: a circle, or a point of radius 0."""
-
-    place: Place
-    radius: float
-    figure: str  # the name of its body
-
-
-@dataclass(frozen=True)
-class Surface:
-    """A straight line that others may touch, solid on the right of its direction."""
+class Wall:
+    """A straight line that others may touch, solid on the right of its direction; each line once, with all that may
+    touch it."""
 
     through: Place
     along: Heading
@@ -161,43 +141,25 @@ class Surface:
         return self.through.body == GROUND and self.edge is None
 
 
-@dataclass(frozen=True)
-class Halt:
-    """A stop of a point: at `limit` from `origin` along a direction it goes no farther; `side` +1 where it stays
-    ahead of that."""
-
-    point: Place
-    origin: Place
-    along: Heading
-    limit: float
-    side: int
+def owners(sign: Drawn) -> set[int]:
+    """The bodies that a glyph is fixed in or runs between, by index."""
+    return {part.body for part in _parts(sign)}
 
 
-@dataclass(frozen=True)
-class TurnHalt:
-    """A stop of a turning body: its angle from a base body (or the ground) goes no farther than `limit`; `side` +1
-    where it stays counter-clockwise of that."""
-
-    body: int
-    base: int
-    limit: float
-    side: int
+def places_in(sign: Drawn) -> list[Place]:
+    """The places that a glyph names, in its order."""
+    return [part for part in _parts(sign) if isinstance(part, Place)]
 
 
-@dataclass(frozen=True)
-class Joints:
-    """All that joins the bodies."""
-
-    pins: list[Pin] = field(default_factory=list[Pin])
-    guides: list[Guide] = field(default_factory=list[Guide])
-    links: list[tuple[Place, Place]] = field(default_factory=list[tuple[Place, Place]])
-    contacts: list[Contact] = field(default_factory=list[Contact])
-    ropes: list[Rope] = field(default_factory=list[Rope])
-    springs: list[Spring] = field(default_factory=list[Spring])
-    surfaces: list[Surface] = field(default_factory=list[Surface])
-    halts: list[Halt | TurnHalt] = field(default_factory=list["Halt | TurnHalt"])
-    touching: set[tuple[int, int]] = field(default_factory=set[tuple[int, int]])  # bodies that may touch
-    hanging: set[int] = field(default_factory=set[int])  # bodies whose place aside is not stated
+def _parts(value: Any) -> Iterator[Place | Heading]:
+    if isinstance(value, (Place, Heading)):
+        yield value
+    elif isinstance(value, tuple):
+        for item in cast("tuple[Any, ...]", value):
+            yield from _parts(item)
+    elif is_dataclass(value) and not isinstance(value, type):
+        for field in fields(value):
+            yield from _parts(getattr(value, field.name))
 
 
 def turned(angle: float | Array, x: float, y: float) -> Array:

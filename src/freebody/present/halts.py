@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from freebody.model import glyphs
 from freebody.present.figures import GROUND, Array, Figure, Halt, Pair, Place, TurnHalt, turned
 from freebody.present.layout import Layout, placed_in
 from freebody.present.scene import Scene
@@ -26,18 +27,18 @@ class Halts:
         self.u = layout.symbol
 
     def strokes(self) -> Iterator[Path]:
-        for halt in self.scene.joints.halts:
-            yield from self._straight(halt) if isinstance(halt, Halt) else self._turning(halt)
+        for halt in self.scene.halts:
+            yield from self._straight(halt) if isinstance(halt, glyphs.Halt) else self._turning(halt)
 
     def _figure(self, body: int) -> Figure | None:
-        return next((f for f in self.scene.figures if f.turn == body != GROUND), None)
+        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
 
     # -- of a point on its way ----------------------------------------------------------------
     def _straight(self, halt: Halt) -> Iterator[Path]:
         """A wall across the direction, as far from the point's last place as its body reaches."""
         figure = self._figure(halt.point.body)
-        body, e, n = halt.along.body, np.array(halt.along[1:]), np.array(halt.along.normal()[1:])
-        origin = np.array(halt.origin[1:])
+        body, e, n = halt.along.body, np.array(halt.along.xy), np.array(halt.along.normal().xy)
+        origin = np.array(halt.origin.xy)
         away = placed_in(self.poses, body, halt.point) - origin
         room = halt.side * (away @ e - halt.limit)
         if figure is None or room.min() > _FARTHEST * self.u:
@@ -51,8 +52,8 @@ class Halts:
 
     def _reach(self, figure: Figure, halt: Halt) -> tuple[float, Pair]:
         """How far a body reaches towards the stop, and to the right and left of its point."""
-        slides = [g for g in self.scene.joints.guides if g.point.body == figure.turn and not g.turns]
-        e, n = np.array(halt.along[1:]), np.array(halt.along.normal()[1:])
+        slides = any(rail.point.body == figure.index and rail.turning == "not" for rail in self.scene.rails)
+        e, n = np.array(halt.along.xy), np.array(halt.along.normal().xy)
         points = self._points(figure, halt.along.body) - placed_in(self.poses, halt.along.body, halt.point)[0]
         if figure.radius is None and float(np.ptp(points, axis=0).max()) < 1e-9:
             long, tall = (1.5, 0.8) if slides else (0.7, 0.7) if figure.is_particle else (1.0, 1.0)
@@ -66,30 +67,30 @@ class Halts:
             center, ring = figure.center, figure.radius * np.array([(1, 0), (0, 1), (-1, 0), (0, -1)])
             places = [Place(center.body, center.x + x, center.y + y) for x, y in ring.tolist()]
         else:
-            places = [Place(figure.turn, x, y) for x, y in figure.outline.tolist()]
+            places = [Place(figure.index, x, y) for x, y in figure.outline.tolist()]
         return np.concatenate([placed_in(self.poses[:1], body, place) for place in places])
 
     # -- of a turning rod ---------------------------------------------------------------------
     def _turning(self, halt: TurnHalt) -> Iterator[Path]:
         """A wall beside the rod where it may turn no farther, if the rod turns about a pin on the base."""
-        figure, pivot = self._figure(halt.body), self._pivot(halt)
+        figure, pivot = self._figure(halt.of.body), self._pivot(halt)
         if figure is None or pivot is None or figure.radius is not None or len(figure.outline) != 2:
             return
         inner, outer = pivot
-        arms = figure.outline - np.array(inner[1:])
+        arms = figure.outline - np.array(inner.xy)
         arm = arms[int(np.hypot(*arms.T).argmax())]
         length = float(np.hypot(*arm))
-        angle = halt.limit + float(np.arctan2(arm[1], arm[0]))
+        angle = halt.limit + halt.origin.angle + float(np.arctan2(arm[1], arm[0]))
         aside = -halt.side * surplus(figure, self.u)
-        x, y = np.array(outer[1:]) + turned(angle, 0.0, aside)
+        x, y = np.array(outer.xy) + turned(angle, 0.0, aside)
         ends = _ARM[0] * length, _ARM[1] * length
         yield from self._wall(Place(outer.body, float(x), float(y)), angle, ends, -halt.side)
 
     def _pivot(self, halt: TurnHalt) -> tuple[Place, Place] | None:
         """The pin of a body on the base of its stop: its place in the one and in the other."""
-        for pin in self.scene.joints.pins:
-            for a, b in ((pin.first, pin.second), (pin.second, pin.first)):
-                if (a.body, b.body) == (halt.body, halt.base) and not pin.clamps:
+        for pin in self.scene.pins:
+            for a, b in (pin, pin[::-1]):
+                if (a.body, b.body) == (halt.of.body, halt.origin.body):
                     return a, b
         return None
 

@@ -11,17 +11,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freebody.model import glyphs
 from freebody.present.figures import (
     GROUND,
     Array,
     Figure,
-    Guide,
     Heading,
     Node,
     Place,
     Rope,
-    Surface,
     Tip,
+    Wall,
     angles,
     positions,
     turned,
@@ -48,7 +48,7 @@ class Layout:
         """Puts the bodies of a scene where their strings lead them. symbol: [m] the size of symbols, by that of the
         picture if nothing is said."""
         settling = _Settling(scene, poses, symbol)
-        for _ in scene.joints.ropes:
+        for _ in scene.ropes:
             settling.hang()
         settling.mesh()
         settling.spread()
@@ -64,32 +64,29 @@ class _Settling:
         self.poses = poses.copy()
         self.shifts = np.zeros((len(scene.names), 2))
         self.group = _groups(scene)
-        self.ropes = [*scene.joints.ropes, *_belts(scene, poses)]
+        self.ropes = [*scene.ropes, *_belts(scene)]
         self.shortest = _SHORTEST * (symbol or _symbol(scene, poses))
         self.settled = {self.group[k] for k in range(len(scene.names)) if not self._is_free(self.group[k])}
 
     def _is_free(self, group: int) -> bool:
         """Whether only strings and straight rails say where the bodies of a group are."""
         members = {k for k, g in enumerate(self.group) if g == group}
-        joints = self.scene.joints
-        if any(f.has_place for f in self.scene.figures if f.turn in members):
+        scene = self.scene
+        if any(f.has_place for f in scene.figures if f.index in members):
             return False
-        ends = [
-            *((p.first, p.second) for p in joints.pins),
-            *joints.links,
-            *((c.first, c.second) for c in joints.contacts),
-        ]
-        pairs = [(a.body, b.body) for a, b in ends] + list(joints.touching)
-        if any({a, b} & members and GROUND in (a, b) for a, b in pairs):
+        if any({a, b} & members and GROUND in (a, b) for a, b in _pairs(scene)):
             return False
-        rails = [g for g in joints.guides if g.point.body in members and g.along.body == GROUND]
-        return not any(g.turns or g.offset for g in rails) and bool(rails or joints.hanging & members)
+        if any(track.center.body in members and track.along.body == GROUND for track in scene.tracks):
+            return False
+        rails = [rail for rail in scene.rails if rail.point.body in members and rail.along.body == GROUND]
+        return all(rail.turning == "not" for rail in rails) and bool(rails or scene.hanging & members)
 
     # -- strings ------------------------------------------------------------------------------
     def hang(self) -> None:
         """Moves what hangs on a string whose other end has its place, and ends of strings on the ground."""
         for i, rope in enumerate(self.ropes):
-            for k, heading in enumerate(rope.leads):
+            for k, lead in enumerate(rope.leads):
+                heading = lead.along
                 if heading is None or heading.body != GROUND:
                     continue
                 a, b = rope.nodes[k], rope.nodes[k + 1]
@@ -114,14 +111,15 @@ class _Settling:
 
     def _reach(self, node: Node) -> float:
         """[m] the radius of the round body in whose middle a string ends, or round which it runs."""
-        figures = (f for f in self.scene.figures if f.center == node.place and f.turn != GROUND)
+        figures = (f for f in self.scene.figures if f.center == node.place and f.index != GROUND)
         return max((f.radius or 0.0 for f in figures), default=0.0)
 
     def _move(self, node: Node, shift: Array, heading: Heading) -> None:
         group = self.group[node.place.body]
         members = [k for k, g in enumerate(self.group) if g == group]
-        rails = [g for g in self.scene.joints.guides if g.point.body in members]
-        if any(abs(g.along.x * heading.y - g.along.y * heading.x) > 1e-9 for g in rails):
+        rails = [rail.along for rail in self.scene.rails if rail.point.body in members]
+        rails += [track.along for track in self.scene.tracks if track.center.body in members]
+        if any(abs(along.x * heading.y - along.y * heading.x) > 1e-9 for along in rails):
             return  # it would leave the direction of its rail
         self.shifts[members] += shift
         self.poses[:, members, :2] += shift
@@ -138,7 +136,7 @@ class _Settling:
             lead = positions(self.poses, nodes[other].place) - positions(self.poses, node.place)
             across = float((lead @ n)[0]) - nodes[other].arm
             short = min(0.0, float((sign * (lead @ e)).min()) - self.shortest)
-            x, y = np.array(node.place[1:]) + across * n + sign * short * e
+            x, y = np.array(node.place.xy) + across * n + sign * short * e
             nodes[j] = replace(node, place=Place(GROUND, float(x), float(y)))
             break
         return replace(rope, nodes=tuple(nodes))
@@ -146,16 +144,16 @@ class _Settling:
     # -- racks --------------------------------------------------------------------------------
     def mesh(self) -> None:
         """Moves a body that slides without a stated place, so that its edge lies where a wheel rolls on it."""
-        for guide in self.scene.joints.guides:
-            rack = guide.along.body
-            if not guide.offset or rack == GROUND or self.group[rack] in self.settled:
+        for track in self.scene.tracks:
+            rack = track.along.body
+            if not track.radius or rack == GROUND or self.group[rack] in self.settled:
                 continue
-            figure = next(f for f in self.scene.figures if f.turn == rack)
-            across = np.array(guide.along.normal()[1:])
-            edge = (figure.outline @ across) * np.sign(guide.offset)
-            center = positions(self.poses, guide.point)[0] - self.poses[0, rack, :2]
+            figure = next(f for f in self.scene.figures if f.index == rack)
+            across = np.array(track.along.normal().xy)
+            edge = (figure.outline @ across) * np.sign(track.radius)
+            center = positions(self.poses, track.center)[0] - self.poses[0, rack, :2]
             n = turned(self.poses[0, rack, 2], *across)
-            gap = float(center @ n) - guide.offset - np.sign(guide.offset) * float(edge.max())
+            gap = float(center @ n) - track.radius - np.sign(track.radius) * float(edge.max())
             members = [k for k, g in enumerate(self.group) if g == self.group[rack]]
             self.shifts[members] += gap * n
             self.poses[:, members, :2] += gap * n
@@ -164,7 +162,8 @@ class _Settling:
     # -- bodies on one rail -------------------------------------------------------------------
     def spread(self) -> None:
         """Moves bodies apart along their rail that only it places, and that begin in one point."""
-        rails = {g.point.body: g.along for g in self.scene.joints.guides if g.along.body == GROUND and not g.turns}
+        straight = (rail for rail in self.scene.rails if rail.turning == "not" and rail.along.body == GROUND)
+        rails = {rail.point.body: rail.along for rail in straight}
         free = [k for k in rails if k != GROUND and self.group[k] not in self.settled]
         span = float(np.ptp(self.poses[:, free, :2], axis=0).max(initial=0.0)) if free else 0.0
         step = max(_APART * self.shortest / _SHORTEST, span)
@@ -174,7 +173,7 @@ class _Settling:
             n = sum(np.hypot(*(place - other)) < 1e-9 + 0.01 * step for other, _k in taken)
             taken.append((place, k))
             if n:
-                shift = n * step * np.array(rails[k][1:])
+                shift = n * step * np.array(rails[k].xy)
                 members = [j for j, group in enumerate(self.group) if group == self.group[k]]
                 self.shifts[members] += shift
                 self.poses[:, members, :2] += shift
@@ -183,25 +182,28 @@ class _Settling:
 def _groups(scene: Scene) -> list[int]:
     """Which moving bodies keep together by pins, links and contacts: the least index of their group."""
     group = list(range(len(scene.names)))
-    joints = scene.joints
-    pairs = [(p.first, p.second) for p in joints.pins] + joints.links
-    pairs += [(c.first, c.second) for c in joints.contacts]
-    pairs += [(g.point, Place(g.along.body, 0, 0)) for g in joints.guides if not (g.offset and g.turns)]
-    for a, b in [*((a.body, b.body) for a, b in pairs), *joints.touching]:
+    rails = ((rail.point.body, rail.along.body) for rail in scene.rails)
+    for a, b in (*_pairs(scene), *rails):
         if GROUND not in (a, b):
             low, high = sorted((group[a], group[b]))
             group = [low if g == high else g for g in group]
     return group
 
 
-def _belts(scene: Scene, poses: Array) -> Iterator[Rope]:
-    """A string round every pair of circles that roll alike without touching."""
-    for contact in scene.joints.contacts:
-        apart = positions(poses, contact.second) - positions(poses, contact.first)
-        if not contact.touches(float(np.hypot(*apart[0]))):
-            r1, r2 = contact.radii
-            nodes = Node(contact.first, r1), Node(contact.second, -r2)
-            yield Rope((*nodes, nodes[0]), (None, None), is_closed=True)
+def _pairs(scene: Scene) -> Iterator[tuple[int, int]]:
+    """Bodies that pins, rods, wheels and contacts keep together."""
+    yield from ((a.body, b.body) for a, b in scene.joined())
+    yield from ((c.first.body, c.second.body) for c in (*scene.wheels, *scene.belts))
+    yield from scene.touching
+
+
+def _belts(scene: Scene) -> Iterator[Rope]:
+    """The ropes that belts are: round both circles and back."""
+    for belt in scene.belts:
+        r1, r2 = belt.radii
+        first, second = glyphs.Node(belt.first, r1), glyphs.Node(belt.second, -r2 if belt.is_crossed else r2)
+        free = glyphs.Lead[Heading](None)
+        yield glyphs.Rope((first, second, first), (free, free), is_closed=True)
 
 
 def _symbol(scene: Scene, poses: Array) -> float:
@@ -216,10 +218,11 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
         center = positions(poses, figure.center)
         corners += [positions(poses, place) for place in figure.points.values()]
         corners += [center + (figure.radius or 0.0) * sign for sign in (-1.0, 1.0)]
-    joints = scene.joints
-    ends = [*joints.links, *((s.first, s.second) for s in joints.springs), *((p.first, p.second) for p in joints.pins)]
+    ends = [*((s.first, s.second) for s in scene.springs), *scene.pins, *scene.welds, *scene.rods]
     corners += [positions(poses, place) for pair in ends for place in pair]
-    corners += [positions(poses, node.place) for rope in joints.ropes for node in rope.nodes]
+    corners += [positions(poses, node.place) for rope in scene.ropes for node in rope.nodes]
+    for groove in scene.grooves:
+        corners += [positions(poses, groove.center) + groove.radius * sign for sign in (-1.0, 1.0)]
     everything = np.concatenate(corners or [np.zeros((1, 2))])
     feet = list(_feet(scene, poses, float(np.ptp(everything, axis=0).max())))
     everything = np.concatenate([everything, *feet])
@@ -228,12 +231,12 @@ def bounds(scene: Scene, poses: Array) -> tuple[Array, Array]:
 
 def _feet(scene: Scene, poses: Array, size: float) -> Iterator[Array]:
     """(1, 2) [m] where bodies come nearest to endless surfaces, unless that is far from all that moves."""
-    for surface in scene.joints.surfaces:
-        for tip in surface.tips if surface.is_endless else ():
-            s, gap = along_surface(surface, tip, poses)
+    for wall in scene.walls:
+        for tip in wall.tips if wall.is_endless else ():
+            s, gap = along_wall(wall, tip, poses)
             k = int(np.abs(gap).argmin())
             if abs(gap[k]) < _FARTHEST * size:
-                yield np.array([surface.through[1:]]) + s[k] * np.array(surface.along[1:])
+                yield np.array([wall.through.xy]) + s[k] * np.array(wall.along.xy)
 
 
 def headings(rope: Rope, poses: Array) -> Array:
@@ -242,7 +245,8 @@ def headings(rope: Rope, poses: Array) -> Array:
     A lead without a constant direction is the common tangent of two circles, d = l e(a) + rho n(a), so
     a = angle of d - asin(rho/|d|); inside each other's reach circles have none, and the line of centres is taken."""
     found: list[Array] = []
-    for a, b, heading in zip(rope.nodes, rope.nodes[1:], rope.leads, strict=False):
+    for a, b, lead in zip(rope.nodes, rope.nodes[1:], rope.leads, strict=False):
+        heading = lead.along
         line = positions(poses, b.place) - positions(poses, a.place)
         if heading is not None:
             line = line - (b.arm - a.arm) * turned(angles(poses, heading) + np.pi / 2, 1.0, 0.0)
@@ -274,23 +278,23 @@ def placed_in(poses: Array, body: int, place: Place) -> Array:
     return np.stack((c * d[:, 0] + s * d[:, 1], -s * d[:, 0] + c * d[:, 1]), axis=-1)
 
 
-def travel(guide: Guide, poses: Array) -> tuple[Array, Array]:
+def travel(point: Place, heading: Heading, poses: Array) -> tuple[Array, Array]:
     """(n_times,), (n_times,) [m]: how far a guided point is along its line and to the left of it, by components in the
     body of the line (from its mass centre)."""
-    at = placed_in(poses, guide.along.body, guide.point)
-    along = np.array(guide.along[1:])
+    at = placed_in(poses, heading.body, point)
+    along = np.array(heading.xy)
     return at @ along, at @ np.array([-along[1], along[0]])
 
 
-def along_surface(surface: Surface, tip: Tip, poses: Array) -> tuple[Array, Array]:
+def along_wall(wall: Wall, tip: Tip, poses: Array) -> tuple[Array, Array]:
     """(n_times,), (n_times,) [m]: how far a tip is along a surface, and the gap between them."""
-    away = placed_in(poses, surface.through.body, tip.place) - np.array(surface.through[1:])
-    return away @ np.array(surface.along[1:]), away @ np.array(surface.along.normal()[1:]) - tip.radius
+    away = placed_in(poses, wall.through.body, tip.place) - np.array(wall.through.xy)
+    return away @ np.array(wall.along.xy), away @ np.array(wall.along.normal().xy) - tip.radius
 
 
-def extent_across(figure: Figure, guide: Guide, poses: Array) -> tuple[float, float]:
+def extent_across(figure: Figure, point: Place, along: Heading, poses: Array) -> tuple[float, float]:
     """[m] how far a body reaches to the right and to the left of its guided point, across the guide at the start."""
-    n = turned(float(angles(poses, guide.along)[0]) + np.pi / 2, 1.0, 0.0)
-    at = positions(poses, guide.point)[0]
+    n = turned(float(angles(poses, along)[0]) + np.pi / 2, 1.0, 0.0)
+    at = positions(poses, point)[0]
     reach = [float((positions(poses, p)[0] - at) @ n) for p in figure.points.values()]
     return min(reach, default=0.0), max(reach, default=0.0)

@@ -46,7 +46,7 @@ class Meeting:
         """A small circle at the point; surplus: by how much the body is drawn thicker than it is."""
         points, reach = circle(size, 3), self.sense * (self.radius or surplus)
         if isinstance(self.toward, Heading):
-            points = points + reach * np.array(self.toward[1:])
+            points = points + reach * np.array(self.toward.xy)
             return Path(self.center, self.toward.body, points, style, True)
         points = np.stack(((reach + points[:, 0]) / self.apart, points[:, 1]), axis=-1)
         return Stretch(self.center, self.toward, points, style, True)

@@ -136,12 +136,12 @@ def _points(drawing: Drawing, digits: int) -> list[dict[str, Any]]:
     """The points that can be traced: each place of a moving body once, under its first name."""
     found: dict[Place, dict[str, Any]] = {}
     for figure in drawing.scene.figures:
-        if figure.turn == GROUND:
+        if figure.index == GROUND:
             continue
         named = [(f"{figure.name}.{name}", place) for name, place in figure.points.items()]
         for name, place in [(figure.name, figure.mass_center), *named]:
             place = Place(*_place(place, digits))
-            found.setdefault(place, {"name": name, "place": place, "color": figure.number})
+            found.setdefault(place, {"name": name, "place": place[:3], "color": figure.number})
     return list(found.values())
 
 

@@ -9,7 +9,21 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from freebody.present.figures import GROUND, Array, Figure, Guide, Heading, Place, Spring, is_within, positions, turned
+from freebody.model import glyphs
+from freebody.present.figures import (
+    GROUND,
+    Array,
+    Figure,
+    Groove,
+    Heading,
+    Place,
+    Rail,
+    Spring,
+    Track,
+    is_within,
+    positions,
+    turned,
+)
 from freebody.present.layout import Layout, extent_across, headings, travel
 from freebody.present.scene import Scene
 from freebody.present.strokes import Label, Path, Strand, Stretch, Stroke
@@ -22,22 +36,29 @@ class Pen:
 
     def __init__(self, scene: Scene, layout: Layout) -> None:
         self.scene = scene
-        self.joints = scene.joints
         self.poses = layout.poses
         self.ropes = layout.ropes
         self.u = layout.symbol
 
     def strokes(self) -> Iterator[Stroke]:
-        for guide in self.joints.guides:
-            yield from self._guide(guide)
+        for sign in self.scene.signs:
+            match sign:
+                case glyphs.Rail():
+                    yield from self._rail(sign)
+                case glyphs.Track():
+                    yield from self._track(sign)
+                case glyphs.Groove():
+                    yield from self._groove(sign)
+                case _:
+                    pass
         yield from self._supports()
         bodies = sorted(self.scene.figures, key=self._layer)
         for figure in bodies:
             if not figure.is_particle:
                 yield from self._body(figure)
-        for a, b in self.joints.links:
+        for a, b in self.scene.rods:
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "link")
-        for spring in self.joints.springs:
+        for spring in self.scene.springs:
             yield from self._spring(spring)
         lead = 0
         for rope in self.ropes:
@@ -54,58 +75,73 @@ class Pen:
         return not figure.is_hollow, -size
 
     # -- ground -------------------------------------------------------------------------------
-    def _guide(self, guide: Guide) -> Iterator[Stroke]:
-        """A hatched rail or surface on the ground, the line of a slot or rack on a body."""
-        s, across = travel(guide, self.poses)
-        figure = self._figure(guide.point.body)
-        is_surface = guide.offset != 0.0
-        reach = max(1.5 * abs(guide.offset), self._half_length(figure, guide), 2 * self.u) + self.u
-        low, high = float(s.min()) - reach, float(s.max()) + reach
-        level, side = float(across[0]) - guide.offset, -1.0 if guide.offset >= 0 else 1.0
-        body = guide.along.body
-        ends = np.array([(low, 0.0), (high, 0.0)])
-        if not is_surface and guide.turns:
-            radius = 0.9 * self.u
-            yield self._on_line(guide, level, capsule((low, 0.0), (high, 0.0), radius), "slot", is_closed=True)
+    def _rail(self, rail: Rail) -> Iterator[Stroke]:
+        """A hatched rail on the ground, a line on a body; a slot for a pin that turns in it."""
+        figure = self._figure(rail.point.body)
+        reach = max(self._half_length(figure, rail.point, rail.along), 2 * self.u) + self.u
+        low, high, level = self._run(rail.point, rail.along, reach)
+        if rail.turning != "not":
+            slot = capsule((low, 0.0), (high, 0.0), 0.9 * self.u)
+            yield self._on_line(rail.along, level, slot, "slot", is_closed=True)
             return
-        if not is_surface:
-            below, above = extent_across(figure, guide, self.poses) if figure else (0.0, 0.0)
-            level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
-        if is_surface and self._is_drawn(guide, level):
-            return
-        yield self._on_line(guide, level, ends, "surface")
-        if body == GROUND:
-            yield self._on_line(guide, level, hatched(low, high, side * self.u, self.u), "hatch")
+        below, above = extent_across(figure, rail.point, rail.along, self.poses) if figure else (0.0, 0.0)
+        level += below if below < -1e-9 else -0.8 * self.u if above < 1e-9 else 0.0
+        yield from self._edge(rail.along, level, low, high, -1.0)
 
-    def _on_line(self, guide: Guide, level: float, points: Array, style: str, *, is_closed: bool = False) -> Path:
-        """A path given along and across a guide's line."""
-        angle, body = guide.along.angle, guide.along.body
-        start = turned(angle + np.pi / 2, 1.0, 0.0) * level
-        return Path(Place(body, *map(float, start)), body, turned(angle, *points.T), style, is_closed)
+    def _track(self, track: Track) -> Iterator[Stroke]:
+        """The line on which a circle rolls, unless it is a surface for others too."""
+        figure = self._figure(track.center.body)
+        reach = max(1.5 * abs(track.radius), self._half_length(figure, track.center, track.along), 2 * self.u) + self.u
+        low, high, level = self._run(track.center, track.along, reach)
+        level -= track.radius
+        if not self._is_drawn(track.along, level):
+            yield from self._edge(track.along, level, low, high, -1.0 if track.radius >= 0 else 1.0)
 
-    def _is_drawn(self, guide: Guide, level: float) -> bool:
+    def _groove(self, groove: Groove) -> Iterator[Stroke]:
+        """The two edges of a circular groove."""
+        turn = groove.center.body
+        for radius in (groove.radius - 0.9 * self.u, groove.radius + 0.9 * self.u):
+            if radius > 0.0:
+                yield Path(groove.center, turn, circle(radius, 24), "slot", True)
+
+    def _run(self, point: Place, along: Heading, reach: float) -> tuple[float, float, float]:
+        """From where to where a point goes along a line, and how far on its left it starts [m]."""
+        s, across = travel(point, along, self.poses)
+        return float(s.min()) - reach, float(s.max()) + reach, float(across[0])
+
+    def _edge(self, along: Heading, level: float, low: float, high: float, side: float) -> Iterator[Stroke]:
+        """A line, hatched on one side on the ground."""
+        yield self._on_line(along, level, np.array([(low, 0.0), (high, 0.0)]), "surface")
+        if along.body == GROUND:
+            yield self._on_line(along, level, hatched(low, high, side * self.u, self.u), "hatch")
+
+    def _on_line(self, along: Heading, level: float, points: Array, style: str, *, is_closed: bool = False) -> Path:
+        """A path given along and across a line."""
+        start = turned(along.angle + np.pi / 2, 1.0, 0.0) * level
+        return Path(Place(along.body, *map(float, start)), along.body, turned(along.angle, *points.T), style, is_closed)
+
+    def _is_drawn(self, along: Heading, level: float) -> bool:
         """Whether a line is a surface for others too, which is drawn at full length."""
-        for surface in self.joints.surfaces:
-            turn = guide.along.x * surface.along.y - guide.along.y * surface.along.x
-            height = surface.through.y * guide.along.x - surface.through.x * guide.along.y
-            if surface.along.body == guide.along.body and max(abs(turn), abs(height - level)) < 1e-6:
+        for wall in self.scene.walls:
+            turn = along.x * wall.along.y - along.y * wall.along.x
+            height = wall.through.y * along.x - wall.through.x * along.y
+            if wall.along.body == along.body and max(abs(turn), abs(height - level)) < 1e-6:
                 return True
         return False
 
-    def _half_length(self, figure: Figure | None, guide: Guide) -> float:
+    def _half_length(self, figure: Figure | None, point: Place, along: Heading) -> float:
         if figure is None or figure.is_particle:
             return 0.0
-        along = Guide(guide.point, Heading(guide.along.body, guide.along.y, -guide.along.x))
-        low, high = extent_across(figure, along, self.poses)
+        low, high = extent_across(figure, point, along.quarter_back(), self.poses)
         return max(-low, high)
 
     def _figure(self, body: int) -> Figure | None:
-        return next((f for f in self.scene.figures if f.turn == body != GROUND), None)
+        return next((f for f in self.scene.figures if f.index == body != GROUND), None)
 
     def _supports(self) -> Iterator[Stroke]:
         """What holds points of the ground: a triangle for pins and links, a hatched line for springs and strings."""
         stands: dict[Place, list[Place]] = {}
-        for a, b in [*((p.first, p.second) for p in self.joints.pins if not p.clamps), *self.joints.links]:
+        for a, b in (*self.scene.pins, *self.scene.rods):
             for ground, other in ((a, b), (b, a)):
                 if ground.body == GROUND != other.body:
                     stands.setdefault(ground, []).append(other)
@@ -113,14 +149,13 @@ class Pen:
             up = self._is_below(ground, others)
             for points, style, is_closed in support(self._support_size(others), upside_down=up):
                 yield Path(ground, GROUND, points, style, is_closed)
-        held = [(s.first, self._bearing(s.first, s.second)) for s in self.joints.springs]
-        held += [(s.second, self._bearing(s.second, s.first)) for s in self.joints.springs]
+        held = [(s.first, self._bearing(s.first, s.second)) for s in self.scene.springs]
+        held += [(s.second, self._bearing(s.second, s.first)) for s in self.scene.springs]
         for rope in self.ropes:
             lead = headings(rope, self.poses)[0]
             ends = () if rope.is_closed else ((rope.nodes[0], lead[0]), (rope.nodes[-1], lead[-1] + np.pi))
             held += [(node.place, float(bearing)) for node, bearing in ends if not node.is_drum]
-        clamps = [(a, b) for p in self.joints.pins if p.clamps for a, b in ((p.first, p.second), (p.second, p.first))]
-        held += [(a, self._bearing(a, self._center(b))) for a, b in clamps]
+        held += [(a, self._bearing(a, self._center(b))) for weld in self.scene.welds for a, b in (weld, weld[::-1])]
         for place, bearing in held:
             if place.body == GROUND and place not in stands:
                 across = bearing + np.pi / 2
@@ -149,7 +184,7 @@ class Pen:
 
     # -- bodies -------------------------------------------------------------------------------
     def _body(self, figure: Figure) -> Iterator[Stroke]:
-        turn, color = figure.turn, figure.number
+        turn, color = figure.index, figure.number
         fill = "dot" if figure.is_particle else "body" if turn != GROUND else "fixed body"
         if figure.radius is not None:
             yield from self._wheel(figure, fill)
@@ -157,7 +192,7 @@ class Pen:
         outline = figure.outline
         rest = Place(turn, 0.0, 0.0) if turn != GROUND else figure.mass_center
         if turn == GROUND:
-            outline = outline - np.array(figure.mass_center[1:])
+            outline = outline - np.array(figure.mass_center.xy)
         size = float(np.ptp(outline, axis=0).max())
         if size < 1e-9:
             yield self._dot(figure, fill)
@@ -172,27 +207,27 @@ class Pen:
 
     def _arms(self, figure: Figure) -> Iterator[Path]:
         """A line from the mass centre to what is joined to a body outside its edges."""
-        joints, center = self.joints, figure.mass_center
-        pairs = [*((p.first, p.second) for p in joints.pins), *joints.links]
-        pairs += [(s.first, s.second) for s in joints.springs]
+        scene, center = self.scene, figure.mass_center
+        pairs = [*scene.pins, *scene.welds, *scene.rods, *((s.first, s.second) for s in scene.springs)]
         used = {place for pair in pairs for place in pair} | {n.place for rope in self.ropes for n in rope.nodes}
         for place in used & set(figure.points.values()):
             if not is_within(figure.outline, (place.x, place.y)):
                 points = np.array([(0.0, 0.0), (place.x - center.x, place.y - center.y)])
-                yield Path(center, figure.turn, points, "rim", False, figure.number)
+                yield Path(center, figure.index, points, "rim", False, figure.number)
 
     def _dot(self, figure: Figure, fill: str) -> Path:
         """A point mass as a dot, a sliding one as a box along its rail."""
-        rail = next((g for g in self.joints.guides if g.point.body == figure.turn != GROUND and not g.turns), None)
+        rails = (rail for rail in self.scene.rails if rail.point.body == figure.index != GROUND)
+        rail = next((rail for rail in rails if rail.turning == "not"), None)
         if rail is None:
             points = circle(surplus(figure, self.u))
-            return Path(figure.mass_center, figure.turn, points, fill, True, figure.number)
+            return Path(figure.mass_center, figure.index, points, fill, True, figure.number)
         points = turned(rail.along.angle, *box(1.5 * self.u, 0.8 * self.u).T)
         return Path(figure.mass_center, rail.along.body, points, fill, True, figure.number)
 
     def _wheel(self, figure: Figure, fill: str) -> Iterator[Path]:
         """A rim and a spoke, so that its turning is seen."""
-        place, turn, color = figure.center, figure.turn, figure.number
+        place, turn, color = figure.center, figure.index, figure.number
         rim = (figure.radius or 0.0) + self._room(figure)
         edge = "rim" if turn != GROUND else "fixed rim"
         if figure.is_hollow:
@@ -210,18 +245,15 @@ class Pen:
 
     def _is_pitch(self, figure: Figure, radius: float) -> bool:
         """Whether a circle is the pitch circle of a gear."""
-        for contact in self.joints.contacts:
-            apart = positions(self.poses, contact.second)[0] - positions(self.poses, contact.first)[0]
-            if not (contact.is_toothed and contact.touches(float(np.hypot(*apart)))):
-                continue
-            ends = zip((contact.first, contact.second), contact.radii, strict=True)
+        for gears in (wheels for wheels in self.scene.wheels if wheels.is_toothed):
+            ends = zip((gears.first, gears.second), gears.radii, strict=True)
             if any(place == figure.center and abs(abs(arm) - radius) < 1e-9 * radius for place, arm in ends):
                 return True
         return False
 
     def _ring(self, figure: Figure, rim: float, fill: str, edge: str) -> Iterator[Path]:
         """A wall on the side of the rim that nothing touches, and a mark on it; hatching round a fixed ring."""
-        place, turn, color = figure.center, figure.turn, figure.number
+        place, turn, color = figure.center, figure.index, figure.number
         if turn == GROUND and figure.inside and not figure.outside:
             yield Path(place, turn, hatched_ring(rim, self.u, self.u), "hatch")
             yield Path(place, turn, circle(rim, 24), "surface", True, color)
@@ -254,25 +286,27 @@ class Pen:
     def _spring(self, spring: Spring) -> Iterator[Stretch]:
         """A zigzag, a dashpot, or both side by side."""
         a, b = spring.first, spring.second
-        others = [s for s in self.joints.springs if {s.first, s.second} == {a, b}]
-        n = sum(s.has_spring + s.has_damper for s in others)
-        k = sum(s.has_spring + s.has_damper for s in others[: others.index(spring)])
-        for symbol in [ZIGZAG] * spring.has_spring + [DASHPOT] * spring.has_damper:
+        others = [s for s in self.scene.springs if {s.first, s.second} == {a, b}]
+        n = sum(s.is_spring + s.is_damper for s in others)
+        k = sum(s.is_spring + s.is_damper for s in others[: others.index(spring)])
+        for symbol in [ZIGZAG] * spring.is_spring + [DASHPOT] * spring.is_damper:
             left = (k - (n - 1) / 2) * 2.4
             yield from (Stretch(a, b, line * (1.0, self.u), "spring") for line in aside(symbol, left))
             k += 1
-        if not (spring.has_spring or spring.has_damper):
+        if not (spring.is_spring or spring.is_damper):
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
 
     def _joints(self) -> Iterator[Path]:
         """A small circle where bodies turn about each other, a square where they do not."""
-        squares = [p.second for p in self.joints.pins if p.clamps]
-        circles = [p.first for p in self.joints.pins if not p.clamps] + [p for link in self.joints.links for p in link]
-        circles += [g.point for g in self.joints.guides if g.turns and not g.offset]
+        squares = [second for _first, second in self.scene.welds]
+        circles = [first for first, _second in self.scene.pins] + [place for rod in self.scene.rods for place in rod]
+        circles += [rail.point for rail in self.scene.rails if rail.turning != "not"]
+        circles += [groove.point for groove in self.scene.grooves]
         dots = {f.mass_center for f in self.scene.figures if f.is_particle}
         size = 0.4 * self.u
         for place in dict.fromkeys(squares):
-            yield Path(place, place.body, box(size, size), "joint", True)
+            if place not in dots:
+                yield Path(place, place.body, box(size, size), "joint", True)
         for place in dict.fromkeys(circles):
             if place not in dots:
                 yield Path(place, place.body, circle(size), "joint", True)
@@ -302,9 +336,9 @@ class Pen:
         """Whether a name that begins (or ends, for a negative number of letters) at a spot covers a line of the ground
         or its hatching."""
         end = spot + np.array([0.6 * self.u * n_letters, 0.0])
-        for surface in self.joints.surfaces:
-            normal = np.array(surface.along.normal()[1:])
-            heights = np.array([spot - surface.through[1:], end - surface.through[1:]]) @ normal
-            if surface.is_endless and heights.min() < 0.8 * self.u and heights.max() > -1.8 * self.u:
+        for wall in self.scene.walls:
+            normal, through = np.array(wall.along.normal().xy), np.array(wall.through.xy)
+            heights = np.array([spot - through, end - through]) @ normal
+            if wall.is_endless and heights.min() < 0.8 * self.u and heights.max() > -1.8 * self.u:
                 return True
         return False

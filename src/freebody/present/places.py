@@ -4,32 +4,52 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from freebody.language.expression import Expr
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.geometry import GROUND as GROUND_NAME
+from freebody.measures.geometry import Components, Direction, Point
+from freebody.numeric.rotation import matrix
 from freebody.numeric.start import start_pose
-from freebody.present.figures import GROUND, Heading, Place, turned
+from freebody.present.figures import GROUND, Array, Heading, Place, Triple, turned
 from freebody.system.system import System
 
 
 class Places:
-    """Turns points and directions of bodies into numbers and indices; what is fixed is taken to the ground."""
+    """Turns points and directions of bodies into numbers and indices. In the plane what is fixed is taken to the
+    ground; in space it keeps its own axes: `fixed` are the centres (n, 3) and axes (n, 3, 3), the ground last."""
 
     def __init__(self, system: System, number: Callable[[Expr], float]) -> None:
         self.number = number
-        self.index = {body.name: k for k, body in enumerate(system.moving)}
-        self.fixed = {b.name: start_pose(system, b, number) for b in system.bodies.values() if b.fixed}
+        self.is_spatial = system.space
+        still = [body for body in system.bodies.values() if body.fixed]
+        self.poses = {body.name: start_pose(system, body, number) for body in still}
+        if system.space:
+            still = sorted(still, key=lambda body: body.name == GROUND_NAME)
+            order = [*system.moving, *still]
+            self.index = {body.name: k for k, body in enumerate(order)}
+            centers = [np.array(self.poses[body.name][:3]) for body in still]
+            axes = [matrix(np.array(self.poses[body.name][3:])) for body in still]
+            self.fixed: tuple[Array, Array] = np.array(centers), np.array(axes)
+        else:
+            self.index = {body.name: k for k, body in enumerate(system.moving)}
+            self.fixed = np.zeros((1, 3)), np.eye(3)[None]
+
+    def vector(self, components: Components) -> Triple:
+        x, y, *rest = (self.number(c) for c in components)
+        return x, y, rest[0] if rest else 0.0
 
     def place(self, point: Point) -> Place:
-        x, y = map(self.number, point.offset)
+        x, y, z = self.vector(point.offset)
         if point.body in self.index:
-            return Place(self.index[point.body], x, y)
-        cx, cy, angle = self.fixed[point.body]
+            return Place(self.index[point.body], x, y, z)
+        cx, cy, angle = self.poses[point.body]
         dx, dy = turned(angle, x, y)
         return Place(GROUND, float(cx + dx), float(cy + dy))
 
     def heading(self, direction: Direction) -> Heading:
-        x, y = map(self.number, direction.components)
+        x, y, z = self.vector(direction.components)
         if direction.body in self.index:
-            return Heading(self.index[direction.body], x, y)
-        dx, dy = turned(self.fixed[direction.body][2], x, y)
+            return Heading(self.index[direction.body], x, y, z)
+        dx, dy = turned(self.poses[direction.body][2], x, y)
         return Heading(GROUND, float(dx), float(dy))

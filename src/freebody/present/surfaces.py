@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.present.figures import Array, Figure, Pair, Place, Surface, Tip, turned
-from freebody.present.layout import Layout, along_surface
+from freebody.present.figures import Array, Figure, Pair, Place, Tip, Wall, turned
+from freebody.present.layout import Layout, along_wall
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path
 from freebody.present.symbols import hatched
@@ -42,29 +42,29 @@ class Surfaces:
         """Surfaces, those of the ground up to the edges of the picture. low, high: (2,) [m] its corners."""
         inset = 1.5 * self.u
         frame = [Plane(n * sign, sign * float(n @ corner) + inset) for n, sign, corner in _sides(low, high)]
-        for surface in self.scene.joints.surfaces:
+        for surface in self.scene.walls:
             ends = self._visible(surface, frame) if surface.is_endless else self._used(surface)
             if ends is not None and ends[1] - ends[0] > 0.1 * self.u:
                 yield from self._draw(surface, ends)
 
     # -- from where to where ------------------------------------------------------------------
-    def _visible(self, surface: Surface, frame: Sequence[Plane]) -> Pair | None:
+    def _visible(self, surface: Wall, frame: Sequence[Plane]) -> Pair | None:
         """The part of an endless surface in the picture, without what the others keep everything away from."""
-        names = {tip.figure for tip in surface.tips}
-        others = [s for s in self.scene.joints.surfaces if s.is_endless and s is not surface]
-        solid = [self._free_side(s) for s in others if names <= {tip.figure for tip in s.tips}]
-        start, along = self._at(surface, 0.0), np.array(surface.along[1:])
+        names = {tip.body for tip in surface.tips}
+        others = [s for s in self.scene.walls if s.is_endless and s is not surface]
+        solid = [self._free_side(s) for s in others if names <= {tip.body for tip in s.tips}]
+        start, along = self._at(surface, 0.0), np.array(surface.along.xy)
         return clipped(start, along, [*frame, *solid]) or clipped(start, along, frame)
 
-    def _free_side(self, surface: Surface) -> Plane:
-        normal = np.array(surface.along.normal()[1:])
+    def _free_side(self, surface: Wall) -> Plane:
+        normal = np.array(surface.along.normal().xy)
         return Plane(normal, float(normal @ self._at(surface, 0.0)))
 
-    def _used(self, surface: Surface) -> Pair | None:
+    def _used(self, surface: Wall) -> Pair | None:
         """The edge of its body that a surface is, and farther to where something lies on it."""
         spans = [] if surface.edge is None else [surface.edge]
         for tip in surface.tips:
-            s, gap = along_surface(surface, tip, self.poses)
+            s, gap = along_wall(surface, tip, self.poses)
             near = s[np.abs(gap) < max(_NEAR * self.u, 1.1 * float(np.abs(gap).min()))]
             reach = 0.0 if surface.edge else max(1.5 * tip.radius, 2 * self.u)
             spans.append((float(near.min()) - reach, float(near.max()) + reach))
@@ -73,17 +73,17 @@ class Surfaces:
         return min(low for low, _ in spans), max(high for _, high in spans)
 
     # -- drawing ------------------------------------------------------------------------------
-    def _at(self, surface: Surface, travel: float) -> Array:
+    def _at(self, surface: Wall, travel: float) -> Array:
         """(2,) [m] a point of the surface as drawn, in its body."""
-        along, normal = np.array(surface.along[1:]), np.array(surface.along.normal()[1:])
+        along, normal = np.array(surface.along.xy), np.array(surface.along.normal().xy)
         lower = 0.0 if surface.edge else min((self._surplus(tip) for tip in surface.tips), default=0.0)
-        return np.array(surface.through[1:]) + travel * along - lower * normal
+        return np.array(surface.through.xy) + travel * along - lower * normal
 
     def _surplus(self, tip: Tip) -> float:
-        figure = self.figures.get(tip.figure)
+        figure = self.figures.get(tip.body)
         return surplus(figure, self.u) if figure and not tip.radius else 0.0
 
-    def _draw(self, surface: Surface, ends: Pair) -> Iterator[Path]:
+    def _draw(self, surface: Wall, ends: Pair) -> Iterator[Path]:
         body = surface.through.body
         x, y = map(float, self._at(surface, 0.0))
         low, high = ends

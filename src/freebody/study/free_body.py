@@ -23,16 +23,16 @@ from freebody.loads.gravity import Gravity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.glyphs import Rope
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force, Kind
 from freebody.present.picture.label import Label, Run, beside, formula, name
-from freebody.present.ropes import is_rope
 from freebody.study.action import Action, cross
 from freebody.study.load_symbols import LoadSymbols, without_sign
 from freebody.study.points import own_measures
-from freebody.study.strings import Pull, pulls
+from freebody.study.strings import Pull, pulls, rope_of
 from freebody.system.symbols import ReactionSymbol, reaction_symbols
 from freebody.system.system import System
 
@@ -125,10 +125,12 @@ class FreeBody:
 
     # -- reactions ----------------------------------------------------------------------------
     def _connection(self, rows: Sequence[Held], *, only_outside: bool) -> Iterator[Force]:
-        ropes = [] if self.system.space else [row for row in rows if is_rope(row)]
-        for row, found in pulls(ropes, self.reference, self.snapshot):
+        rope = None if self.system.space else rope_of(self.system, rows[0].connection)
+        leads = rope.sign.leads if rope is not None and isinstance(rope.sign, Rope) else ()
+        taut = [row for row in rows if row.component in {lead.row for lead in leads}]
+        for row, found in pulls(rope, taut, self.reference, self.snapshot) if rope is not None else ():
             yield from self._string(row, found, only_outside=only_outside)
-        rest = [row for row in rows if row not in ropes]
+        rest = [row for row in rows if row not in taut]
         for row in rest:
             if not (only_outside and self._is_internal(row.measure)):
                 yield from self._reaction(row, rest)

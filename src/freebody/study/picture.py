@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.model.glyphs import Spring
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
@@ -150,11 +151,13 @@ def _valued(force: Force, found: Instant) -> Force:
 
 
 def _in_the_plane(found: Instant, acting: Sequence[Force], show: Sequence[str], title: str) -> Picture:
-    from freebody.present.picture.whole import Whole, described, distance_of
+    from freebody.present.picture.whole import Whole, described
     from freebody.present.places import Places
 
     system, reference = found.snapshot.reference.system, found.snapshot.reference
-    arrows = {push.name for push in system.pushes if distance_of(push.measure) is None}
+    # a spring shows that it pulls, every other load is an arrow
+    springs = {shown.owner for shown in system.glyphs if shown.is_load and isinstance(shown.sign, Spring)}
+    arrows = {push.name for push in system.pushes if push.load not in springs}
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
     whole = Whole(system, Places(system, reference.number), poses_of(found.snapshot), loads)
     if show:

@@ -6,9 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from freebody.language.expression import free_symbols
-from freebody.measures.displacement import Displacement
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
 from freebody.numeric.jets import Array
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.forces import Force
@@ -17,8 +14,9 @@ from freebody.present.picture.picture import Picture
 from freebody.present.picture.shapes import Ink
 from freebody.present.picture.space import SpaceSketch, free_body_in_space, whole_in_space
 from freebody.present.picture.whole import described
+from freebody.present.places import Places
+from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.scene import Places, Scene
 from freebody.study.instant import Instant
 from freebody.study.points import points_of
 from freebody.study.shown import forces_in_numbers, vector_of
@@ -33,9 +31,8 @@ def drawn_in_space(
     system, number = found.snapshot.reference.system, found.snapshot.reference.number
     scene = Scene.of(system, number)
     drawing = Drawing.of(scene, *poses_of(found))
-    arrows = [p.name for p in system.pushes if _has_arrow(p)]
-    loads = {force.name: force for force in reversed(acting) if force.kind == "load" and force.name in arrows}
-    sketch = whole_in_space(drawing, [loads[name] for name in arrows if name in loads], view, perspective=perspective)
+    loads = [force for force in acting if force.kind == "load"]
+    sketch = whole_in_space(drawing, loads, view, perspective=perspective)
     if show:
         _add_shown(sketch, found, show)
     return sketch.finished(title, described(system, ()))
@@ -63,17 +60,10 @@ def free_body(
     )
 
 
-def _has_arrow(push: Push) -> bool:
-    """Whether the drawing itself has an arrow for a load."""
-    if isinstance(push.measure, RateMeasure):
-        return True
-    return isinstance(push.measure, Displacement) and not free_symbols(push.law) & {VALUE.name, RATE.name}
-
-
 def _add_shown(sketch: SpaceSketch, found: Instant, show: Sequence[str]) -> None:
     """Velocities, accelerations and forces over a drawing."""
     system, drawing = found.snapshot.reference.system, sketch.drawing
-    index = {form.name: form.index for form in drawing.scene.forms}
+    index = {form.name: form.index for form in drawing.scene.figures}
     feet = {body: sketch.seen(drawing.poses.centers[0, k]) for body, k in index.items()}
     for word, letter, unit in (("velocity", "v", "m/s"), ("acceleration", "a", "m/s²")):
         if word in show:

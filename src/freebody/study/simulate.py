@@ -286,8 +286,8 @@ class Simulation:
         return figure
 
     def _animate_in_space(self, path: Path, speed: float) -> Path:
+        from freebody.present.scene import Scene
         from freebody.present.space.animation import write_animation
-        from freebody.present.space.scene import Scene
 
         course = self.course
         assert course.rotation is not None

@@ -6,43 +6,44 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from freebody.language.expression import Expr
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import Point, position
+from freebody.measures.geometry import Direction, Point, position
 from freebody.measures.lead import Lead
 from freebody.model.elements import Held
+from freebody.model.glyphs import Rope, Shown, in_numbers
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.present.figures import GROUND, Heading, Place, turned
+from freebody.present.figures import GROUND, Heading, turned
 from freebody.present.layout import headings
 from freebody.present.places import Places
-from freebody.present.ropes import rope
+from freebody.system.system import System
 
+Glyph = Shown[Point, Direction, Expr]
 Pull = tuple[str, str, Array, Array]  # body, the body at the other end, where, pull per unit of tension
 
 
-def pulls(rows: Sequence[Held], reference: Reference, snapshot: Snapshot) -> Iterator[tuple[Held, list[Pull]]]:
+def rope_of(system: System, connection: str) -> Glyph | None:
+    """What a connection draws as a string, if it is one."""
+    own = (shown for shown in system.glyphs if shown.owner == connection and not shown.is_load)
+    return next((shown for shown in own if isinstance(shown.sign, Rope)), None)
+
+
+def pulls(
+    rope: Glyph, rows: Sequence[Held], reference: Reference, snapshot: Snapshot
+) -> Iterator[tuple[Held, list[Pull]]]:
     """For each row of a string, in order: its pulls at bodies."""
-    if not rows:
-        return
     system = reference.system
     places = Places(system, reference.number)
-
-    def rim(place: Place) -> float | None:
-        for body in system.bodies.values():
-            if body.radius is not None and _is_near(places.place(body.center), place):
-                return reference.number(body.radius)
-        return None
-
-    way = rope(rows, places.place, places.heading, reference.number, rim)
-    if way is None:
-        yield from ((row, []) for row in rows)
-        return
+    shown = in_numbers(rope, places.place, places.heading, reference.number)
+    way = shown.sign
+    assert isinstance(way, Rope)
     poses = np.array([reference.pose(snapshot.q, body.name) for body in system.moving]).reshape(1, -1, 3)
     bearings = headings(way, poses)[0]
-    k = 0
     for row in rows:
+        k = next(k for k, lead in enumerate(way.leads) if lead.row == row.component)
         assert isinstance(row.measure, Combination)
         found: list[Pull] = []
         for coefficient, measure in row.measure.terms:
@@ -51,7 +52,7 @@ def pulls(rows: Sequence[Held], reference: Reference, snapshot: Snapshot) -> Ite
             assert isinstance(measure, Lead | Displacement)
             ends = (measure.start, measure.end) if isinstance(measure, Lead) else (measure.origin, measure.of)
             share = abs(reference.number(coefficient))
-            heading = way.leads[k]
+            heading = way.leads[k].along
             bearing = float(bearings[k]) if heading is None else _fixed(heading, poses)
             e, n = turned(bearing, 1.0, 0.0), turned(bearing, 0.0, 1.0)
             for j, sign in ((0, 1.0), (1, -1.0)):
@@ -71,7 +72,3 @@ def _position(reference: Reference, snapshot: Snapshot, point: Point) -> Array:
 
     r = position(snapshot.geometry, point)
     return np.array([r.x.value, r.y.value])
-
-
-def _is_near(a: Place, b: Place) -> bool:
-    return a.body == b.body and abs(a.x - b.x) < 1e-9 and abs(a.y - b.y) < 1e-9

@@ -163,6 +163,7 @@ class Reader:
             space=self.names.space,
             up=self.names.up,
             frames=self.names.frames,
+            names=self.names,
             attitudes=self._attitudes(connections),
         )
 

@@ -21,9 +21,10 @@ from freebody.language.expression import Expr
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
-from freebody.measures.geometry import ONE, ZERO, Components
+from freebody.measures.geometry import ONE, ZERO, Components, Direction, Point
 from freebody.model.elements import Attitude, Bound, Held, Parameter, Push, RigidBody, Rub
-from freebody.model.names import did_you_mean
+from freebody.model.glyphs import Shown
+from freebody.model.names import Names, did_you_mean
 from freebody.model.rotations import Columns
 from freebody.model.spec import Spec
 from freebody.questions.reading import Question
@@ -59,6 +60,7 @@ class System:
     up: Components = (ZERO, ONE)  # the vertical, for pictures and heights
     attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
     frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
+    names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
 
     # -- making -------------------------------------------------------------------------------
     @classmethod
@@ -142,6 +144,15 @@ class System:
     @cached_property
     def _rows(self) -> tuple[Held, ...]:
         return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
+
+    @cached_property
+    def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
+        """What connections and loads look like, in the order of the model."""
+        joined = [(name, it, False) for name, it in self.connections.items()]
+        pushed = [(name, it, True) for name, it in self.loads.items()]
+        return tuple(
+            Shown(name, glyph, is_load) for name, it, is_load in (*joined, *pushed) for glyph in it.glyphs(self.names)
+        )
 
     @cached_property
     def _sites(self) -> tuple[tuple[Bound, ...], tuple[Rub, ...]]:

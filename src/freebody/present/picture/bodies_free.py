@@ -60,8 +60,7 @@ def _cut_joints(scene: Scene, bodies: Sequence[str], drawing: Drawing, sketch: S
     """Small circles where pins and links to others were."""
     kept = {k for k, name in enumerate(scene.names) if name in bodies}
     dots = {figure.mass_center for figure in scene.figures if figure.is_particle}
-    ends = [(pin.first, pin.second) for pin in scene.joints.pins if not pin.clamps] + scene.joints.links
-    for pair in ends:
+    for pair in (*scene.pins, *scene.rods):
         for own, other in (pair, pair[::-1]):
             if own.body in kept and other.body not in kept and own not in dots:
                 at = sketch.at(positions(drawing.poses, own)[0])

@@ -35,7 +35,7 @@ class Coordinates:
 
     def __init__(self, sketch: Sketch, drawing: Drawing, places: Places) -> None:
         self.sketch, self.drawing, self.places = sketch, drawing, places
-        self.figures = {figure.turn: figure for figure in drawing.scene.figures if figure.turn != GROUND}
+        self.figures = {figure.index: figure for figure in drawing.scene.figures if figure.index != GROUND}
 
     def draw(self, called: str, measure: Measure, sense: int = 1) -> None:
         """sense: -1 for one that grows against the measure."""
@@ -66,7 +66,7 @@ class Coordinates:
         """[rad] the angle of a body."""
         if body in self.places.index:
             return float(self.drawing.poses[0, self.places.index[body], 2])
-        return self.places.fixed[body][2]
+        return self.places.poses[body][2]
 
     # -- displacements ------------------------------------------------------------------------
     def _displacement(self, called: str, measure: Displacement) -> None:
@@ -137,9 +137,9 @@ class Coordinates:
         """Where a body is pinned, to the ground rather than to others; else its middle."""
         found = [
             (other.body != GROUND, own)
-            for pin in self.drawing.scene.joints.pins
-            for own, other in ((pin.first, pin.second), (pin.second, pin.first))
-            if own.body == figure.turn
+            for pin in (*self.drawing.scene.pins, *self.drawing.scene.welds)
+            for own, other in (pin, pin[::-1])
+            if own.body == figure.index
         ]
         return min(found, key=lambda item: item[0])[1] if found else figure.center
 

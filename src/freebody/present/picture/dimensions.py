@@ -11,11 +11,10 @@ import numpy as np
 from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, Symbol, divide, evaluate, free_symbols, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
-from freebody.measures.displacement import Displacement
-from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND as GROUND_NAME
-from freebody.measures.geometry import Components, Direction
+from freebody.measures.geometry import Components
 from freebody.model.elements import RigidBody
+from freebody.model.glyphs import Rail, Rod, Surface, Track
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Figure, Place, positions
 from freebody.present.picture.label import Label, formula
@@ -68,7 +67,7 @@ class Dimensions:
         if label is None or rim < _LEAST or not self._is_new(label):
             return
         middle = self._at(figure.center)
-        turn = 0.0 if figure.turn == GROUND else float(self.drawing.poses[0, figure.turn, 2])
+        turn = 0.0 if figure.index == GROUND else float(self.drawing.poses[0, figure.index, 2])
         options: list[list[Shape]] = []
         for angle in _ANGLES:
             way = unit(turn + angle)
@@ -86,17 +85,12 @@ class Dimensions:
     # -- lengths ------------------------------------------------------------------------------
     def _links(self) -> None:
         """Lengths of links without mass."""
-        for row in self.system.held:
-            target, measure = row.target, row.measure
-            if isinstance(measure, Distance) and target is not None and self._is_link(measure):
-                label = self._plain(target)
-                if label is not None and self._is_new(label):
-                    start, end = (self._at(self.places.place(point)) for point in (measure.start, measure.end))
-                    self._dimension(label, start, end, 1.0)
-
-    def _is_link(self, measure: Distance) -> bool:
-        ends = self.places.place(measure.start), self.places.place(measure.end)
-        return ends in self.drawing.scene.joints.links
+        for shown in self.system.glyphs:
+            if isinstance(shown.sign, Rod) and shown.sign.length is not None:
+                label = self._plain(shown.sign.length)
+                ends = self.places.place(shown.sign.first), self.places.place(shown.sign.second)
+                if label is not None and self._is_new(label) and ends in self.drawing.scene.rods:
+                    self._dimension(label, self._at(ends[0]), self._at(ends[1]), 1.0)
 
     def _lengths(self, figure: Figure, body: RigidBody) -> None:
         """Between neighbours along a rod, along two edges of a polygon."""
@@ -131,7 +125,7 @@ class Dimensions:
         if figure.radius is not None or len(figure.outline) != 2:
             return
         along = figure.outline[1] - figure.outline[0]
-        order = sorted(figure.points, key=lambda n: float(along @ np.array(figure.points[n][1:])))
+        order = sorted(figure.points, key=lambda n: float(along @ np.array(figure.points[n].xy)))
         distinct: list[str] = []
         for name in order:
             if not distinct or np.hypot(*(self._at(figure.points[name]) - self._at(figure.points[distinct[-1]]))) > 1.0:
@@ -219,9 +213,9 @@ class Dimensions:
     def _directions(self) -> Iterable[Components]:
         for line in self.system.bodies[GROUND_NAME].lines.values():
             yield line.direction.components
-        for row in self.system.rows:
-            if isinstance(row.measure, Displacement) and row.measure.along.body == GROUND_NAME:
-                yield _quarter(row.measure.along).components
+        for shown in self.system.glyphs:
+            if isinstance(shown.sign, (Rail, Track, Surface)) and shown.sign.along.body == GROUND_NAME:
+                yield shown.sign.along.components
 
     def _surface(self, angle: float) -> tuple[Array, Array] | None:
         """The ends of a surface of the ground with this direction."""
@@ -237,7 +231,3 @@ class Dimensions:
                 if abs(math.sin(math.atan2(way[1], way[0]) - angle)) < 1e-6:
                     return a, b
         return None
-
-
-def _quarter(direction: Direction) -> Direction:
-    return direction.normal()

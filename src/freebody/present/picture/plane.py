@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from freebody.model.glyphs import Equation, Field, Halt, Surface, Touch, TurnHalt
 from freebody.present.drawing import Drawing
-from freebody.present.figures import Array, Joints
+from freebody.present.figures import Array, Drawn, owners
 from freebody.present.layout import bounds
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.sketch import Sketch
@@ -70,20 +71,17 @@ def part_of(scene: Scene, bodies: Sequence[str]) -> Scene:
     """The scene of some bodies alone: what joins them with each other."""
     figures = tuple(figure for figure in scene.figures if figure.name in bodies)
     kept = {k for k, name in enumerate(scene.names) if name in bodies}
-    joints = scene.joints
 
-    def inside(*owners: int) -> bool:
-        return set(owners) <= kept
+    def is_inside(sign: Drawn) -> bool:
+        match sign:
+            case Touch(first, second):
+                return first in bodies and second in bodies
+            case Surface() | Halt() | TurnHalt() | Equation() | Field():
+                return False
+            case _:
+                return owners(sign) <= kept
 
-    part = Joints(
-        pins=[p for p in joints.pins if inside(p.first.body, p.second.body)],
-        guides=[g for g in joints.guides if inside(g.point.body, g.along.body)],
-        links=[(a, b) for a, b in joints.links if inside(a.body, b.body)],
-        contacts=[c for c in joints.contacts if inside(c.first.body, c.second.body)],
-        ropes=[rope for rope in joints.ropes if inside(*(node.place.body for node in rope.nodes))],
-        springs=[s for s in joints.springs if inside(s.first.body, s.second.body)],
-        touching={pair for pair in joints.touching if inside(*pair)},
-    )
+    shown = tuple(shown for shown in scene.shown if is_inside(shown.sign))
     figures = tuple(
         replace(
             f,
@@ -92,4 +90,4 @@ def part_of(scene: Scene, bodies: Sequence[str]) -> Scene:
         )
         for f in figures
     )
-    return replace(scene, figures=figures, joints=part)
+    return replace(scene, figures=figures, shown=shown)

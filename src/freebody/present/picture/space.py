@@ -8,6 +8,7 @@ from itertools import islice, zip_longest
 
 import numpy as np
 
+from freebody.model.glyphs import ForceArrow, MomentArrow
 from freebody.present.figures import Array
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
@@ -17,14 +18,14 @@ from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.picture.sketch import Sketch
+from freebody.present.scene import Scene
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing, shells_of
-from freebody.present.space.figures import Poses, Ties
+from freebody.present.space.figures import Poses
 from freebody.present.space.labels import Ink as Painted
 from freebody.present.space.labels import names
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
-from freebody.present.space.scene import Scene
 from freebody.present.space.shells import Shells
 from freebody.present.space.symbols import arrow, curved_arrow
 
@@ -93,7 +94,7 @@ class SpaceSketch(Sketch):
                 owned.setdefault(index, []).append((shot, marks))
         letter = _SIZE / self.scale
         inks = {index: Painted.of(own, letter) for index, own in owned.items()}
-        called = {form.index: form.name for form in self.drawing.scene.forms}
+        called = {form.index: form.name for form in self.drawing.scene.figures}
         low, high = self.drawing.bounds(self.view)
         frame = low - 6 * letter, high + 6 * letter
         for found in names(inks, called, (_LETTER * letter, letter), frame):
@@ -113,8 +114,14 @@ class SpaceSketch(Sketch):
     def name_loads(self, forces: Sequence[Force]) -> None:
         """Symbols beside the arrows that the drawing has for forces and torques, in their order."""
         pieces = iter(piece for piece in self.drawing.pieces if piece.look == "force")
-        for force, load in zip(forces, self.drawing.scene.ties.arrows, strict=False):
-            parts = list(islice(pieces, _N_CURVED if load.turns else _N_STRAIGHT))
+        called = {force.name: force for force in reversed(forces)}
+        for shown in self.drawing.scene.shown:
+            if not isinstance(shown.sign, (ForceArrow, MomentArrow)):
+                continue
+            parts = list(islice(pieces, _N_STRAIGHT if isinstance(shown.sign, ForceArrow) else _N_CURVED))
+            force = called.pop(shown.owner, None)
+            if force is None:
+                continue
             points = np.concatenate([self.seen(piece.placed(self.drawing.poses, 0)[0]) for piece in parts])
             middle = points.mean(axis=0)
             spots = [points[int(((points - middle) @ way).argmax())] for _at, way in around(middle)]
@@ -156,15 +163,15 @@ def free_body_in_space(
 ) -> Picture:
     """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes; partners: which bodies a force acts between, by its
     name."""
-    part = replace(scene, forms=tuple(form for form in scene.forms if form.name in bodies), ties=Ties(), gravity=None)
+    part = replace(scene, figures=tuple(form for form in scene.figures if form.name in bodies), shown=(), planes=())
     drawing, shells = Drawing.of(part, *poses), shells_of(scene, poses)
-    if any(form.index in shells.forms for form in part.forms):  # of made-up size: as in the whole picture
+    if any(form.index in shells.forms for form in part.figures):  # of made-up size: as in the whole picture
         whole = Drawing.of(scene, *poses)
-        own = {form.index for form in part.forms}
+        own = {form.index for form in part.figures}
         pieces = [p for p in whole.pieces if p.look in OF_BODIES and p.turn in own and p.place.body in own]
         drawing = replace(whole, scene=part, pieces=[p for p in pieces if p.end is None])
     sketch = SpaceSketch(drawing, angles, _ROOM_FREE, perspective=perspective, with_names=False)
-    index = {form.name: form.index for form in part.forms}
+    index = {form.name: form.index for form in part.figures}
 
     def where(force: Force) -> tuple[Array, Array]:
         center = drawing.poses.centers[0, index[force.body]]
@@ -172,7 +179,7 @@ def free_body_in_space(
         return sketch.seen(center + np.array(force.at) + apart), sketch.seen(center)
 
     Arrows(sketch, where, seen=sketch.vector).draw(forces)
-    for form in part.forms:
+    for form in part.figures:
         middle = sketch.seen(drawing.poses.centers[0, form.index])
         places = tuple((at + 8.0 * way, way) for at, way in around(middle))
         sketch.wish(Wish(words(form.name), places, _SIZE, Ink("body", form.number), is_needed=False))
@@ -182,7 +189,7 @@ def free_body_in_space(
 
 def _apart(scene: Scene, poses: Poses, shells: Shells, bodies: frozenset[int], own: int) -> Array:
     """(3,) [m] how far from its place a joint of bodies without extent is drawn on one of them."""
-    for joint in scene.ties.joints:
+    for joint in shells.joints:
         if frozenset((joint.first.body, joint.second.body)) != bodies or own not in shells.forms:
             continue
         if joint.axis is not None:

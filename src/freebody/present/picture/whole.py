@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from freebody.language.expression import differentiate, free_symbols
-from freebody.loads.gravity import Gravity
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.measures.distance import Distance
 from freebody.model.elements import RATE, VALUE, Push, RateMeasure
-from freebody.present.figures import GROUND, Array, Place, positions
+from freebody.model.glyphs import Spring
+from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
 from freebody.present.picture.bodies_free import name_beside
 from freebody.present.picture.coordinates import Coordinates
@@ -25,7 +24,7 @@ from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.signs import across, arrow
 from freebody.present.picture.sketch import Sketch
 from freebody.present.places import Places
-from freebody.present.scene import Scene, inside
+from freebody.present.scene import Scene
 from freebody.system.system import System
 
 _ROOMS = {0: (120.0, 90.0), 1: (170.0, 120.0), 2: (265.0, 190.0)}  # [points], by the number of bodies
@@ -60,7 +59,8 @@ class Whole:
             name_beside(self.sketch, figure, self.drawing.poses)
         self._name_springs()
         self._name_points()
-        corner_signs(self.sketch, gravity_of(self.system, self.places))
+        gravity = self.scene.gravity
+        corner_signs(self.sketch, None if gravity is None else gravity[:2])
         return self.sketch
 
     def _draw_signs(self) -> None:
@@ -74,12 +74,12 @@ class Whole:
 
     # -- names --------------------------------------------------------------------------------
     def _name_springs(self) -> None:
-        for push in self.system.pushes:
-            inner = distance_of(push.measure)
-            label = constants_of(push)
-            if inner is None or label is None:
+        for shown in self.scene.shown:
+            own = (push for push in self.system.pushes if push.load == shown.owner and shown.is_load)
+            label = next((label for push in own if (label := constants_of(push)) is not None), None)
+            if not isinstance(shown.sign, Spring) or label is None:
                 continue
-            a, b = (self._at(self.places.place(point)) for point in (inner.start, inner.end))
+            a, b = self._at(shown.sign.first), self._at(shown.sign.second)
             length = float(np.hypot(*(b - a)))
             if length < 8.0:
                 continue
@@ -90,11 +90,10 @@ class Whole:
 
     def _name_points(self) -> None:
         """Points of the ground and of bodies at which something is joined, if their names are short."""
-        joints = self.scene.joints
-        used = {place for pin in joints.pins for place in (pin.first, pin.second)}
-        used |= {place for link in joints.links for place in link}
-        used |= {place for spring in joints.springs for place in (spring.first, spring.second)}
-        used |= {node.place for rope in joints.ropes for node in rope.nodes if not node.arm}
+        scene = self.scene
+        used = {place for pair in (*scene.pins, *scene.welds, *scene.rods) for place in pair}
+        used |= {place for spring in scene.springs for place in (spring.first, spring.second)}
+        used |= {node.place for rope in scene.ropes for node in rope.nodes if not node.arm}
         named: dict[Place, str] = {}
         for body in self.system.bodies.values():
             for called in body.points:
@@ -144,21 +143,6 @@ def _signs(at: Array, gravity: Array | None) -> Iterator[Shape | Wish]:
         yield from arrow(middle - 12.0 * gravity, middle + 12.0 * gravity, ink, 1.3, 6.0)
         side = across(gravity)
         yield Wish(name("g"), ((middle, side), (middle, -side)), 10.0, ink, weight=9.0)
-
-
-def gravity_of(system: System, places: Places) -> Array | None:
-    """(2,) its direction, if there is any."""
-    for push in system.pushes:
-        if isinstance(system.loads.get(push.load), Gravity) and isinstance(push.measure, Displacement):
-            heading = places.heading(push.measure.along)
-            return np.array(heading[1:]) if heading.body == GROUND else None
-    return None
-
-
-def distance_of(measure: Measure | RateMeasure) -> Distance | None:
-    """The distance that a spring pushes."""
-    inner = inside(measure)
-    return inner if isinstance(inner, Distance) else None
 
 
 def constants_of(push: Push) -> Label | None:

@@ -14,10 +14,10 @@ from freebody.errors import InputError
 from freebody.present.animation import FEWEST, GIF_RATE, N_FRAMES, RATE, n_frames, write_gif, write_mp4
 from freebody.present.figures import Array
 from freebody.present.files import replaced
+from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
 from freebody.present.space.page import page
-from freebody.present.space.scene import Scene
 from freebody.present.space.stills import checked, figure_of, paint_frame
 from freebody.present.space.view import AZIMUTH, ELEVATION
 

@@ -6,8 +6,7 @@ from collections.abc import Collection, Iterator
 
 import numpy as np
 
-from freebody.present.figures import Array
-from freebody.present.space.figures import Form, Place, Triple
+from freebody.present.figures import Array, Figure, Place, Triple
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.solids import Solid, band, basis, box, marked, marked_cone, plate, prism
 
@@ -17,27 +16,27 @@ GEAR = 0.08  # that of a gear wheel
 _N_TEETH = 32
 
 
-def convex(form: Form, u: float) -> Solid | None:
+def convex(form: Figure, u: float) -> Solid | None:
     """The solid of a body about its mass centre, for what is convex and no ball; u: [m] the size of symbols."""
     sizes = form.sizes
     axes = basis(form.axis or (0.0, 0.0, 1.0))
     if form.solid == "box" and min(sizes) > 0.0:
-        return box(*sizes).moved(np.eye(3), form.center)
+        return box(*sizes).moved(np.eye(3), form.center.at)
     if form.solid == "box":
-        return plate(_middle_sheet(sizes)).moved(np.eye(3), form.center)
+        return plate(_middle_sheet(sizes)).moved(np.eye(3), form.center.at)
     if form.solid == "plate" and len(form.corners) > 2:
-        return plate(np.array(form.corners))
+        return plate(np.array([corner.at for corner in form.corners]))
     if form.solid == "cylinder":
         radius, length = sizes
-        return marked(prism(radius, -0.5 * length, 0.5 * length)).moved(axes, form.center)
+        return marked(prism(radius, -0.5 * length, 0.5 * length)).moved(axes, form.center.at)
     if form.solid == "cone":
-        return marked_cone(*sizes).moved(axes, form.center)
+        return marked_cone(*sizes).moved(axes, form.center.at)
     if form.solid == "disk":
         half = (GEAR if form.is_toothed else THIN) * sizes[0]
-        return marked(prism(sizes[0], -half, half), _N_TEETH if form.is_toothed else 1).moved(axes, form.center)
+        return marked(prism(sizes[0], -half, half), _N_TEETH if form.is_toothed else 1).moved(axes, form.center.at)
     if form.solid == "rod":
         radius = min(0.55 * u, 0.1 * sizes[0])
-        return prism(radius, -0.5 * sizes[0], 0.5 * sizes[0], 12).moved(basis((1.0, 0.0, 0.0)), form.center)
+        return prism(radius, -0.5 * sizes[0], 0.5 * sizes[0], 12).moved(basis((1.0, 0.0, 0.0)), form.center.at)
     return None
 
 
@@ -51,32 +50,32 @@ def _middle_sheet(sizes: tuple[float, ...]) -> Array:
     return corners
 
 
-def reach(form: Form) -> float:
+def reach(form: Figure) -> float:
     """[m] how far a body goes from its mass centre at most, by its solid and its points."""
     solid = convex(form, 0.0)
-    far = max((float(np.linalg.norm(p)) for p in form.points.values()), default=0.0)
+    far = max((float(np.linalg.norm(p.at)) for p in form.points.values()), default=0.0)
     if solid is not None:
         far = max(far, float(np.linalg.norm(solid.points, axis=1).max()))
     if form.solid in ("ring", "sphere"):
-        far = max(far, float(np.linalg.norm(form.center)) + form.sizes[0])
+        far = max(far, float(np.linalg.norm(form.center.at)) + form.sizes[0])
     return far
 
 
-def body_pieces(form: Form, used: Collection[Triple], u: float, *, is_fixed: bool) -> Iterator[Piece]:
+def body_pieces(form: Figure, used: Collection[Triple], u: float, *, is_fixed: bool) -> Iterator[Piece]:
     """used: the points of the body at which something is joined to it."""
     look, color = ("fixed body", -1) if is_fixed else ("body", form.number)
-    middle = Place(form.index, (0.0, 0.0, 0.0))
+    middle = Place(form.index, 0.0, 0.0, 0.0)
     solid = convex(form, u)
     if form.is_particle:
         yield ball(middle, 0.9 * u, "dot" if not is_fixed else look, color)
     elif form.solid == "sphere":
-        yield ball(Place(form.index, form.center), form.sizes[0], look, color, has_circles=True)
+        yield ball(form.center, form.sizes[0], look, color, has_circles=True)
     elif form.solid == "ring":
         radius = form.sizes[0]
         axes = basis(form.axis or (0.0, 0.0, 1.0))
         hoop = "fixed hoop" if is_fixed else "hoop"
         for part in band(radius, HOOP[0] * radius, HOOP[1] * radius):
-            yield Piece(part.moved(axes, form.center), middle, form.index, hoop, color)
+            yield Piece(part.moved(axes, form.center.at), middle, form.index, hoop, color)
     elif solid is not None:
         yield Piece(solid, middle, form.index, look, color)
     else:
@@ -85,39 +84,39 @@ def body_pieces(form: Form, used: Collection[Triple], u: float, *, is_fixed: boo
     yield from _arms(form, solid, used, u, look, color)
 
 
-def _skeleton(form: Form, u: float, look: str, color: int) -> Iterator[Piece]:
+def _skeleton(form: Figure, u: float, look: str, color: int) -> Iterator[Piece]:
     """Lines from the reference point through the named points; three points in all make a sheet."""
     others = [name for name in form.points if name not in ("mass_center", "center", "origin")]
-    tips = list(dict.fromkeys(form.points[name] for name in others))
-    tips = [tip for tip in tips if _apart(tip, form.center) > 1e-9]
-    corners = np.array([form.center, *tips])
+    tips = list(dict.fromkeys(form.points[name].at for name in others))
+    tips = [tip for tip in tips if _apart(tip, form.center.at) > 1e-9]
+    corners = np.array([form.center.at, *tips])
     if len(corners) == 3 and float(np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0]))) > 1e-12:
-        yield Piece(plate(corners), Place(form.index, (0.0, 0.0, 0.0)), form.index, "web", color)
-        bars = [(form.center, tips[0]), (form.center, tips[1]), (tips[0], tips[1])]
+        yield Piece(plate(corners), Place(form.index, 0.0, 0.0, 0.0), form.index, "web", color)
+        bars = [(form.center.at, tips[0]), (form.center.at, tips[1]), (tips[0], tips[1])]
     else:
-        bars = [(form.center, tip) for tip in tips]
+        bars = [(form.center.at, tip) for tip in tips]
     for a, b in bars:
         yield _bar(form, a, b, 0.34 * u, look, color)
     if form.has_mass or not tips:
-        yield ball(Place(form.index, (0.0, 0.0, 0.0)), 0.7 * u, "dot" if look == "body" else look, color)
+        yield ball(Place(form.index, 0.0, 0.0, 0.0), 0.7 * u, "dot" if look == "body" else look, color)
 
 
 def _arms(
-    form: Form, solid: Solid | None, used: Collection[Triple], u: float, look: str, color: int
+    form: Figure, solid: Solid | None, used: Collection[Triple], u: float, look: str, color: int
 ) -> Iterator[Piece]:
     """A bar from the middle of a body to what is joined to it outside its solid."""
     for tip in used:
         gap = _gap(form, solid, np.array(tip))
         if gap > 0.5 * u:
-            yield _bar(form, form.center if form.solid != "cone" else (0.0, 0.0, 0.0), tip, 0.5 * u, look, color)
+            yield _bar(form, form.center.at if form.solid != "cone" else (0.0, 0.0, 0.0), tip, 0.5 * u, look, color)
 
 
-def _gap(form: Form, solid: Solid | None, tip: Array) -> float:
+def _gap(form: Figure, solid: Solid | None, tip: Array) -> float:
     """[m] how far a point is outside a body, about."""
     if form.solid == "ring":
-        return float(np.linalg.norm(tip - form.center)) - form.sizes[0] if form.sizes else 0.0
+        return float(np.linalg.norm(tip - form.center.at)) - form.sizes[0] if form.sizes else 0.0
     if form.solid == "sphere":
-        return float(np.linalg.norm(tip - form.center)) - form.sizes[0]
+        return float(np.linalg.norm(tip - form.center.at)) - form.sizes[0]
     if solid is None:
         return float(np.linalg.norm(tip))
     return max((float(n @ (tip - p)) for n, p in planes(solid)), default=0.0)
@@ -131,11 +130,11 @@ def planes(solid: Solid) -> Iterator[tuple[Array, Array]]:
             yield normal / size, solid.points[face[0]]
 
 
-def _bar(form: Form, a: Triple, b: Triple, radius: float, look: str, color: int) -> Piece:
+def _bar(form: Figure, a: Triple, b: Triple, radius: float, look: str, color: int) -> Piece:
     ends = np.array([a, b])
     length = float(np.linalg.norm(ends[1] - ends[0]))
     bar = prism(min(radius, 0.12 * length), 0.0, length, 12).moved(basis(ends[1] - ends[0]), a)
-    return Piece(bar, Place(form.index, (0.0, 0.0, 0.0)), form.index, look, color)
+    return Piece(bar, Place(form.index, 0.0, 0.0, 0.0), form.index, look, color)
 
 
 def _apart(a: Triple, b: Triple) -> float:

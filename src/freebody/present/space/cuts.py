@@ -6,10 +6,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Figure, Place
+from freebody.present.scene import Scene
 from freebody.present.space.bodies import convex, planes
-from freebody.present.space.figures import Form, Place, Poses
-from freebody.present.space.scene import Scene
+from freebody.present.space.figures import Poses
 from freebody.present.space.solids import Solid
 
 DEEP = 5.0  # an axle that would run farther than this inside a body ends in it
@@ -20,8 +20,8 @@ class Cuts:
 
     def __init__(self, scene: Scene, poses: Poses, u: float) -> None:
         self.poses, self.u = poses, u
-        self.forms = {form.index: form for form in scene.forms}
-        self.solids = {form.index: convex(form, u) for form in scene.forms}
+        self.forms = {form.index: form for form in scene.figures}
+        self.solids = {form.index: convex(form, u) for form in scene.figures}
 
     def inside(self, places: Iterable[Place], along: Array, deep: float | None = None) -> tuple[float, float]:
         """From where to where along a line (3,) through places of bodies it is inside one of them; a way of more than
@@ -38,10 +38,10 @@ class Cuts:
         return low, high
 
 
-def _span(form: Form, solid: Solid | None, at: Array, along: Array) -> tuple[float, float]:
+def _span(form: Figure, solid: Solid | None, at: Array, along: Array) -> tuple[float, float]:
     """Where a line is inside a body; (0, 0) if it is not. Source: Cyrus & Beck, Computers & Graphics 3 (1978) 23."""
     if form.solid == "sphere":
-        way = at - np.array(form.center)
+        way = at - np.array(form.center.at)
         middle = -float(way @ along)
         square = form.sizes[0] ** 2 - float(way @ way) + middle**2
         return (middle - square**0.5, middle + square**0.5) if square > 0 else (0.0, 0.0)

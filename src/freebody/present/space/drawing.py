@@ -8,14 +8,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Toothed, Track, Wheels
+from freebody.present.figures import Array, Heading, Place, Triple, places_in
+from freebody.present.scene import Scene
 from freebody.present.space.bodies import body_pieces, convex
 from freebody.present.space.cuts import Cuts
-from freebody.present.space.figures import Place, Poses, Sheet, Triple
+from freebody.present.space.figures import Poses, poses_of
 from freebody.present.space.joints import Joints
 from freebody.present.space.loads import Loads
 from freebody.present.space.pieces import Piece
-from freebody.present.space.scene import Scene
 from freebody.present.space.shells import Shells
 from freebody.present.space.solids import basis, plate
 from freebody.present.space.stands import Stands
@@ -24,6 +25,8 @@ from freebody.present.space.view import AZIMUTH, ELEVATION, STRENGTH, View
 _SYMBOL = 0.026  # of the size of a scene
 _TINY = 1e-9  # [m] a scene of less has no lengths at all
 _N_KEYS = 40
+
+Sheet = tuple[Place, Heading]  # a point and the normal of a plane
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,7 @@ class Drawing:
     def of(cls, scene: Scene, centers: Array, axes: Array) -> Drawing:
         """centers: (n_times, n_moving, 3) [m] of mass centres; axes: (n_times, n_moving, 3, 3), whose columns are the
         axes of the bodies, in the order of `scene.names`."""
-        poses = scene.poses(np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64))
+        poses = poses_of(scene, np.asarray(centers, dtype=np.float64), np.asarray(axes, dtype=np.float64))
         low, high = _extent(scene, poses)
         size = _size(low, high)
         shells = Shells(scene, poses, size)
@@ -55,7 +58,7 @@ class Drawing:
         u = _SYMBOL * (float(np.linalg.norm(high - low)) or 1.0)
         drawing = cls(scene, poses, u, low - u, high + u, has_lengths=size > 0.0)
         used = _used(scene)
-        for form in scene.forms:
+        for form in scene.figures:
             if form.index in shells.forms:
                 drawing.pieces.extend(shells.pieces(form, u))
                 continue
@@ -65,7 +68,7 @@ class Drawing:
         drawing.pieces.extend(Joints(scene, poses, u, cuts, stands, shells).pieces())
         drawing.pieces.extend(Loads(scene, poses, u, cuts, stands, shells).pieces())
         drawing._frame()
-        sheets = [*scene.ties.sheets, *_flats(scene)]
+        sheets = [*scene.planes, *_flats(scene)]
         drawing.pieces[:0] = [drawing._sheet(sheet) for sheet in _different(sheets, poses)]
         drawing._frame()
         return drawing
@@ -107,9 +110,10 @@ class Drawing:
 
     def _sheet(self, sheet: Sheet) -> Piece:
         """A plane as far as bodies move over it, with a grid of a round distance."""
+        through, normal = sheet
         points = np.concatenate(list(self._points()))
-        axes = basis(self.poses.heading(sheet.normal, 0))
-        over = (points - self.poses.place(sheet.through, 0)) @ axes.T
+        axes = basis(self.poses.heading(normal, 0))
+        over = (points - self.poses.place(through, 0)) @ axes.T
         low, high = over.min(axis=0)[:2], over.max(axis=0)[:2]
         step = round_length(float((high - low).max()) / 6)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
@@ -122,16 +126,16 @@ class Drawing:
                 line = np.zeros((2, 3))
                 line[:, k], line[:, 1 - k] = level, (low[1 - k], high[1 - k])
                 lines.append(line)
-        body = sheet.normal.body
+        body = normal.body
         back = axes @ self.poses.axes[0, body]
         flat = plate(np.column_stack((corners, np.zeros(4)))).moved(back)
-        place = Place(body, self.poses.back(body, self.poses.place(sheet.through, 0), 0))
+        place = Place(body, *self.poses.back(body, self.poses.place(through, 0), 0))
         return Piece(flat, place, body, "plane", lines=tuple(line @ back for line in lines))
 
 
 def shells_of(scene: Scene, poses: tuple[Array, Array]) -> Shells:
     """The bodies of a scene without extent. poses: (n_times, n_moving, 3) and (n_times, n_moving, 3, 3)."""
-    every = scene.poses(*poses)
+    every = poses_of(scene, *poses)
     return Shells(scene, every, _size(*_extent(scene, every)))
 
 
@@ -149,13 +153,13 @@ def round_length(value: float) -> float:
 def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:
     """(3,), (3,) corners of a box round all bodies and joined points on their way."""
     corners: list[Array] = [poses.way(place) for place in _used(scene)]
-    for form in scene.forms:
+    for form in scene.figures:
         way = poses.centers[:, form.index]
         if form.solid in ("ring", "sphere"):
-            middle = poses.way(Place(form.index, form.center))
+            middle = poses.way(form.center)
             corners += [middle + form.sizes[0] * s for s in (-1.0, 1.0)]
         solid = convex(form, 0.0)
-        points = np.array([*form.points.values()]) if solid is None else solid.points
+        points = np.array([place.at for place in form.points.values()]) if solid is None else solid.points
         corners.append((way[:, None] + np.einsum("tij,nj->tni", poses.axes[:, form.index], points)).reshape(-1, 3))
     every = np.concatenate(corners) if corners else np.zeros((1, 3))
     return every.min(axis=0), every.max(axis=0)
@@ -163,28 +167,30 @@ def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:
 
 def _used(scene: Scene) -> list[Place]:
     """The places at which something is joined."""
-    ties = scene.ties
-    found = [place for joint in ties.joints for place in (joint.first, joint.second)]
-    found += [place for link in ties.links for place in link] + [place for string in ties.strings for place in string]
-    found += [place for spring in ties.springs for place in (spring.first, spring.second)]
-    found += [load.place for load in ties.arrows if not load.turns]
+    found: list[Place] = []
+    for sign in scene.signs:
+        match sign:
+            case Face() | MomentArrow() | Coil() | Track() | Wheels() | Belt() | Toothed() | Equation() | Shoe():
+                found += [sign.through, sign.point] if isinstance(sign, Face) and sign.turning != "rolls" else []
+            case _:
+                found += places_in(sign)
     return list(dict.fromkeys(found))
 
 
 def _flats(scene: Scene) -> Iterator[Sheet]:
     """The planes in which joints keep bodies."""
-    for joint in scene.ties.joints:
-        if joint.n_places == 1 and joint.axis is not None:
-            yield Sheet(joint.first, joint.axis)
+    for sign in scene.signs:
+        if isinstance(sign, Face):
+            yield sign.through, sign.normal
 
 
 def _different(sheets: Sequence[Sheet], poses: Poses) -> Iterator[Sheet]:
     """Each plane once."""
     seen: set[tuple[int, Triple, float]] = set()
-    for sheet in sheets:
-        normal = poses.heading(sheet.normal, 0)
+    for through, heading in sheets:
+        normal = poses.heading(heading, 0)
         x, y, z = (round(float(c), 6) + 0.0 for c in normal)
-        key = sheet.normal.body, (x, y, z), round(float(normal @ poses.place(sheet.through, 0)), 6)
+        key = heading.body, (x, y, z), round(float(normal @ poses.place(through, 0)), 6)
         if key not in seen:
             seen.add(key)
-            yield sheet
+            yield through, heading

@@ -1,51 +1,17 @@
-"""What a picture of a system in space consists of, in numbers.
-
-A place is given by the index of a body and components from its mass centre along the body's axes [m]. The moving bodies
-come first, in the order of `System.moving`, then the fixed ones, the ground last.
-"""
+"""Bodies of space on their way, and what joins them by what it keeps of their places and turns."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import NamedTuple
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.model.glyphs import Ball, Cross, Face, Pin, Rail, Weld
+from freebody.present.figures import Array, Heading, Place, Triple
+from freebody.present.scene import Scene
 
-Triple = tuple[float, float, float]
-
-
-class Place(NamedTuple):
-    """A point fixed in a body."""
-
-    body: int
-    at: Triple
-
-
-class Heading(NamedTuple):
-    """A unit vector fixed in a body."""
-
-    body: int
-    along: Triple
-
-
-@dataclass(frozen=True)
-class Form:
-    """A body: its solid with sizes [m] about `center`, and its named points, from the mass centre along its axes."""
-
-    name: str
-    index: int
-    number: int  # in the order of the model, for its colour
-    solid: str  # "" for a body without a form
-    sizes: tuple[float, ...]
-    axis: Triple | None
-    center: Triple
-    points: dict[str, Triple]
-    corners: tuple[Triple, ...] = ()
-    is_particle: bool = False
-    has_mass: bool = True
-    is_toothed: bool = False
+_TURNS = {"not": 3, "about": 2, "rolls": 2, "freely": 0}  # components of a turn that are kept
 
 
 @dataclass(frozen=True)
@@ -63,55 +29,6 @@ class Joint:
     axis: Heading | None = None
     arms: tuple[Heading, Heading] | None = None
     has_thread: bool = False
-
-
-@dataclass(frozen=True)
-class Spring:
-    """Between two points; or a damper, or both."""
-
-    first: Place
-    second: Place
-    is_spring: bool
-    is_damper: bool
-
-
-@dataclass(frozen=True)
-class Arrow:
-    """A force at a place along a heading; a torque on the body of a place about it."""
-
-    place: Place
-    along: Heading
-    turns: bool = False
-
-
-@dataclass(frozen=True)
-class Coil:
-    """A torsional spring or damper on a body, about an axis of the one that it is on."""
-
-    body: int
-    axis: Heading
-
-
-@dataclass(frozen=True)
-class Sheet:
-    """A plane fixed in a body."""
-
-    through: Place
-    normal: Heading
-    name: str = ""
-
-
-@dataclass(frozen=True)
-class Ties:
-    """All that joins and pushes bodies."""
-
-    joints: list[Joint] = field(default_factory=list[Joint])
-    links: list[tuple[Place, Place]] = field(default_factory=list[tuple[Place, Place]])
-    strings: list[tuple[Place, ...]] = field(default_factory=list[tuple[Place, ...]])
-    springs: list[Spring] = field(default_factory=list[Spring])
-    coils: list[Coil] = field(default_factory=list[Coil])
-    arrows: list[Arrow] = field(default_factory=list[Arrow])
-    sheets: list[Sheet] = field(default_factory=list[Sheet])
 
 
 @dataclass(frozen=True)
@@ -151,3 +68,39 @@ class Poses:
         """A direction (3,) along the axes of a body."""
         x, y, z = self.axes[frame, index].T @ direction
         return float(x), float(y), float(z)
+
+
+def poses_of(scene: Scene, centers: Array, axes: Array) -> Poses:
+    """Those of all bodies, from those of the moving ones: centers (n_times, n_moving, 3) [m], axes
+    (n_times, n_moving, 3, 3) with the bodies' axes as columns."""
+    n, moving = len(centers), len(scene.names)
+    centers, axes = centers.reshape(n, moving, 3), axes.reshape(n, moving, 3, 3)  # also where nothing moves
+    still = [np.broadcast_to(part, (n, *part.shape)) for part in scene.fixed]
+    return Poses(np.concatenate((centers, still[0]), axis=1), np.concatenate((axes, still[1]), axis=1))
+
+
+def joints_of(scene: Scene, poses: Poses) -> Iterator[Joint]:
+    """The joints of a scene; poses: by which a rail is found that goes through where its point is at the start."""
+    for sign in scene.signs:
+        match sign:
+            case Pin(first, second, axis):
+                yield Joint(first, second, 3, 2, upright(scene, axis))
+            case Weld(first, second):
+                yield Joint(first, second, 3, 3)
+            case Ball(first, second, passes_turn):
+                yield Joint(first, second, 3, int(passes_turn))
+            case Cross(first, second, arms):
+                yield Joint(first, second, 3, 1, arms=arms)
+            case Rail(through, point, along, turning, has_thread):
+                if through is None:
+                    through = Place(along.body, *poses.back(along.body, poses.place(point, 0), 0))
+                yield Joint(through, point, 2, _TURNS[turning], along, has_thread=has_thread)
+            case Face(through, point, normal, turning):
+                yield Joint(through, point, 1, _TURNS[turning], normal)
+            case _:
+                pass
+
+
+def upright(scene: Scene, axis: Heading | None) -> Heading:
+    """The axis of a glyph; without one it is that of the plane of x and y."""
+    return Heading(scene.ground, 0.0, 0.0, 1.0) if axis is None else axis

@@ -7,13 +7,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Groove, Heading
+from freebody.present.scene import Scene
 from freebody.present.space.cuts import DEEP, Cuts
-from freebody.present.space.figures import Heading, Joint, Place, Poses
+from freebody.present.space.figures import Joint, Poses
 from freebody.present.space.pieces import Piece, ball
-from freebody.present.space.scene import Scene
 from freebody.present.space.shells import Shells
-from freebody.present.space.solids import Solid, basis, box, prism
+from freebody.present.space.solids import Solid, basis, box, prism, tube
 from freebody.present.space.stands import Stands
 from freebody.present.space.symbols import AXLE, BALL, axle, thread
 
@@ -28,8 +28,10 @@ class Joints:
         self.cuts, self.stands, self.shells = cuts, stands, shells
 
     def pieces(self) -> Iterator[Piece]:
-        for joint in self.scene.ties.joints:
+        for joint in self.shells.joints:
             yield from self._joint(joint)
+        for groove in self.scene.grooves:
+            yield from self._groove(groove)
 
     def _joint(self, joint: Joint) -> Iterator[Piece]:
         """The sign of a joint by what it holds."""
@@ -101,8 +103,8 @@ class Joints:
             form = self.cuts.forms.get(place.body)
             if form is None or form.solid != "ring" or form.axis is None:
                 continue
-            middle = self.poses.place(Place(form.index, form.center), 0) - at
-            is_across = abs(self.poses.heading(Heading(form.index, form.axis), 0) @ along) < 0.5
+            middle = self.poses.place(form.center, 0) - at
+            is_across = abs(self.poses.heading(Heading(form.index, *form.axis), 0) @ along) < 0.5
             if is_across and np.linalg.norm(middle - (middle @ along) * along) < 0.1 * form.sizes[0]:
                 radii.append((float(middle @ along), form.sizes[0]))
         if not radii:
@@ -133,6 +135,14 @@ class Joints:
         down = np.sign(float((far - at) @ up)) * up if is_upright else -up * (1 if to_body @ up > -1.5 * self.u else -1)
         yield from self.stands.stand(far, down)
 
+    def _groove(self, groove: Groove) -> Iterator[Piece]:
+        """A ring along which a point runs, in the plane of x and y of its body."""
+        a = np.linspace(0.0, 2 * np.pi, 49)
+        way = groove.radius * np.stack((np.cos(a), np.sin(a), np.zeros_like(a)), axis=-1)
+        for part in tube(way, 0.3 * self.u):
+            yield Piece(part, groove.center, groove.center.body, "rail")
+        yield ball(groove.point, BALL * self.u, "joint")
+
     def _rail(self, joint: Joint, axis: Heading) -> Iterator[Piece]:
         """A bar along which the second body moves: square where it does not turn, with a thread on a screw."""
         u = self.u
@@ -145,7 +155,7 @@ class Joints:
         end = max(0.0, float(travel.max()) + (high if is_free[1] else 0.0)) + 2.5 * u * is_free[1]
         cuts = np.linspace(start, end, _N_RAIL + 1)
         axes = basis(axis.along)
-        at = Place(axis.body, joint.first.at) if axis.body == joint.first.body else joint.first
+        at = joint.first
         for a, b in pairwise(cuts.tolist()):
             if joint.n_turns < 3:
                 bar = prism(0.4 * u, a, b, 12, is_open=True)

@@ -11,10 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Place
 from freebody.present.page import asset, filled
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.figures import Place
 from freebody.present.space.looks import LOOKS, OF_BODIES
 from freebody.present.space.painter import DASHES, LIGHT
 from freebody.present.space.pieces import Piece
@@ -81,7 +80,7 @@ def _data(
         "themes": {name: asdict(theme) for name, theme in THEMES.items()},
         "looks": {name: {**asdict(look), "of_body": name in OF_BODIES} for name, look in LOOKS.items()},
         "pieces": [_piece(piece, digits + 2) for piece in drawing.pieces],
-        "labels": [{"body": form.index, "text": form.name} for form in scene.forms],
+        "labels": [{"body": form.index, "text": form.name} for form in scene.figures],
         "points": _points(drawing, digits + 1),
         "columns": columns,
     }
@@ -111,12 +110,12 @@ def _piece(piece: Piece, digits: int) -> dict[str, Any]:
 def _points(drawing: Drawing, digits: int) -> list[dict[str, Any]]:
     """The points that can be traced: each place of a moving body once, under its first name."""
     found: dict[tuple[Any, ...], dict[str, Any]] = {}
-    for form in drawing.scene.forms:
+    for form in drawing.scene.figures:
         if drawing.scene.is_fixed(form.index):
             continue
-        named = [(f"{form.name}.{name}", at) for name, at in form.points.items()]
-        for name, at in [(form.name, (0.0, 0.0, 0.0)), *named]:
-            place = _place(Place(form.index, at), digits)
+        named = [(f"{form.name}.{name}", place) for name, place in form.points.items()]
+        for name, at in [(form.name, form.mass_center), *named]:
+            place = _place(at, digits)
             found.setdefault(tuple(place), {"name": name, "place": place, "color": form.number})
     return list(found.values())
 

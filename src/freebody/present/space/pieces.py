@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.present.figures import Array
-from freebody.present.space.figures import Place, Poses
+from freebody.present.figures import Array, Place
+from freebody.present.space.figures import Poses
 from freebody.present.space.solids import Solid, basis
 
 

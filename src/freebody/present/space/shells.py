@@ -12,11 +12,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Figure, Heading
+from freebody.present.scene import Scene
 from freebody.present.space.bodies import reach
-from freebody.present.space.figures import Form, Heading, Joint, Place, Poses
+from freebody.present.space.figures import Joint, Poses, joints_of
 from freebody.present.space.pieces import Piece, ball
-from freebody.present.space.scene import Scene
 from freebody.present.space.solids import basis, marked, prism, tube
 
 _SHARE = 0.16  # of the size of a scene that has one
@@ -34,17 +34,18 @@ class Shells:
     def __init__(self, scene: Scene, poses: Poses, size: float) -> None:
         """size: [m] of the scene, 0 if it has none."""
         self.scene, self.poses = scene, poses
-        self.forms = {form.index: form for form in scene.forms if _is_thin(form, 1e-6 * size)}
+        self.forms = {form.index: form for form in scene.figures if _is_thin(form, 1e-6 * size)}
         middles = [poses.centers[0, index] for index in self.forms]
         near = [
             reach(form)
-            for form in scene.forms
+            for form in scene.figures
             if any(np.linalg.norm(poses.centers[0, form.index] - middle) < 1e-6 * size for middle in middles)
         ]
         self.radius = max(_SHARE * size, _ROOM * max(near, default=0.0)) or 1.0
-        self._tips: dict[int, float] = {}
+        self.joints = tuple(joints_of(scene, poses))
+        self._tips: dict[Joint, float] = {}
         taken: list[Array] = []
-        for joint in scene.ties.joints:
+        for joint in self.joints:
             if joint.axis is None or not self._bodies(joint):
                 continue
             along = poses.heading(joint.axis, 0)
@@ -53,7 +54,7 @@ class Shells:
             n_other = sum(float(other @ along) < -_CLOSE for other in taken)
             sign = -1.0 if is_held and n_same > n_other else 1.0
             level = min(n_same, n_other) if is_held else 0  # how many are on this side already
-            self._tips[id(joint)] = sign * self.radius * (1.0 + _FARTHER * level)
+            self._tips[joint] = sign * self.radius * (1.0 + _FARTHER * level)
             if is_held:
                 taken.append(sign * along)
         single = [index for index in self.forms if len(self._axes(index)) == 1]
@@ -61,7 +62,7 @@ class Shells:
 
     def tip(self, joint: Joint) -> float:
         """[m] where along its axis a joint of a body without extent is drawn; 0 for other joints."""
-        return self._tips.get(id(joint), 0.0)
+        return self._tips.get(joint, 0.0)
 
     def _bodies(self, joint: Joint) -> list[int]:
         return [place.body for place in (joint.first, joint.second) if place.body in self.forms]
@@ -69,21 +70,21 @@ class Shells:
     def _axes(self, index: int) -> list[Array]:
         """Where the joints of a body are drawn (3,) [m], along its own axes."""
         found: list[Array] = []
-        for joint in self.scene.ties.joints:
+        for joint in self.joints:
             if index not in (joint.first.body, joint.second.body):
                 continue
             arms = joint.arms if joint.arms is not None else (joint.axis, joint.axis)
             arm: Heading | None = arms[0] if joint.first.body == index else arms[1]
             if arm is not None:
-                along = self.poses.heading(arm, 0) * self._tips.get(id(joint), self.radius)
+                along = self.poses.heading(arm, 0) * self._tips.get(joint, self.radius)
                 found.append(np.array(self.poses.turned_back(index, along, 0)))
         return found
 
-    def pieces(self, form: Form, u: float) -> Iterator[Piece]:
+    def pieces(self, form: Figure, u: float) -> Iterator[Piece]:
         """u: [m] the size of symbols."""
         is_fixed = self.scene.is_fixed(form.index)
         look, color = ("fixed body", -1) if is_fixed else ("body", form.number)
-        middle = Place(form.index, form.center)
+        middle = form.center
         axes = self._axes(form.index)
         if not axes:
             yield ball(middle, 0.3 * self.radius, look, color, has_circles=True)
@@ -100,10 +101,10 @@ class Shells:
                 yield Piece(part, middle, form.index, "fixed hoop" if is_fixed else "hoop", color)
 
 
-def _is_thin(form: Form, close: float) -> bool:
+def _is_thin(form: Figure, close: float) -> bool:
     """Whether a body has no form and all its points are one."""
-    tips = [*form.points.values(), (0.0, 0.0, 0.0)]
-    far = max(float(np.linalg.norm(np.subtract(tip, form.center))) for tip in tips)
+    tips = [*(place.at for place in form.points.values()), (0.0, 0.0, 0.0)]
+    far = max(float(np.linalg.norm(np.subtract(tip, form.center.at))) for tip in tips)
     return not form.solid and not form.is_particle and far <= max(close, 1e-12)
 
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freebody.present.figures import Array
-from freebody.present.space.figures import Place, Poses
+from freebody.present.figures import Array, Place
+from freebody.present.scene import Scene
+from freebody.present.space.figures import Poses
 from freebody.present.space.pieces import Piece
-from freebody.present.space.scene import Scene
 from freebody.present.space.symbols import stand
 
 
@@ -34,14 +34,13 @@ class Stands:
         if any(np.linalg.norm(at - other) < 1.5 * self.u for other in self.stood) or self._is_on_sheet(at):
             return
         self.stood.append(at)
-        place = Place(self.scene.ground, (float(at[0]), float(at[1]), float(at[2])))
+        place = Place(self.scene.ground, float(at[0]), float(at[1]), float(at[2]))
         for solid, look, lines in stand(down, self.u):
             yield Piece(solid, place, place.body, look, lines=lines)
 
     def _is_on_sheet(self, at: Array) -> bool:
-        for sheet in self.scene.ties.sheets:
-            normal = self.poses.heading(sheet.normal, 0)
-            height = (at - self.poses.place(sheet.through, 0)) @ normal
-            if self.scene.is_fixed(sheet.normal.body) and abs(height) < 0.5 * self.u:
+        for through, normal in self.scene.planes:
+            height = (at - self.poses.place(through, 0)) @ self.poses.heading(normal, 0)
+            if self.scene.is_fixed(normal.body) and abs(height) < 0.5 * self.u:
                 return True
         return False

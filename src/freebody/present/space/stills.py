@@ -11,12 +11,12 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.language.plain_text import plain, shortened
 from freebody.present.figures import Array
+from freebody.present.scene import Scene
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.labels import Ink, names
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
-from freebody.present.space.scene import Scene
 from freebody.present.space.view import AZIMUTH, ELEVATION, View
 from freebody.present.theme import THEMES, Theme
 
@@ -72,7 +72,7 @@ def checked(scene: Scene, centers: Array, axes: Array, n_times: int) -> tuple[Ar
 
 def description(scene: Scene) -> str:
     """What a picture shows, in words."""
-    return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.forms)}"
+    return f"{scene.title}, drawn in space; bodies: {', '.join(form.name for form in scene.figures)}"
 
 
 # -- figures ----------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ def paint_frame(stage: Stage, drawing: Drawing, frame: int) -> list[Any]:
     artists = [_collection(stage, [*marks, *corner])]
     for at, text, color in words:
         artists.append(_text(stage, at, text, color))
-    bodies = {form.index: form.name for form in drawing.scene.forms}
+    bodies = {form.index: form.name for form in drawing.scene.figures}
     foot = stage.low + np.array((0.0, 8.0 * stage.letter))
     inks = {index: Ink.of(own, stage.letter) for index, own in owned.items()}
     found = names(inks, bodies, letter, (foot, stage.high), stage.choices, stays=frame % _PATIENCE != 0)
