@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from freebody.measures.combination import Composed
 from freebody.numeric.engine import search
 from freebody.numeric.engine.course import Course, Status
 from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.options import SimulationOptions
 from freebody.study.simulate import Simulator
 
 WHEEL = """
@@ -148,14 +150,14 @@ def rod() -> Simulator:
     return Simulator(model(ROD))
 
 
-def course_of(text: str, until: float, method: str = "dop853", tolerance: float = 1e-9, step: float = 0.0) -> Course:
+def course_of(text: str, until: float, **options: Any) -> Course:
     """Of an expression in theta = 0.1 + t."""
     simulator = rod()
     measure = Composed(parse(text), (("theta", simulator.system.measures["theta"]),), DIMENSIONLESS)
     engine = Engine(simulator.numbers, [Watch("it", measure)])
     y = simulator.start.copy()
     engine.align(y, 0.0, simulator.value_at_start)
-    return engine.run(y, until, method=method, tolerance=tolerance, step=step)
+    return engine.run(y, until, SimulationOptions(**{"method": "dop853"} | options))
 
 
 def found_of(text: str, until: float) -> list[tuple[float, str]]:
@@ -168,7 +170,9 @@ def test_all_roots_of_sin_3x_equal_to_cos_x_are_found(method: str, tolerance: fl
     # 3 x = pi/2 - x + 2 n pi, or 3 x = pi/2 + x + 2 n pi
     roots = [math.pi / 8 + n * math.pi / 2 for n in range(64)] + [math.pi / 4 + n * math.pi for n in range(32)]
     expected = sorted(x - 0.1 for x in roots if x < 100.1)
-    course = course_of("sin(3*theta) - cos(theta)", 100.0, method, tolerance, 0.5 if method == "rk4" else 0.0)
+    course = course_of(
+        "sin(3*theta) - cos(theta)", 100.0, method=method, tolerance=tolerance, step=0.5 if method == "rk4" else None
+    )
     assert [e.time for e in course.happenings] == pytest.approx(expected, rel=1e-12)
 
 

@@ -7,9 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from freebody.numeric.contact.impacts import Law, impact
+from freebody.numeric.contact.impacts import impact
 from freebody.numeric.contact.keller import Restitution, impact_without_collision
 from freebody.numeric.contact.problem import ContactProblem, Rub, State, Status
+from freebody.numeric.options import Law
 
 LAWS = list(Law)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -82,6 +83,32 @@ def test_the_n_four_bar_of_iftomm_a02_passes_its_singular_poses_on_the_right_bra
     angle, spin = result.course.poses[-1, 0, 2], result.course.velocities[-1, 0, 2]
     assert (math.cos(angle), math.sin(angle)) == pytest.approx(place, abs=1e-6)
     assert (-math.sin(angle) * spin, math.cos(angle) * spin) == pytest.approx(velocity, abs=1e-6)
+
+
+# -- options ----------------------------------------------------------------------------------
+def test_options_are_one_value_or_names() -> None:
+    options = fb.SimulationOptions(tolerance=1e-6, max_step=0.01)
+    one, other = A01.simulate(0.1, options=options), A01.simulate(0.1, tolerance=1e-6, max_step=0.01)
+    assert one.options == other.options == options
+    assert (one.course.poses == other.course.poses).all()
+    assert A01.simulate(0.1, options=options, tolerance=1e-3).options == replace(options, tolerance=1e-3)
+
+
+def test_options_without_sense_are_refused_wherever_they_are_made() -> None:
+    for given in ({"tolerance": 1.0}, {"method": "euler"}, {"step": 0.1}, {"max_steps": 0}, {"impact": "hertz"}):
+        with pytest.raises(fb.InputError):
+            fb.SimulationOptions(**given)
+        with pytest.raises(fb.InputError):
+            A01.simulate(1.0, **given)
+
+
+def test_the_run_that_verifies_follows_the_same_laws_more_finely() -> None:
+    options = fb.SimulationOptions(impact="poisson", jams=True, max_step=0.1, max_steps=5, verify=True)
+    finer = options.finer
+    assert (finer.impact, finer.jams, finer.max_step) == ("poisson", True, 0.1)
+    assert finer.tolerance == pytest.approx(options.tolerance / 100)
+    assert finer.max_steps > 5
+    assert fb.SimulationOptions(method="rk4", step=0.1).finer.step == pytest.approx(0.1 / 100**0.25)
 
 
 # -- accuracy ---------------------------------------------------------------------------------

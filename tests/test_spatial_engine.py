@@ -28,6 +28,7 @@ from freebody.numeric.engine.course import Course, Status
 from freebody.numeric.engine.engine import Engine, Observer
 from freebody.numeric.engine.implicit import Slopes
 from freebody.numeric.numbers import Numbers
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import from_quaternion, matrix, rotation_vector
 
@@ -186,7 +187,8 @@ MOMENTS = np.array([1.0, 2.0, 2.5])
 
 
 def run(engine: Engine, y: Array, until: float, n: int = 100, tolerance: float = 1e-12, **rest: Any) -> Course:
-    course = engine.run(y, until, tolerance=tolerance, outputs=np.linspace(0.0, until, n + 1), **rest)
+    options = SimulationOptions(method="dop853", tolerance=tolerance)
+    course = engine.run(y, until, options, outputs=np.linspace(0.0, until, n + 1), **rest)
     assert course.status is Status.FINISHED, course.message
     return course
 
@@ -465,8 +467,9 @@ def test_states_and_courses_are_the_same_seen_from_both_sides() -> None:
     accelerations = engine.evaluate(again, 0.5)[0]
     assert np.abs(engine.accelerations(course)[-1] - accelerations.ravel()).max() < 1e-9
     assert again[2 * n] == 0.0
-    further = engine.run(again, 1.0, start=0.5, tolerance=1e-12)
-    direct = engine.run(y, 1.0, tolerance=1e-12)
+    options = SimulationOptions(method="dop853", tolerance=1e-12)
+    further = engine.run(again, 1.0, options, start=0.5)
+    direct = engine.run(y, 1.0, options)
     assert np.abs(further.poses[-1] - direct.poses[-1]).max() < 1e-8
 
 

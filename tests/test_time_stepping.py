@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from freebody.numeric.engine.course import Status
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.timestepping.run import Stepped, run_moreau
 from freebody.system.system import System
@@ -24,7 +25,8 @@ def stepped(data: dict[str, Any], until: float, step: float, **more: Any) -> Ste
     q = reference.assemble()
     poses, velocities = reference.by_body(q, reference.velocities(q))
     more.setdefault("outputs", np.linspace(0.0, until, 11))
-    result = run_moreau(reference.numbers(), poses, velocities, until, step, **more)
+    options = SimulationOptions(method="moreau", step=step)
+    result = run_moreau(reference.numbers(), poses, velocities, until, options, **more)
     assert result.course.status is Status.FINISHED, result.course.message
     for array in (result.course.poses, result.course.velocities, result.contacts.normal, result.course.multipliers):
         assert np.isfinite(array).all()

@@ -9,6 +9,7 @@ import numpy as np
 import scenes
 
 from freebody import Simulator, System
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.timestepping.run import Stepped, run_moreau
 from freebody.numeric.timestepping.scene import Scene
@@ -28,7 +29,8 @@ class Stepper:
 
     def run(self, until: float, step: float, **more: Any) -> tuple[float, Stepped]:
         begin = process_time()
-        result = run_moreau(self.numbers, *self.start, until, step, scene=self.scene, **more)
+        options = SimulationOptions(method="moreau", step=step)
+        result = run_moreau(self.numbers, *self.start, until, options, scene=self.scene, **more)
         return process_time() - begin, result
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from freebody.api import System
     from freebody.budgets import effort
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
+    from freebody.numeric.options import SimulationOptions
     from freebody.study.answer import Answer
     from freebody.study.conserved import conserved
     from freebody.study.eom import Equations, equations_of_motion
@@ -46,6 +47,7 @@ _HOMES = {
     "inverse_dynamics": "freebody.study.inverse_dynamics",
     "modes": "freebody.study.modes",
     "simulate": "freebody.study.simulate",
+    "SimulationOptions": "freebody.numeric.options",
     "Simulation": "freebody.study.simulate",
     "Simulator": "freebody.study.simulate",
     "equations_of_motion": "freebody.study.eom",
@@ -69,6 +71,7 @@ __all__ = [
     "ModelError",
     "RoutesDisagree",
     "Simulation",
+    "SimulationOptions",
     "Simulator",
     "Solution",
     "Statics",

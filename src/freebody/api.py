@@ -10,6 +10,7 @@ from freebody.system.system import System as Description
 
 if TYPE_CHECKING:
     from freebody.narrative.explain import Explanation
+    from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
     from freebody.study.eom import Equations
     from freebody.study.equilibrium import Equilibria
@@ -65,15 +66,16 @@ class System(Description):
         self,
         until: float,
         *,
-        tolerance: float = 1e-9,
+        options: SimulationOptions | None = None,
         values: Mapping[str, float] | None = None,
         events: Sequence[str] = (),
-        **options: Any,
+        **given: Any,
     ) -> Simulation:
-        """The motion from the start to the time `until` [s]; see `freebody.study.simulate.simulate` for all options."""
+        """The motion from the start to the time `until` [s]; see `freebody.study.simulate.simulate`. options: how it is
+        followed, as one value or by name: `tolerance=1e-12`."""
         from freebody.study.simulate import simulate
 
-        return simulate(self, until, tolerance=tolerance, values=values, events=events, **options)
+        return simulate(self, until, options=options, values=values, events=events, **given)
 
     def draw(
         self,

@@ -56,6 +56,7 @@ def simulate(
     from freebody.present.simulation import progress_bar, simulation_lines
 
     with busy("reading the model"):
+        from freebody.numeric.options import SimulationOptions
         from freebody.study.simulate import simulate as run
         from freebody.system.system import System
 
@@ -66,23 +67,20 @@ def simulate(
         if show:
             _check_shown(system, show)
         seconds = seconds_of(until, "--until")
-    with progress_bar(seconds) as progress:
-        result = run(
-            system,
-            seconds,
+        options = SimulationOptions(
             tolerance=tolerance,
             method=method,
             step=None if step is None else seconds_of(step, "--step"),
-            events=event or (),
             every=None if every is None else seconds_of(every, "--every"),
             max_step=None if max_step is None else seconds_of(max_step, "--max-step"),
             max_steps=max_steps,
             max_seconds=max_seconds,
-            progress=progress,
             verify=verify,
             impact=impact,
             jams=jams,
         )
+    with progress_bar(seconds) as progress:
+        result = run(system, seconds, options=options, events=event or (), progress=progress)
     with busy("evaluating the motion"):
         summary = result.summary()
         lines = [] if as_json else list(simulation_lines(result))

@@ -249,6 +249,7 @@ def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
 def _run(draw: Draw, seed: int) -> list[Run]:
     """A motion from a general pose and speed; none if it ends at once."""
     from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.options import SimulationOptions
 
     reference = draw.reference
     start = draw.anywhere(seed, 0.0, 0.3)
@@ -256,9 +257,8 @@ def _run(draw: Draw, seed: int) -> list[Run]:
     y = engine.state(*reference.by_body(start.q, start.v))
     engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, start.t + _DURATION, _N_TIMES)
-    course = engine.run(
-        y, float(outputs[-1]), start=start.t, tolerance=_STEP_TOLERANCE, outputs=outputs, max_steps=allowed(_MOST_STEPS)
-    )
+    options = SimulationOptions(method="dop853", tolerance=_STEP_TOLERANCE, max_steps=allowed(_MOST_STEPS))
+    course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
     if len(course.times) < 3:
         return []
     snapshots = [start]

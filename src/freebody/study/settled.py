@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.numeric.contact.impacts import Law
 from freebody.numeric.contact.transition import Transition
+from freebody.numeric.options import Law
 from freebody.study.draws import SEED, draw_parameters
 from freebody.study.simulate import Simulator
 from freebody.system.modes import Mode, in_mode

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -18,16 +17,14 @@ from freebody.model.elements import Held
 from freebody.model.names import did_you_mean
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.contact.bounded import Bounded
-from freebody.numeric.contact.hybrid import Hybrid, Options
-from freebody.numeric.contact.impacts import Law
+from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Happening, Status
 from freebody.numeric.engine.engine import Engine, Watch
-from freebody.numeric.engine.motion import MOST_STEPS
-from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
 from freebody.study.at_rest import is_unstable_rest, staying
@@ -42,8 +39,6 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float, int], None]
 N_OUTPUTS = 1001
-STEPPING = "moreau"
-MOST_OUTPUTS = 2_000_000
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
 
 
@@ -101,41 +96,27 @@ class Simulator:
     def run(
         self,
         until: float,
+        options: SimulationOptions | None = None,
         *,
-        tolerance: float = 1e-9,
-        method: str = "auto",
-        step: float | None = None,
-        longest: float = math.inf,
         outputs: Array | None = None,
-        max_seconds: float = math.inf,
-        max_steps: int = MOST_STEPS,
         progress: Progress | None = None,
         state: Array | None = None,
         start: float = 0.0,
         near: Array | None = None,
-        law: Law = Law.NEWTON,
-        jams: bool = False,
+        first_step: float = 0.0,
+        **given: Any,
     ) -> Course:
-        """The motion to `until` [s] as arrays; see `simulate` for the arguments."""
+        """The motion to `until` [s] as arrays. outputs: times at which it is wanted [s]. state, start, near: of a
+        motion that goes on, from its `Course`. first_step: [s], chosen if it is zero. given: fields of the options."""
+        options = replace(options or SimulationOptions(), **given)
         near = self._near if near is None else near
         self.engine.count_from(near)
         y = (self.start if state is None else state).copy()
         if self.bounded is not None:
-            options = Options(tolerance, method, step or 0.0, longest, max_seconds, max_steps, law, jams)
             wanted = np.array([until]) if outputs is None else outputs
             return Hybrid(self.bounded, options).run(y, start, until, wanted, near, progress)
         return self.engine.run(
-            y,
-            until,
-            start=start,
-            tolerance=tolerance,
-            method=method,
-            step=step or 0.0,
-            longest=longest,
-            outputs=outputs,
-            max_seconds=max_seconds,
-            max_steps=max_steps,
-            progress=progress,
+            y, until, options, start=start, first_step=first_step, outputs=outputs, progress=progress
         )
 
     def time_accelerations(self, n_calls: int) -> float:
@@ -154,7 +135,7 @@ class Simulation:
     system: System
     simulator: Simulator
     course: Course
-    tolerance: float
+    options: SimulationOptions
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
     steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
 
@@ -178,6 +159,10 @@ class Simulation:
         """The rows whose multipliers the course has: what is held, and what is bounded or rubs where single contacts
         are followed."""
         return self.system.held if self.simulator.bounded is None else self.system.rows
+
+    @property
+    def tolerance(self) -> float:
+        return self.options.tolerance
 
     @property
     def status(self) -> Status:
@@ -223,12 +208,13 @@ class Simulation:
 
         return dataset_of(self)
 
-    def continued(self, until: float, **options: Any) -> Simulation:
-        """The motion from here on to a later time; the same arguments as `simulate`."""
+    def continued(self, until: float, **given: Any) -> Simulation:
+        """The motion from here on to a later time, with the same tolerance; the arguments are those of `simulate`."""
         if not until > self.t_end:
             raise InputError(f"the motion is at t = {self.t_end:.6g} s already; continue to a later time")
-        options.setdefault("tolerance", self.tolerance)
-        return simulate(self.system, until, from_result=self, **options)
+        if "options" not in given:
+            given.setdefault("tolerance", self.tolerance)
+        return simulate(self.system, until, from_result=self, **given)
 
     def summary(self) -> dict[str, Any]:
         """The document that `freebody simulate --json` prints."""
@@ -319,88 +305,55 @@ def simulate(
     system: System,
     until: float,
     *,
-    tolerance: float = 1e-9,
-    method: str = "auto",
-    step: float | None = None,
+    options: SimulationOptions | None = None,
     values: Mapping[str, float] | None = None,
     events: Sequence[str] = (),
-    every: float | None = None,
-    max_step: float | None = None,
-    max_seconds: float = math.inf,
-    max_steps: int = MOST_STEPS,
     progress: Progress | None = None,
-    verify: bool = False,
     from_result: Simulation | None = None,
-    impact: str = "newton",
-    jams: bool = False,
+    **given: Any,
 ) -> Simulation:
     """The motion of a system from its start to the time `until` [s].
 
-    tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of
-    order 8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts
-    and dry friction, of first order in the `step`, which does not locate events. step: of a method without error
-    control [s]. values: of parameters, in SI. events: see `Simulator`. every: distance of output times [s], a
-    thousandth of the whole if nothing is said. max_step: no step is longer [s]. max_steps: the motion ends after so
-    many steps, on every computer at the same place; max_seconds: after so long by the clock, compiling not counted.
-    impact: the law of impact, "newton", "poisson" or "keller". jams: where no contact force is consistent (Painleve),
-    go on with an impulse that ends the slip. verify: a second run, a hundred times as exact, tells from when on they
-    part.
+    options: how it is followed; given: the same by name, as `tolerance=1e-6` or `method="moreau", step=1e-3`, and what
+    differs from `options` where both are there. See `SimulationOptions` for their names, units and defaults. values: of
+    parameters, in SI. events: see `Simulator`.
 
     Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
     later is a status of the result, which keeps the motion up to there.
     """
-    _check(until, tolerance, method, step, every, max_step, max_seconds, max_steps)
-    law = _law_of_impact(impact)
-    by_steps = method == STEPPING
-    if by_steps and (events or verify):
-        raise InputError("time stepping does not locate events, and has no tolerance to verify; compare two steps")
-    if by_steps and system.space:
+    options = replace(options or SimulationOptions(), **given)
+    options.check_asked(until)
+    if options.by_steps and events:
+        raise InputError("time stepping does not locate events; leave out the method, which follows every contact")
+    if options.by_steps and system.space:
         raise InputError(
             "time stepping (moreau) is for models of the plane; leave out the method, which follows every contact of a "
             "model in space, or write the model without space: true"
         )
-    simulator = Simulator(system, values, events, by_steps=by_steps) if from_result is None else from_result.simulator
-    start = 0.0 if from_result is None else from_result.t_end
-    state, near = (None, None) if from_result is None else (_last_state(from_result), from_result.course.near)
+    before = from_result
+    simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator
+    start = 0.0 if before is None else before.t_end
+    state, near = (None, None) if before is None else (_last_state(before), before.course.near)
     if simulator.degrees_of_freedom == 0 and not _is_driven(system):
         message = "no motion: 0 degrees of freedom; the reactions at rest are given"
-        course = simulator.run(1e-9, tolerance=tolerance, outputs=np.array([0.0]))
+        course = simulator.run(1e-9, SimulationOptions(tolerance=options.tolerance), outputs=np.array([0.0]))
         course = replace(_first_instant(course), message=message)
-        return Simulation(system, simulator, course, tolerance)
-    outputs = _output_times(start, until, every)
-    if method == STEPPING:
-        assert step is not None
-        limits = max_seconds, max_steps
-        return stepped(simulator, until, min(step, max_step or step), tolerance, outputs, limits, progress, from_result)
+        return Simulation(system, simulator, course, options)
+    outputs = _output_times(start, until, options.every)
+    if options.by_steps:
+        return _stepped(simulator, until, options, outputs, progress, before)
     y = simulator.start if state is None else state
     if is_unstable_rest(simulator, y, start):
         first = simulator.run(start + 1e-9, outputs=np.array([start]), state=y, start=start, near=near)
         zero = [h for h in first.happenings if h.kind == "start"]
         here = (*zero, *(replace(h, kind="zero") for h in zero))
-        return Simulation(system, simulator, staying(first, outputs, here), tolerance)
-    course = simulator.run(
-        until,
-        tolerance=tolerance,
-        method=method,
-        step=step,
-        longest=max_step or math.inf,
-        outputs=outputs,
-        max_seconds=max_seconds,
-        max_steps=max_steps,
-        progress=progress,
-        state=state,
-        start=start,
-        near=near,
-        law=law,
-        jams=jams,
-    )
+        return Simulation(system, simulator, staying(first, outputs, here), options)
+    course = simulator.run(until, options, outputs=outputs, progress=progress, state=state, start=start, near=near)
     trusted = None
-    if verify:
-        finer = simulator.run(
-            until, tolerance=tolerance * 1e-2, method=method, outputs=outputs, state=state, start=start, near=near
-        )
+    if options.verify:
+        finer = simulator.run(until, options.finer, outputs=outputs, state=state, start=start, near=near)
         trusted = _trusted_until(simulator, course, finer)
-    return Simulation(system, simulator, course, tolerance, trusted)
+    return Simulation(system, simulator, course, options, trusted)
 
 
 def _output_times(start: float, until: float, every: float | None) -> Array:
@@ -410,17 +363,15 @@ def _output_times(start: float, until: float, every: float | None) -> Array:
     return times[times <= until]
 
 
-def stepped(
+def _stepped(
     simulator: Simulator,
     until: float,
-    step: float,
-    tolerance: float,
+    options: SimulationOptions,
     outputs: Array,
-    limits: tuple[float, int],
     progress: Progress | None,
     before: Simulation | None,
 ) -> Simulation:
-    """A motion by Moreau-Jean time stepping. limits: seconds and steps."""
+    """A motion by Moreau-Jean time stepping."""
     from freebody.numeric.timestepping.run import run_moreau
 
     y = simulator.start if before is None else _last_state(before)
@@ -430,52 +381,13 @@ def stepped(
         q[:-1].copy(),
         v[:-1].copy(),
         until,
-        step,
+        options,
         start=0.0 if before is None else before.t_end,
         outputs=outputs,
-        max_seconds=limits[0],
-        max_steps=limits[1],
         progress=progress,
         value=simulator.value_at_start,
     )
-    return Simulation(simulator.system, simulator, found.course, tolerance, steps=found)
-
-
-def _check(
-    until: float,
-    tolerance: float,
-    method: str,
-    step: float | None,
-    every: float | None,
-    max_step: float | None,
-    max_seconds: float,
-    max_steps: int,
-) -> None:
-    if not (math.isfinite(until) and until > 0.0):
-        raise InputError(f"the motion must last for a positive time, not {until:g} s")
-    if not 1e-14 <= tolerance <= 1e-1:
-        raise InputError(f"the tolerance must be between 1e-14 and 0.1, not {tolerance:g}")
-    if method not in ("auto", STEPPING, *METHODS):
-        raise InputError(f"there is no method {method}; take auto, {', '.join(METHODS)}, {STEPPING}")
-    if method == STEPPING and step is None:
-        raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
-    if max_steps < 1:
-        raise InputError(f"max_steps must be at least 1, not {max_steps}")
-    for name, value in (("step", step), ("every", every), ("max_step", max_step), ("max_seconds", max_seconds)):
-        if value is not None and not value > 0.0:
-            raise InputError(f"{name} must be positive, not {value:g} s")
-    if step is not None and method not in ("rk4", STEPPING):
-        raise InputError(
-            f"a step of {step:g} s is for the methods rk4 and moreau; {method} chooses its steps by the tolerance"
-        )
-    if every is not None and until / every > MOST_OUTPUTS:
-        raise InputError(f"every {every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
-
-
-def _law_of_impact(name: str) -> Law:
-    if name not in [law.value for law in Law]:
-        raise InputError(f"there is no law of impact {name}; take {', '.join(law.value for law in Law)}")
-    return Law(name)
+    return Simulation(simulator.system, simulator, found.course, options, steps=found)
 
 
 def has_phases(system: System) -> bool:

@@ -19,6 +19,7 @@ from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Course, Status
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.reading import Event
 
@@ -109,7 +110,8 @@ def _followed(
     y = engine.state(*reference.by_body(start.q, start.v))
     engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
-    course = engine.run(y, until, start=start.t, tolerance=TOLERANCE, outputs=outputs, max_steps=allowed(MOST_STEPS))
+    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(MOST_STEPS))
+    course = engine.run(y, until, options, start=start.t, outputs=outputs)
     links: list[Seen] = []
     near = start
     for k, t in enumerate(course.times):

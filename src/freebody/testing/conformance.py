@@ -23,6 +23,7 @@ from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
+from freebody.numeric.options import WITH_STEP
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.evidence import element_at
@@ -327,7 +328,8 @@ def order_of(
         if by_tolerance:
             course = simulator.run(until, tolerance=size, method=method)
         else:
-            course = simulator.run(until, tolerance=1e-2, method=method, step=size, longest=size)
+            own: dict[str, Any] = {"step": size} if method in WITH_STEP else {"first_step": size}
+            course = simulator.run(until, tolerance=1e-2, method=method, max_step=size, **own)
         found.append((float(np.abs(course.poses[-1] - exact).max()), course.n_steps))
     (first, n_first), (second, n_second) = found
     return math.log(first / second) / math.log(n_second / n_first)

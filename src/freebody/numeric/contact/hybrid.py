@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
-from freebody.numeric.contact.impacts import Law
 from freebody.numeric.contact.problem import Status as Consistency
 from freebody.numeric.contact.problem import Status as Outcome
 from freebody.numeric.contact.record import Phase, merged
@@ -22,9 +21,10 @@ from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Course, Happening, Status
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.motion import MOST_STEPS, stopped
+from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
+from freebody.numeric.options import SimulationOptions
 
 FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
@@ -35,25 +35,10 @@ ADVICE = "; use time stepping (method moreau, with a step), which does not follo
 Progress = Callable[[float, int], None]
 
 
-@dataclass(frozen=True)
-class Options:
-    """How a motion is run; see `study.simulate`."""
-
-    tolerance: float = 1e-9
-    method: str = "auto"
-    step: float = 0.0
-    longest: float = math.inf
-    max_seconds: float = math.inf
-    max_steps: int = MOST_STEPS
-    law: Law = Law.NEWTON
-    jams: bool = False  # where no force is consistent: an impulse, instead of the end
-    most_events: int = MOST_EVENTS
-
-
 class Hybrid:
     """One motion under way."""
 
-    def __init__(self, bounded: Bounded, options: Options) -> None:
+    def __init__(self, bounded: Bounded, options: SimulationOptions) -> None:
         self.bounded, self.options = bounded, options
         self.transition = Transition(bounded, options.law, jams=options.jams)
         self.phases: list[Phase] = []
@@ -93,7 +78,7 @@ class Hybrid:
                 limit = self.options.max_seconds if left <= 0.0 else None
                 status, message = Status.TOO_LONG, stopped(t, f"{len(self.phases)} phases", limit)
                 break
-            if n_at_once > MOST_AT_ONCE or len(self.events) > self.options.most_events:
+            if n_at_once > MOST_AT_ONCE or len(self.events) > MOST_EVENTS:
                 status = Status.CHATTER
                 what = "no mode lasts" if n_at_once > MOST_AT_ONCE else f"{len(self.events)} events"
                 message = f"{what} at t = {t:.9g} s{self._advice}"
@@ -111,14 +96,10 @@ class Hybrid:
             course = engine.run(
                 y,
                 until,
+                replace(self.options, max_seconds=left, max_steps=steps_left),
                 start=t,
-                tolerance=self.options.tolerance,
-                method=self.options.method,
-                step=self.options.step or (FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0),
-                longest=self.options.longest,
+                first_step=FIRST_STEP * self.phases[-1].course.last_step if self.phases else 0.0,
                 outputs=np.concatenate(([t], outputs[outputs > t])),
-                max_seconds=left,
-                max_steps=steps_left,
                 progress=progress,
                 guarded=Guarding(
                     sizes,
@@ -352,7 +333,7 @@ class Hybrid:
     def _no_phase(self, y: Floats, t: float) -> Phase:
         """The first instant, where nothing can follow on it: its forces are not known."""
         b = self.bounded
-        course = b.free.run(y, t + 1e-9, start=t, outputs=np.array([t]))
+        course = b.free.run(y, t + 1e-9, SimulationOptions(method="dop853"), start=t, outputs=np.array([t]))
         one = {name: getattr(course, name)[:1] for name in ("times", "poses", "velocities", "work")}
         unknown = {name: np.full_like(getattr(course, name)[:1], np.nan) for name in ("accelerations", "multipliers")}
         course = replace(course, **one, **unknown, unique=np.zeros_like(course.unique[:1]))

@@ -17,22 +17,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from enum import Enum
 
 import numpy as np
 
 from freebody.numeric.contact.forces import MOST_MODES, contact_forces
 from freebody.numeric.contact.problem import Array, ContactProblem, Mode, Rub, Status
+from freebody.numeric.options import Law
 
 _GREW = 1e-11
-
-
-class Law(Enum):
-    """How an impact restores what it compresses."""
-
-    NEWTON = "newton"
-    POISSON = "poisson"
-    KELLER = "keller"
 
 
 @dataclass(frozen=True, slots=True)

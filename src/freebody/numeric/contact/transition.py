@@ -17,10 +17,11 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import TOUCHING, Bounded, Instant, ModeOf, Problem
 from freebody.numeric.contact.forces import contact_forces, is_admissible
-from freebody.numeric.contact.impacts import ImpactOutcome, Law, impact
+from freebody.numeric.contact.impacts import ImpactOutcome, impact
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, State, Status
 from freebody.numeric.engine.layout import Floats
+from freebody.numeric.options import Law
 
 STILL = 1e-9  # rates below this part of the system's speed are none
 REST = 1e-10  # gaps that do not come wider than this part of the system's size are none

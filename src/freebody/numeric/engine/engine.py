@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from freebody.numeric.engine.course import Course
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.motion import MOST_STEPS, Motion, Progress
+from freebody.numeric.engine.motion import Motion, Progress
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.patrol import Guarding, Programs
@@ -29,6 +28,7 @@ from freebody.numeric.engine.tableaus import DOP853, Tableau
 from freebody.numeric.engine.tape import play
 from freebody.numeric.engine.writing import Guard, Written
 from freebody.numeric.numbers import Numbers
+from freebody.numeric.options import SimulationOptions
 
 COMPLIANCE = 1e-5  # of held rows whose multipliers are shared, by the most mobile one
 
@@ -329,27 +329,21 @@ class Engine(Packed):
         self,
         y: Floats,
         until: float,
+        options: SimulationOptions,
         *,
         start: float = 0.0,
-        tolerance: float = 1e-9,
-        method: str = "dop853",
-        step: float = 0.0,
-        longest: float = math.inf,
+        first_step: float = 0.0,
         outputs: Floats | None = None,
-        max_seconds: float = math.inf,
-        max_steps: int = MOST_STEPS,
         progress: Progress | None = None,
         guarded: Guarding | None = None,
     ) -> Course:
-        """The motion from a state at the time `start` [s] to `until`, or to a terminal event. tolerance: the error
-        allowed in a step, relative to the size of the system (`stepping`). step: the first step, or the only one of a
-        method without error control. outputs: times at which the motion is wanted, besides its events and its end.
-        guarded: what is known of the guards of the mode, of which the first violation is the end. max_seconds: by the
-        clock, without what it takes to compile kernels."""
+        """The motion from a state at the time `start` [s] to `until`, or to a terminal event. first_step: [s], chosen
+        if it is zero. outputs: times at which the motion is wanted, besides its events and its end. guarded: what is
+        known of the guards of the mode, of which the first violation is the end."""
         self.compile(is_guarded=guarded is not None)
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
-        motion = Motion(self, y, start, until, tolerance, method, step, longest, wanted)
+        motion = Motion(self, y, start, until, options, first_step, wanted)
         if guarded is not None:
             motion.guard(guarded)
-        return motion.course(began, max_seconds, max_steps, progress)
+        return motion.course(began, progress)

@@ -17,12 +17,12 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.patrol import Guarding, Patrol, Violation
 from freebody.numeric.engine.tableaus import METHODS
+from freebody.numeric.options import SimulationOptions
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine, Watch
     from freebody.numeric.engine.search import Search
 
-MOST_STEPS = 10_000_000
 TURN = 0.5  # [rad] of a body, in which bearings are counted on
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
@@ -43,20 +43,19 @@ class Motion:
         y: Floats,
         start: float,
         until: float,
-        tolerance: float,
-        method: str,
-        step: float,
-        longest: float,
+        options: SimulationOptions,
+        first_step: float,
         outputs: Floats,
     ) -> None:
-        self.engine = engine
-        self.is_automatic, self.method = method == "auto", "dop853" if method == "auto" else method
+        self.engine, self.options = engine, options
+        self.is_automatic = options.method == "auto"
+        self.method = "dop853" if self.is_automatic else options.method
         self.start, self.until = start, until
         self.tableau = METHODS[self.method]
         self.run = engine.new_run(y, self.tableau, outputs)
         clock = self.run.clock
-        clock[stepping.END], clock[stepping.TOLERANCE] = until, tolerance
-        clock[stepping.LONGEST], clock[stepping.STEP] = longest, step
+        clock[stepping.END], clock[stepping.TOLERANCE] = until, options.tolerance
+        clock[stepping.LONGEST], clock[stepping.STEP] = options.longest, options.step or first_step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
         self.searches: list[Search] = []  # of what is watched
         self.notes: list[str] = []
@@ -73,7 +72,8 @@ class Motion:
         self.run.count[stepping.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------
-    def course(self, began: float, max_seconds: float, max_steps: int, progress: Progress | None) -> Course:
+    def course(self, began: float, progress: Progress | None) -> Course:
+        max_seconds, max_steps = self.options.max_seconds, self.options.max_steps
         clock, count = self.run.clock, self.run.count
         status, message, note = Status.FINISHED, "", ""
         if not self._begin():

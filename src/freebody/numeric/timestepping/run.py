@@ -15,8 +15,9 @@ from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Course, Status, Tracks
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import NEAR
-from freebody.numeric.engine.motion import MOST_STEPS, stopped
+from freebody.numeric.engine.motion import stopped
 from freebody.numeric.numbers import Numbers
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.timestepping import marching
 from freebody.numeric.timestepping.marching import March
 from freebody.numeric.timestepping.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
@@ -75,19 +76,17 @@ def run_moreau(
     poses: Floats,
     velocities: Floats,
     until: float,
-    step: float,
+    options: SimulationOptions,
     *,
     start: float = 0.0,
     outputs: Floats | None = None,
     tolerance: float = TOLERANCE,
     max_sweeps: int = MOST_SWEEPS,
-    max_seconds: float = math.inf,
-    max_steps: int = MOST_STEPS,
     progress: Progress | None = None,
     value: Callable[[Measure], float] | None = None,
     scene: Scene | None = None,
 ) -> Stepped:
-    """The motion from `start` to `until` [s] in steps of at most `step` [s], all of one length.
+    """The motion from `start` to `until` [s] in steps of at most the step of the options, all of one length.
 
     poses, velocities: (n_bodies, 3) at the start, in the order of `System.moving` [m, rad; m/s, rad/s]. outputs: times
     at which the motion is wanted, each moved to the end of the step in which it lies. tolerance: what a sweep over the
@@ -96,11 +95,12 @@ def run_moreau(
 
     Raises InputError for a step without sense; what goes wrong later is a status of the course.
     """
+    step = min(options.step or math.inf, options.longest)
     if not (step > 0.0 and math.isfinite(step) and until > start):
         raise InputError(f"time stepping needs a step between 0 and {until - start:g} s, not {step:g} s")
     scene = Scene(numbers) if scene is None else scene
     return _Run(scene, poses, velocities, start, until, step, tolerance, max_sweeps, value).result(
-        outputs, max_seconds, max_steps, progress
+        outputs, options, progress
     )
 
 
@@ -148,7 +148,8 @@ class _Run:
         self._contacts: list[tuple[NDArray[np.intp], Floats]] = []
         self._deepest = 0.0
 
-    def result(self, outputs: Floats | None, max_seconds: float, max_steps: int, progress: Progress | None) -> Stepped:
+    def result(self, outputs: Floats | None, options: SimulationOptions, progress: Progress | None) -> Stepped:
+        max_seconds, max_steps = options.max_seconds, options.max_steps
         self._advance(self.n_done)  # compiles what is needed, which is no part of the time
         began = time.perf_counter()
         wanted = np.zeros(0) if outputs is None else np.asarray(outputs, np.float64)

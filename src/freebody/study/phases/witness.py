@@ -291,8 +291,8 @@ def _signs(first: Array) -> Sequence[Array]:
 def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str]) -> Array:
     """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
     CannotAnswer where it has no solution."""
-    from freebody.numeric.contact.impacts import Law
     from freebody.numeric.contact.transition import Transition
+    from freebody.numeric.options import Law
     from freebody.study.simulate import Simulator
 
     simulator = Simulator(base, {n: x for n, x in values.items() if n in base.parameters})

@@ -1,0 +1,106 @@
+"""How a motion is followed, as one value: made where a user asks for it, read where it is used."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from enum import Enum
+
+from freebody.errors import InputError
+from freebody.numeric.engine.tableaus import METHODS
+
+MOST_STEPS = 10_000_000
+MOST_OUTPUTS = 2_000_000
+STEPPING = "moreau"
+FINEST, COARSEST = 1e-14, 1e-1  # tolerances
+WITH_STEP = ("rk4", STEPPING)  # methods that do not choose their steps
+
+
+class Law(Enum):
+    """How an impact restores what it compresses."""
+
+    NEWTON = "newton"
+    POISSON = "poisson"
+    KELLER = "keller"
+
+
+@dataclass(frozen=True, kw_only=True)
+class SimulationOptions:
+    """How a motion is followed, how often it is looked at, and when it is given up.
+
+    tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of order
+    8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts and
+    dry friction, of first order in the `step`, which does not locate events. step: of a method without error control
+    [s]. every: distance of output times [s], a thousandth of the whole if nothing is said. max_step: no step is longer
+    [s]. max_steps: the motion ends after so many steps, on every computer at the same place; max_seconds: after so long
+    by the clock [s], compiling not counted. impact: the law of impact, "newton", "poisson" or "keller". jams: where no
+    contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred
+    times as exact, tells from when on they part.
+
+    Raises InputError for values without sense."""
+
+    tolerance: float = 1e-9
+    method: str = "auto"
+    step: float | None = None
+    every: float | None = None
+    max_step: float | None = None
+    max_seconds: float = math.inf
+    max_steps: int = MOST_STEPS
+    verify: bool = False
+    impact: str = Law.NEWTON.value
+    jams: bool = False
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.tolerance <= COARSEST:
+            raise InputError(f"the tolerance must be between {FINEST:g} and {COARSEST:g}, not {self.tolerance:g}")
+        if self.method not in ("auto", STEPPING, *METHODS):
+            raise InputError(f"there is no method {self.method}; take auto, {', '.join(METHODS)}, {STEPPING}")
+        if self.by_steps and self.step is None:
+            raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
+        if self.max_steps < 1:
+            raise InputError(f"max_steps must be at least 1, not {self.max_steps}")
+        for name in ("step", "every", "max_step", "max_seconds"):
+            value: float | None = getattr(self, name)
+            if value is not None and not value > 0.0:
+                raise InputError(f"{name} must be positive, not {value:g} s")
+        if self.step is not None and self.method not in WITH_STEP:
+            raise InputError(
+                f"a step of {self.step:g} s is for the methods {' and '.join(WITH_STEP)}; {self.method} chooses its "
+                "steps by the tolerance"
+            )
+        if self.impact not in (law.value for law in Law):
+            raise InputError(f"there is no law of impact {self.impact}; take {', '.join(law.value for law in Law)}")
+        if self.by_steps and self.verify:
+            raise InputError("time stepping has no tolerance to verify; compare two steps")
+
+    def check_asked(self, until: float) -> None:
+        """Raises InputError where a user may not ask for a motion to `until` [s]: it has no length or too many output
+        times, or a tolerance at which nothing finer is left to compare with."""
+        if self.tolerance < FINEST:
+            raise InputError(f"the tolerance must be between {FINEST:g} and {COARSEST:g}, not {self.tolerance:g}")
+        if not (math.isfinite(until) and until > 0.0):
+            raise InputError(f"the motion must last for a positive time, not {until:g} s")
+        if self.every is not None and until / self.every > MOST_OUTPUTS:
+            raise InputError(f"every {self.every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
+
+    @property
+    def by_steps(self) -> bool:
+        """Whether contacts are stepped over, not followed one by one."""
+        return self.method == STEPPING
+
+    @property
+    def finer(self) -> SimulationOptions:
+        """The same motion a hundred times as exact: by the tolerance, or by the step of rk4, whose error goes with its
+        fourth power. It is not given up early."""
+        step = None if self.step is None else self.step / 100.0**0.25
+        unlimited = replace(self, max_seconds=math.inf, max_steps=MOST_STEPS, verify=False)
+        return replace(unlimited, tolerance=self.tolerance / 100.0, step=step)
+
+    @property
+    def law(self) -> Law:
+        return Law(self.impact)
+
+    @property
+    def longest(self) -> float:
+        """The longest step [s], infinite where nothing is said."""
+        return self.max_step or math.inf
