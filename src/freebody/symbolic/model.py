@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -342,7 +342,7 @@ class SymbolicModel:
                 continue
             for other, sign in ((k, s) for k in kept for s in (1, -1)):
                 difference = self.field.variable(c.index) - sign * self.field.variable(other.index)
-                values = self._at(difference, range(len(self.samples)))
+                values = list(self._at(difference, range(len(self.samples))))
                 constant = recognised(self.field, values, is_angle=True)
                 if constant is not None:
                     found.append(Equation(GIVEN, difference - constant))
@@ -559,7 +559,7 @@ class SymbolicModel:
 
     def at_samples(self, x: Ratio) -> list[float]:
         """The element in numbers at the start poses of all samples; nan where it has no real value."""
-        return self._at(x, [k for k, s in enumerate(self.samples) if s.is_start])
+        return list(self._at(x, [k for k, s in enumerate(self.samples) if s.is_start]))
 
     def at_start_with(self, x: Ratio, number: int, changed: Mapping[int, float]) -> float:
         """The element at the start pose of that number, with other values of some generators; nan if it is not real."""
@@ -577,14 +577,12 @@ class SymbolicModel:
         except (KeyError, ValueError, ArithmeticError):
             return math.nan
 
-    def _at(self, x: Ratio, which: Sequence[int]) -> list[float]:
-        found: list[float] = []
+    def _at(self, x: Ratio, which: Sequence[int]) -> Iterator[float]:
         for k in which:
             try:
-                found.append(float(self.field.evaluate(x, self._values(k))))
+                yield float(self.field.evaluate(x, self._values(k)))
             except (KeyError, ValueError, ArithmeticError):
-                found.append(math.nan)
-        return found
+                yield math.nan
 
     def vanishes(self, x: Ratio) -> bool:
         """True if the element is zero on the motion: formally, or at all samples where coordinates are bound by
@@ -598,8 +596,8 @@ class SymbolicModel:
             return False
         # poses in general position, since an entry may vanish at the start and nowhere else
         general = [k for k, s in enumerate(self.samples) if not s.is_start]
-        values = self._at(x, general or range(len(self.samples)))
-        return all(abs(v) < ZERO_TOLERANCE for v in values)
+        # what does not vanish shows it at the first of them, nearly always
+        return all(abs(v) < ZERO_TOLERANCE for v in self._at(x, general or range(len(self.samples))))
 
     def _is_looped(self, x: Ratio) -> bool:
         if not hasattr(self, "elimination"):
