@@ -15,11 +15,13 @@ import pytest
 from PIL import Image
 
 import freebody as fb
+from command import freebody
 from freebody.cli import app
 from freebody.model.elements import Held
 from freebody.numeric.jets import Array
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture
+from freebody.study import instant
 from freebody.study.free_body import FreeBody
 from freebody.study.instant import Instant, instant_of, start_of
 from freebody.study.picture import draw, free_body, picture
@@ -393,3 +395,43 @@ def test_the_command_draws_bodies_cut_free_and_in_motion(tmp_path: Path) -> None
         result = CliRunner().invoke(app, ["draw", model, "-o", str(out), *options])
         assert result.exit_code == 0, result.output
         ET.parse(out)
+
+
+# -- instants that are far away, or none ------------------------------------------------------
+@pytest.mark.parametrize(
+    ("at", "code", "message"),
+    [
+        ("-1 s", 2, "the motion begins at 0 s; there is no instant at -1 s"),
+        ("nan", 2, "there is no instant at nan s"),
+        ("inf", 2, "there is no instant at inf s"),
+        ("1e400", 2, "there is no instant at inf s"),
+        ("1e300 yr", 2, "too large or too small"),
+        ("3 kg", 2, "--at 3 kg is no time"),
+        ("", 2, "not a quantity"),
+        ("10**9 s", 2, "cannot be read"),
+        ("1e6 s", 1, "the motion takes more than 400 steps"),
+        ("1e12 s", 1, "the motion takes more than 400 steps"),
+        ("1e16 s", 1, "the end at 1e+16 s is too far away"),
+        ("1e30 s", 1, "the end at 1e+30 s is too far away"),
+    ],
+)
+def test_a_picture_of_a_hostile_instant_is_refused(
+    at: str, code: int, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(instant, "_MOST_STEPS", 400)  # 50,000 take two seconds
+    done = freebody("draw", "examples/simple_pendulum.yaml", "-o", str(tmp_path / "a.svg"), "--at", at)
+    assert done.returncode == code
+    assert message in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_work_for_the_picture_of_an_instant_has_a_limit() -> None:
+    """Some seconds' worth."""
+    assert instant._MOST_STEPS <= 50_000
+
+
+def test_what_cannot_move_looks_the_same_at_every_instant() -> None:
+    truss = "bodies: {a: {rod: {mass: 1 kg, length: 1 m}}}\nconnections: {w: {weld: [ground.origin, a.start]}}\n"
+    system = fb.System.from_text(truss)
+    here, there = instant_of(system, 0.0), instant_of(system, 1e9)
+    assert [here.snapshot.q.tolist()] == [there.snapshot.q.tolist()]

@@ -73,7 +73,8 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
 
     result = simulate(system, at or _AT_ONCE, progress=_watched)
     _watched(result.t_end, result.course.n_steps)
-    if at and result.t_end < at * (1 - 1e-9) and len(result.course.times) > 1:
+    is_still = result.status.is_complete and len(result.course.times) == 1  # nothing can move
+    if at and result.t_end < at * (1 - 1e-9) and not is_still:
         raise CannotAnswer(f"the motion ends at t = {result.t_end:.6g} s: {result.message or result.status}")
     k = -1 if at else 0
     course, reference, engine = result.course, result.simulator.reference, result.simulator.engine

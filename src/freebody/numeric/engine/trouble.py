@@ -15,12 +15,19 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.stepping import Run
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
+ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too small beside it
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
 
 
 def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
     """Status and message for a step that became too small."""
     t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
+    step, end = float(run.clock[stepping.STEP]), float(run.clock[stepping.END])
+    if abs(t) * ROUND_OFF <= step < abs(end) * ROUND_OFF:
+        return Status.STEP_TOO_SMALL, (
+            f"the end at {end:.6g} s is too far away: beside it a step of {step:.3g} s, which the motion needs, is "
+            "lost in rounding. Ask for a shorter motion"
+        )
     out = np.zeros(engine.n_y)
     y = run.states[0].copy()
     stepping.visit(engine.layout, engine.room, run, -1.0, y, t, out, 1)
