@@ -41,6 +41,18 @@ def pytest_unconfigure() -> None:
         process.wait()
 
 
+# files that share explained examples (`examples_told`), and so one worker
+_TOGETHER = {"test_examples", "test_narrative", "test_narrative_phrases"}
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The tests of a file run on one worker, as they share solutions."""
+    for item in items:
+        name = item.path.stem
+        item.add_marker(pytest.mark.xdist_group("examples" if name in _TOGETHER else name))
+
+
 class _Symbols(dict[str, Any]):
     """Every name that is no function is a symbol."""
 

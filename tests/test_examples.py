@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import functools
 import json
 import math
 import re
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,20 +13,19 @@ import pytest
 import freebody as fb
 from conftest import formula
 from declared import undeclared
+from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
 from freebody.present.terminal import solution_lines
 from goldens import assert_golden
-
-FOLDER = Path(__file__).parents[1] / "examples"
-EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 example = pytest.mark.parametrize("name", EXAMPLES)
 
 
-@functools.cache
-def solved(name: str) -> fb.Solution:
-    return fb.solve(fb.System.load(FOLDER / f"{name}.yaml"))
+@pytest.mark.parametrize("name", ["atwood_machine", "ball_leaving_cylinder", "block_on_rough_incline", "four_bar"])
+def test_solving_alone_gives_what_an_explanation_stands_on(name: str) -> None:
+    alone, explained = fb.solve(fb.System.load(FOLDER / f"{name}.yaml")), solved(name)
+    assert alone.to_plain() == explained.to_plain()
 
 
 @example

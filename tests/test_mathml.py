@@ -10,11 +10,12 @@ import pytest
 from hypothesis import given, settings
 from ruamel.yaml import YAML
 
+from examples_told import FOLDER
 from freebody.errors import ExpressionError
 from freebody.language.expression import Expr
 from freebody.language.notation import to_mathml, to_typst
 from freebody.language.parser import parse
-from test_examples import FOLDER, TEXTBOOK
+from test_examples import TEXTBOOK
 from test_notation import expressions
 
 ALLOWED = {"mrow", "mi", "mn", "mo", "mfrac", "msqrt", "msub", "msup", "msubsup", "mover", "mspace", "math"}

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import functools
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from examples_told import explained
 from freebody import System
 from freebody.errors import InputError, RoutesDisagree
 from freebody.language.expression import Symbol, number
@@ -22,11 +22,6 @@ EXAMPLES = Path(__file__).parent.parent / "examples"
 
 def load(name: str) -> System:
     return System.load(EXAMPLES / f"{name}.yaml")
-
-
-@functools.cache
-def explained(name: str) -> Explanation:
-    return explain(load(name))
 
 
 def lines_of(stages: tuple[Stage, ...]) -> list[Line]:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from examples_told import EXAMPLES, FOLDER, solved
 from freebody.assess.comparing import PROVED
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import Statement
@@ -19,7 +20,6 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.phrases import PLACE, Phrase, phrases_of
 from freebody.present.report.blocks import Block, Report
 from freebody.present.report.terminal import terminal_text
-from test_examples import EXAMPLES, FOLDER, solved
 
 SOURCES = Path(fb.__file__).parent
 ENGLISH = set(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.model.names import did_you_mean
 from freebody.narrative.closing import closing
+from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import Line, Stage
@@ -120,7 +121,8 @@ def explain(
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
     system = system if question is None else replace(system, questions=asked)
     context = Context(system)
-    shared = None if system.bounds or system.rubs else context.setup
+    # the setup of a motion in phases is that of its first one, with too few draws to check an answer
+    shared = None if has_phases(system) else context.setup
     solution = solve(system, setup=shared)
     first = tuple(opening(context))
     answers = {a.question: a for a in solution.answers}
