@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -234,3 +235,11 @@ def test_a_massless_drum_passes_on_no_more_than_its_brake_holds() -> None:
     )
     assert not fb.statics(fb.System.from_text(free)).holds
     assert fb.statics(fb.System.from_text(free.replace("F: 150 N", "F: 196.2 N"))).holds
+
+
+def test_the_tension_at_the_hand_has_a_derivation_with_both_limits_of_friction() -> None:
+    # friction carries -(e^(mu pi) - 1) T <= phi <= (1 - e^(-mu pi)) T, so that T = M g need not be above F
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "capstan.yaml")
+    (derivation,) = system.explain("tension of rope at hand").derivations
+    assert derivation.reason == ""
+    assert derivation.answer.to_plain()["expression"] == "F"

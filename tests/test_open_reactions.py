@@ -150,3 +150,25 @@ def test_a_load_that_a_wedge_holds_rests_in_one_phase() -> None:
     assert result.course.contact.n_phases == 1
     assert result.events == ()
     assert np.abs(result.course.velocities).max() < 1e-12
+
+
+def heavy_end(order: str) -> fb.Simulation:
+    """The plank with its mass centre beyond the middle post: the least forces would have the first one pull."""
+    joined = "\n".join(
+        f"  {name}: {{contact: {{between: [plank, ground.{name}], friction: {SUPPORTS[name][1]}}}}}" for name in order
+    )
+    return fb.System.from_text(f"""
+ground: {{points: {{p: [-0.5 m, 0], q: [0.1 m, 0], r: [0.6 m, 0]}}}}
+bodies: {{plank: {{rod: {{mass: 3 kg, length: 3 m}}, at: [0.55 m, 0], angle: 0, velocity: [2 m/s, 0]}}}}
+connections:
+{joined}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+""").simulate(0.001)
+
+
+def test_a_post_that_would_have_to_pull_carries_nothing_in_any_order() -> None:
+    # of all N >= 0 with sum N = W, sum N x = 0.55 m W those with the least squares: p nothing, q W/10, r 9 W/10
+    runs = [heavy_end(order) for order in ("pqr", "rqp", "qrp")]
+    for run in runs:
+        assert "carries nothing" in run.message
+        assert run.course.accelerations[0, 0, 0] == pytest.approx(-(0.1 * 0.3 + 0.9 * 0.5) * 9.81, rel=1e-9)

@@ -154,3 +154,17 @@ def test_what_a_drive_moves_is_not_said_to_be_the_same_in_every_pose() -> None:
     answer = ask(driven.replace("start: {theta: 60 deg}", ""), "extremes of x")
     assert answer.expression is None
     assert "varies with time" in answer.reason
+
+
+def test_numbers_on_the_wrong_side_are_said_to_hold_for_no_values() -> None:
+    # two loads of 1 kg and 3 kg pull at each other's string ends, one of them upwards with 40 N: the rope would push
+    system = fb.System.from_text("""
+ground: {points: {O: [0, 0]}}
+bodies: {a: {particle: {mass: 1 kg}}, b: {particle: {mass: 1 kg}}, w: {disk: {radius: 0.1 m}}}
+connections: {axle: {pin: [ground.O, w]}, rope: {string: {from: a, over: [w], to: b}}}
+loads: {g: {gravity: 9.81 m/s^2}, lift: {force: {at: a, along: up, magnitude: 40 N}}}
+questions: [{find: tension of rope at a}]
+""")
+    (answer,) = system.solve().answers
+    assert answer.conditions == ("for no values of the parameters: rope stays taut",)
+    assert answer.value is None

@@ -18,6 +18,7 @@ from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
 from freebody.connections.standing import ROUND_OFF, is_parallel, number_of, place_of, quietly, stands_at
+from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -293,13 +294,8 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         way = "drum" if found["wound"] else "end" if is_end else (found["way"] or "over")
         if not is_end and found["wound"]:
             names.problem(f"only an end can be wound on a drum, '{text}' is in the middle", None, *field)
-        mentioned = any(
-            body.name in other.mentions(names)
-            for other in names.connections.values()
-            if not isinstance(other, (String, Planar))
-        )
         given = body.start.at is not None
-        is_free = not (mentioned or body.fixed or self.swings or body.name == GROUND)
+        is_free = not (_is_held(names, body.name) or body.fixed or self.swings or body.name == GROUND)
         return Node(
             point,
             radius,
@@ -503,6 +499,20 @@ def _sections(
         else:
             passages.append(Passage(b, tuple(terms), arms[k + 1], turns[k + 1], (direction, leads[k + 1])))
     return sections
+
+
+def _is_held(names: Names, body: str) -> bool:
+    """Whether anything but strings holds a body, or one that it is welded to: what is welded to it and free otherwise
+    hangs on the string with it."""
+    unit, welds = {body}, [c.mentions(names) for c in names.connections.values() if isinstance(c, Weld)]
+    while any(joined & unit and joined - unit for joined in welds):
+        unit = unit.union(*(joined for joined in welds if joined & unit))
+    for other in names.connections.values():
+        mentioned = set[str]() if isinstance(other, (Planar, Weld)) else other.mentions(names)
+        if mentioned & (unit - {body} if isinstance(other, String) else unit):
+            return True
+    others = [names.known(name) for name in sorted(unit - {body})]
+    return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
 
 
 def _guide_of(names: Names, body: str) -> Direction | None:

@@ -29,7 +29,7 @@ from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.placing import Equation, Placing
 from freebody.numeric.rotation import matrix
-from freebody.numeric.sizes import Sizes, typical_length
+from freebody.numeric.sizes import Sizes, neighbours, typical_length
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
@@ -60,7 +60,9 @@ class Reference:
         listed = [m for own, b in zip(inertia, system.moving, strict=True) for m in own[: len(columns[b.name])]]
         self.masses = np.array(listed, dtype=np.float64)
         turning = np.array([i >= n_places for c in columns.values() for i in range(len(c))], dtype=bool)
-        self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number))
+        near = neighbours(system, self.number, [own[0] for own in inertia], [own[n_places:] for own in inertia])
+        by_coordinate = [n for n, b in zip(near, system.moving, strict=True) for _ in columns[b.name]]
+        self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number), by_coordinate)
         self.placing = Placing(self.frame, self.sizes)
         self._branches: dict[Branch, float] = {}
         self._origins: dict[int, float] | None = None

@@ -1,13 +1,14 @@
 """What is large and what is small in a system: a typical length, and the metric of the masses.
 
 A move dq costs twice the kinetic energy dq^T M dq at unit speed. With D = M^(-1/2) and dq = D y that is |y|^2,
-so that "the smallest move" means the cheapest one. A massless body counts as one much lighter than the lightest.
+so that "the smallest move" means the cheapest one. A massless body counts as one much lighter than the lightest of the
+part that it belongs to, so that nothing in another part matters.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,10 +17,63 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
+from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
 from freebody.system.system import System
 
 LIGHT = 1e-2  # what counts as the mass of a massless body where the smallest move is meant, by the lightest
+
+
+@dataclass(frozen=True)
+class Near:
+    """What is typical of the part of a system that a body belongs to."""
+
+    lightest: float  # mass [kg]; 1 where nothing has any
+    heaviest: float
+    arm: float  # of the body itself: how far from its mass centre it is touched [m]; of its part where it has none
+
+
+def neighbours(
+    system: System, number: Callable[[Expr], float], masses: Sequence[float], moments: Sequence[Sequence[float]]
+) -> list[Near]:
+    """By moving body. masses [kg] and moments of inertia [kg m^2] of these."""
+    bodies = system.moving
+    arms = [_arm(body, number) for body in bodies]
+    found: dict[int, Near] = {}
+    for part in parts(system):
+        known = [masses[k] for k in part if masses[k] > 0.0] or [1.0]
+        gyration = [math.sqrt(i / masses[k]) for k in part for i in moments[k] if i > 0.0 and masses[k] > 0.0]
+        lengths = gyration or [arms[k] for k in part if arms[k] > 0.0] or [typical_length(system, number)]
+        found |= {k: Near(min(known), max(known), arms[k] or min(lengths)) for k in part}
+    return [found[k] for k in range(len(bodies))]
+
+
+def parts(system: System) -> list[list[int]]:
+    """The moving bodies by number, in parts that no row and no load joins with each other."""
+    place = {body.name: k for k, body in enumerate(system.moving)}
+    joined = [row.measure.bodies() for row in system.rows]
+    joined += [push.measure.bodies() for push in system.pushes]
+    part = list(range(len(place)))
+
+    def first(k: int) -> int:
+        while part[k] != k:
+            part[k] = part[part[k]]
+            k = part[k]
+        return k
+
+    for bodies in joined:
+        heads = {first(place[name]) for name in bodies if name in place}
+        for head in heads:
+            part[head] = min(heads)
+    found: dict[int, list[int]] = {}
+    for k in range(len(part)):
+        found.setdefault(first(k), []).append(k)
+    return list(found.values())
+
+
+def _arm(body: RigidBody, number: Callable[[Expr], float]) -> float:
+    places = [math.hypot(*map(number, place)) for place in body.points.values()]
+    return max([0.0, *places, abs(number(body.radius)) if body.radius is not None else 0.0])
 
 
 @dataclass(frozen=True)
@@ -33,14 +87,14 @@ class Sizes:
     turning: NDArray[np.bool_]  # which coordinates are angles
 
     @classmethod
-    def of(cls, masses: Array, turning: NDArray[np.bool_], length: float) -> Sizes:
-        """From the mass or moment of inertia at every coordinate, and which of these are angles. Raises
-        CannotAnswer for negative masses."""
+    def of(cls, masses: Array, turning: NDArray[np.bool_], length: float, near: Sequence[Near]) -> Sizes:
+        """From the mass or moment of inertia at every coordinate, which of these are angles, and what is typical near
+        the body that each belongs to. Raises CannotAnswer for negative masses."""
         return cls(
             length,
             float(masses[~turning].max(initial=0.0)) or 1.0,
             np.where(turning, 1.0, length),
-            _small_moves(masses, turning, length),
+            _small_moves(masses, turning, near),
             turning,
         )
 
@@ -70,15 +124,10 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     return max(lengths) or 1.0
 
 
-def _small_moves(masses: Array, turning: NDArray[np.bool_], length: float) -> Array:
+def _small_moves(masses: Array, turning: NDArray[np.bool_], near: Sequence[Near]) -> Array:
     """1/sqrt(mass) for every coordinate: the move that costs a unit of (twice the) kinetic energy."""
-    masses = masses.copy()
     if (masses < 0.0).any():
         raise CannotAnswer("with these parameters a mass or a moment of inertia is negative")
-    moved = masses[~turning]
-    light = LIGHT * float(moved[moved > 0.0].min()) if (moved > 0.0).any() else 1.0
-    spun = masses[turning]
-    inert = LIGHT * float(spun[spun > 0.0].min()) if (spun > 0.0).any() else light * length**2
-    masses[(masses == 0.0) & ~turning] = light
-    masses[(masses == 0.0) & turning] = inert
-    return 1.0 / np.sqrt(masses)
+    arms = np.where(turning, [n.arm for n in near], 1.0)
+    light = LIGHT * np.array([n.lightest for n in near]) * arms**2
+    return 1.0 / np.sqrt(np.where(masses == 0.0, light, masses))

@@ -87,7 +87,8 @@ def answer_lines(answer: Answer, *, is_full: bool = False) -> Iterator[str]:
     """One answer; a formula that nobody would read is told by its size, unless it `is_full`."""
     yield f"{answer.id}  {answer.question}"
     if answer.expression is None:
-        yield from _indented(f"{'never' if answer.never else 'no closed form'}: {answer.reason}", 4)
+        word = "never: " if answer.never else "" if "no closed form" in answer.reason else "no closed form: "
+        yield from _indented(f"{word}{answer.reason}", 4)
         if answer.value is not None:
             yield f"    by numbers  {_value_text(answer)}"
         return

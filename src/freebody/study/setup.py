@@ -132,11 +132,11 @@ class Setup:
 
     def holding(self, state: SymbolicState, *, with_contacts: bool = True) -> list[Condition]:
         """Conditions without which the model itself is not true: what is taken to be positive is, ideal strings
-        pull, contacts push."""
+        pull, contacts push. In the order of the names of connections, so that none in the file changes what is said."""
         found: list[Condition] = []
         for x in self.model.assumed:
             found += _open(state.here(self.model.elimination.express(x)), ">", "as at the start")
-        for row in self.system.held:
+        for row in sorted(self.system.held, key=lambda row: row.name):
             if row.unilateral and with_contacts:
                 what = {"tension": "stays taut", "normal force": "keeps touching"}.get(row.reaction, "holds")
                 with suppress(CannotAnswer):

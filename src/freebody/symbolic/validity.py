@@ -22,6 +22,7 @@ from freebody.symbolic.phases.relations import readable, solved_for
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import square_variants, tidy
 
+NEVER = "for no values of the parameters"
 TAKEN = "as at the start"  # a sign that the formulas take as it is at the first sample
 _MOST = 24  # conditions of which each is compared with all others
 _MOVING = ("coordinate", "speed", "acceleration", "time")
@@ -30,6 +31,9 @@ _MOVING = ("coordinate", "speed", "acceleration", "time")
 def validity(conditions: Sequence[Condition]) -> list[Condition]:
     """The same range in as few conditions as can be decided."""
     parts = _merged([part for c in conditions for part in _parts(c)])
+    never = [c for c in parts if _is_never(c)]
+    if never:
+        return never  # all else is idle beside it
     if len(parts) > _MOST:
         return parts
     for c in sorted(parts, key=lambda c: -len(c.element.num)):
@@ -37,6 +41,13 @@ def validity(conditions: Sequence[Condition]) -> list[Condition]:
         if decide(c.element, c.relation, others) is True:
             parts = others
     return [_shorter(c, [k for k in parts if k is not c]) for c in parts]
+
+
+def _is_never(c: Condition) -> bool:
+    """A number on the wrong side of zero: no parameter can change that."""
+    field = c.element.field
+    kinds = {field.generators[g].kind for g in field.ingredients(c.element)}
+    return not kinds & {"parameter", *_MOVING} and decide(c.element, c.relation) is False
 
 
 def texts(conditions: Sequence[Condition]) -> list[str]:
@@ -146,6 +157,8 @@ def _shorter(c: Condition, others: Sequence[Condition]) -> Condition:
 # -- words ------------------------------------------------------------------------------------
 def _text(c: Condition) -> str:
     shown = shortest(c)
+    if _is_never(c):
+        return reworded(f"for no values of the parameters: {c.purpose}" if c.purpose else NEVER, shown)
     purpose = f" ({c.purpose})" if c.purpose else ""
     return reworded(f"{_where(c.element)}{shown}{purpose}", shown)
 

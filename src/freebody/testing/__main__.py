@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from freebody.api import System
 from freebody.errors import FreebodyError, InputError
+from freebody.testing.facts import STUDIES
 from freebody.testing.observing import observed
 from freebody.testing.relations import RELATIONS, SHORT, check
 from freebody.testing.studies import untyped
@@ -25,6 +26,14 @@ def _arguments(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--relation", action="append", choices=sorted(RELATIONS), metavar="NAME", help="only this one (repeatable)"
     )
     parser.add_argument("--seed", type=int, default=0, help="of the random choices: another seed, another order")
+    parser.add_argument(
+        "--study",
+        action="append",
+        choices=sorted(STUDIES),
+        metavar="NAME",
+        default=[],
+        help="compare it too (repeatable)",
+    )
     parser.add_argument("--motion", action="store_true", help="compare short simulations too")
     return parser.parse_args(arguments)
 
@@ -37,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(file)
         try:
             system = System.load(file)
-            before = observed(system, until=SHORT if given.motion else None)
+            before = observed(system, until=SHORT if given.motion else None, studies=given.study)
         except FreebodyError as error:
             print(error, file=sys.stderr)
             code = max(code, 2 if isinstance(error, InputError) else 1)

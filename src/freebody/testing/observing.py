@@ -9,20 +9,25 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_unit
+from freebody.questions.momentum import Spin
+from freebody.questions.reactions import Wrench
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Small
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution
+from freebody.testing.facts import OF_THE_WHOLE, Fact, fact
 
 ROUND_OFF = 1e-9  # relative, of numbers
+_OF_MODES = 1e-7  # relative, of eigenvalues at an equilibrium that was found by iteration
 _N_POINTS = 5
 _OF_FORMULAS = 1e-6  # relative, of floating-point values of formulas of any length
 
@@ -32,7 +37,8 @@ class Reading:
     """How the answers of a changed model are read as those of the model before.
 
     rename: text of the changed model to text of the old one; scale: by what a value of a dimension was multiplied;
-    turned: vectors are turned by a quarter counter-clockwise; concerns: the questions whose answers must not change;
+    turned: vectors are turned by a quarter counter-clockwise; mirrored: up and down are exchanged, and with them both
+    senses of turning; concerns: the questions whose answers must not change;
     freedoms: how many were added; time: by what times were multiplied; same_coordinates: formulas stand in the same
     symbols, else they are compared where they do; same_text: what is printed is the same; formulas: they are the same
     functions, else numbers in them have changed."""
@@ -40,6 +46,7 @@ class Reading:
     rename: Callable[[str], str] = lambda text: text
     scale: Callable[[Dimension], float] = lambda dimension: 1.0
     turned: bool = False
+    mirrored: bool = False
     concerns: Callable[[Question], bool] = lambda question: True
     freedoms: int = 0
     time: float = 1.0
@@ -50,7 +57,8 @@ class Reading:
 
 @dataclass(frozen=True)
 class Observed:
-    """The answers of one model, or the refusal of the whole."""
+    """The answers of one model, or the refusal of the whole; where its measures are after a while; what other studies
+    say."""
 
     system: System
     solution: Solution | None = None
@@ -58,10 +66,12 @@ class Observed:
     numbers: Mapping[str, tuple[Dimension, tuple[float, ...]]] = field(
         default_factory=dict[str, tuple[Dimension, tuple[float, ...]]]
     )
+    facts: Mapping[str, Fact] = field(default_factory=dict[str, Fact])
 
 
-def observed(system: System, *, until: float | None = None) -> Observed:
-    """The answers of a model; with a time `until` [s], also where its named measures are then."""
+def observed(system: System, *, until: float | None = None, studies: Iterable[str] = ()) -> Observed:
+    """The answers of a model; with a time `until` [s], also where its named measures are then; with names of
+    `facts.STUDIES`, what these say."""
     try:
         solution = system.solve()
     except FreebodyError as error:
@@ -69,7 +79,7 @@ def observed(system: System, *, until: float | None = None) -> Observed:
     numbers: dict[str, tuple[Dimension, tuple[float, ...]]] = {}
     if until is not None and system.has_values:
         numbers = _at(system, until)
-    return Observed(system, solution, "", numbers)
+    return Observed(system, solution, "", numbers, {study: fact(study, system) for study in studies})
 
 
 def _at(system: System, until: float) -> dict[str, tuple[Dimension, tuple[float, ...]]]:
@@ -110,7 +120,18 @@ def differences(before: Observed, after: Observed, reading: Reading) -> list[str
         if other is not None:
             scaled = tuple(v * reading.scale(dimension) for v in values)
             found += [f"{name} after a while: {text}" for text in _of_numbers(scaled, other[1])]
+    for study in before.facts.keys() & after.facts.keys():
+        if not (study in OF_THE_WHOLE and reading.freedoms):
+            found += [f"{study}: {text}" for text in _of_facts(before.facts[study], after.facts[study], reading)]
     return found
+
+
+def _of_facts(first: Fact, second: Fact, reading: Reading) -> list[str]:
+    """The differences of what one study says of two models."""
+    if first.words != second.words:
+        return [f"{'; '.join(first.words)}, then {'; '.join(second.words)}"]
+    factor = reading.scale(first.dimension)
+    return _of_numbers(tuple(x * factor for x in first.numbers), second.numbers, _OF_MODES)
 
 
 def _between(question: Question, system: System, first: Answer, second: Answer, reading: Reading) -> list[str]:
@@ -126,6 +147,8 @@ def _between(question: Question, system: System, first: Answer, second: Answer, 
     if values_1 is not None and values_2 is not None:
         if is_turned and len(values_2) == 2:
             values_2 = (values_2[1], -values_2[0])
+        sense = _sense(question, values_2, reading)
+        values_2 = tuple(s * v for s, v in zip(sense, values_2, strict=True))
         factor = reading.scale(_dimension(first.unit))
         found += _of_numbers(tuple(factor * v for v in values_1), values_2)
     elif (values_1 is None) != (values_2 is None):
@@ -141,7 +164,22 @@ def _between(question: Question, system: System, first: Answer, second: Answer, 
         return found
     if is_turned and len(parts_2) == 2:
         parts_2 = (parts_2[1], -parts_2[0])
+    sense = _sense(question, parts_2, reading)
+    parts_2 = tuple(part if s > 0 else -part for s, part in zip(sense, parts_2, strict=True))
     return found + _of_formulas(system, parts_1, parts_2, reading)
+
+
+def _sense(question: Question, values: Sequence[Any], reading: Reading) -> tuple[int, ...]:
+    """The signs with which the components of a mirrored answer are read: of vectors of the plane the second one, of
+    what turns about the third axis the whole."""
+    if not reading.mirrored:
+        return (1,) * len(values)
+    q = question.quantity
+    turns = isinstance(q, Spin) or (isinstance(q, Wrench) and q.moment)
+    if len(values) == 1:
+        return (-1 if turns else 1,)
+    is_vector = len(values) == 2 and not isinstance(question.quantity, Small)
+    return (1, -1) if is_vector else (1,) * len(values)
 
 
 def _parts(answer: Answer) -> tuple[Expr, ...] | None:
@@ -163,13 +201,13 @@ def _dimension(unit: str) -> Dimension:
         return DIMENSIONLESS
 
 
-def _of_numbers(first: tuple[float, ...], second: tuple[float, ...]) -> list[str]:
+def _of_numbers(first: tuple[float, ...], second: tuple[float, ...], share: float = ROUND_OFF) -> list[str]:
     if len(first) != len(second):
         return [f"{len(first)} components, then {len(second)}"]
     size = max((abs(x) for x in (*first, *second)), default=0.0)
     for a, b in zip(first, second, strict=True):
         both_nan = math.isnan(a) and math.isnan(b)
-        if not both_nan and not abs(a - b) <= ROUND_OFF * size + 1e-11:
+        if not both_nan and not abs(a - b) <= share * size + 1e-11:
             return [f"{a!r}, then {b!r}"]
     return []
 

@@ -35,7 +35,7 @@ from freebody.questions.steady import Steady
 from freebody.testing import documents
 from freebody.testing.documents import Data, section
 from freebody.testing.observing import Observed, Reading, differences, observed
-from freebody.testing.turning import quarter_turn
+from freebody.testing.turning import mirror_image, quarter_turn
 
 SHORT = 0.05  # s, of a motion that is compared
 _STRANGER = "zz_far"  # a name that no model has
@@ -99,7 +99,8 @@ def check(relation: Relation, system: System, *, seed: int = 0, before: Observed
     before = observed(system, until=SHORT) if before is None else before
     found: list[str] = []
     for changed in changes:
-        after = observed(System.from_data(changed.data), until=SHORT * changed.reading.time if before.numbers else None)
+        until = SHORT * changed.reading.time if before.numbers else None
+        after = observed(System.from_data(changed.data), until=until, studies=before.facts)
         found += differences(before, after, changed.reading)
     return Verdict(relation.name, True, tuple(found))
 
@@ -177,20 +178,37 @@ def in_other_units(system: System, rng: random.Random) -> list[Changed]:
     return [Changed(data, Reading())]
 
 
-@_relation("sizes")
-def in_other_sizes(system: System, rng: random.Random) -> list[Changed]:
-    """All lengths twice, masses five times, times four times as large: answers follow by their dimensions."""
+def _scaled(system: System, mass: int = 1, length: int = 1, time: int = 1) -> list[Changed]:
+    """All masses, lengths and times so many times as large: answers follow by their dimensions."""
     if not _says_all_units(documents.prepared(system)):
         return []
 
     def size(d: Dimension) -> Fraction:
-        return Fraction(5) ** int(d.mass) * Fraction(2) ** int(d.length) * Fraction(4) ** int(d.time)
+        return Fraction(mass) ** int(d.mass) * Fraction(length) ** int(d.length) * Fraction(time) ** int(d.time)
 
     data = _sized(system, size, ("kg", "m", "s"))
     if data is None or repr(data) == repr(documents.prepared(system)):
         return []
-    scaled = Reading(scale=lambda d: float(size(d)), formulas=False, time=4.0)
+    scaled = Reading(scale=lambda d: float(size(d)), formulas=False, time=float(time))
     return [Changed(data, scaled)]
+
+
+@_relation("lengths")
+def with_lengths(system: System, rng: random.Random) -> list[Changed]:
+    """All lengths twice as large: answers follow by their dimensions."""
+    return _scaled(system, length=2)
+
+
+@_relation("masses")
+def with_masses(system: System, rng: random.Random) -> list[Changed]:
+    """All masses five times as large."""
+    return _scaled(system, mass=5)
+
+
+@_relation("times")
+def with_times(system: System, rng: random.Random) -> list[Changed]:
+    """All times four times as long."""
+    return _scaled(system, time=4)
 
 
 def _entry(value: Any) -> Data:
@@ -348,6 +366,15 @@ def turned(system: System, rng: random.Random) -> list[Changed]:
         return []
     data = quarter_turn(documents.prepared(system), system)
     return [] if data is None else [Changed(data, Reading(turned=True, same_coordinates=False))]
+
+
+@_relation("mirror")
+def mirrored(system: System, rng: random.Random) -> list[Changed]:
+    """The whole planar model, gravity too, is seen in a level mirror."""
+    if system.space:
+        return []
+    data = mirror_image(documents.prepared(system), system)
+    return [] if data is None else [Changed(data, Reading(mirrored=True, same_coordinates=False))]
 
 
 __all__ = ["DIMENSIONLESS", "RELATIONS", "Changed", "Relation", "Verdict", "check"]

@@ -1,4 +1,5 @@
-"""A planar model turned by a quarter counter-clockwise: x to y, y to -x, every direction by 90 degrees.
+"""A planar model turned by a quarter counter-clockwise: x to y, y to -x, every direction by 90 degrees; and seen in a
+level mirror: y to -y, every angle to its opposite.
 
 What is fixed in a body stays; what is said in the ground's axes is rewritten: places, velocities, directions, angles of
 bodies, gravity, the phrases of measures and questions. Where a part of a model says a direction in a way that is not
@@ -203,3 +204,117 @@ def _question(text: str, lines: set[str], measures: set[str]) -> str:
     if not _SAFE.match(text) or re.search(r"\b(x|y) (of|component)|horizontal|vertical|height|drop|\bangle of\b", text):
         raise _Stays
     return text
+
+
+# -- in a mirror ------------------------------------------------------------------------------
+_SEEN = {"up": "down", "down": "up", "right": "right", "left": "left", "x": "right", "y": "down"}
+_SEEN_PHRASES: tuple[tuple[str, str], ...] = (
+    (r"^x of (.+)$", r"x of \1"),
+    (r"^y of (\S+)$", r"drop of \1"),
+    (r"^height of (\S+)(?: (?:above|over) (\S+))?$", r"drop of \1 below \2"),
+    (r"^drop of (\S+)(?: (?:below|from) (\S+))?$", r"height of \1 above \2"),
+    (r"^clockwise angle of (\w+)$", r"angle of \1"),
+    (r"^angle of (\w+)$", r"clockwise angle of \1"),
+    (r"^(distance .+)$", r"\1"),
+)
+# what says nothing of sides, or says it by headings and points alone
+_ALIKE = ("pin", "weld", "slider", "link", "gravity", "force", "spring", "damper", "law")
+_LEVEL = ("particle", "rod", "disk", "ring")  # symmetric about their own x axis
+_OF_MEASURES = re.compile(r"^(?:(?:velocity|acceleration|position|value|rate) of )?(\w+)(?: (?:at start|when .*))?$")
+_WITHOUT_SIDES = re.compile(
+    r"^(?:degrees of freedom|natural frequenc|period of|(?:kinetic|potential|total) energy|time )"
+)
+
+
+def mirror_image(data: Data, system: System) -> Data | None:
+    """The document in the mirror, with the questions whose answers are the same there; None where a part of it cannot
+    be mirrored."""
+    try:
+        return _mirrored(data)
+    except _Stays:
+        return None
+
+
+def _mirrored(data: Data) -> Data:
+    ground = section(data, "ground")
+    if "frames" in data or isinstance(ground.get("points"), list) or set(ground) - {"points"}:
+        raise _Stays
+    changed = dict(data)
+    changed["ground"] = {"points": {n: _seen_pair(p) for n, p in section(ground, "points").items()}}
+    changed["bodies"] = {name: _seen_body(entry) for name, entry in data["bodies"].items()}
+    for part, kinds in (("connections", Connection.kinds), ("loads", Load.kinds)):
+        changed[part] = {n: _seen_element(entry, cast("Any", kinds)) for n, entry in section(data, part).items()}
+    changed["measures"] = {n: _seen_measure(text) for n, text in section(data, "measures").items()}
+    changed["questions"] = [q for q in data.get("questions", []) if _is_seen_alike(q["find"], set(changed["measures"]))]
+    return changed
+
+
+def _seen_pair(value: Any) -> list[Any]:
+    if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
+        raise _Stays
+    x, y = cast("list[Any]", value)
+    return [x, _minus(y)]
+
+
+def _seen_heading(value: Any) -> Any:
+    if isinstance(value, list):
+        return _seen_pair(value)
+    if isinstance(value, (int, float)):
+        return -value
+    text = str(value).strip()
+    if text in _SEEN:
+        return _SEEN[text]
+    if re.search(r"[.]\D|^(?:normal|along)", text):
+        raise _Stays
+    return _minus(text)
+
+
+def _seen_body(entry: Data) -> Data:
+    if set(entry) - {*_LEVEL, "at", "angle", "velocity", "fixed"}:
+        raise _Stays
+    kind = next(k for k in entry if k in _LEVEL)
+    if isinstance(entry[kind], dict) and "points" in entry[kind]:
+        raise _Stays
+    changed = dict(entry)
+    for key in ("at", "velocity"):
+        value = entry.get(key)
+        if isinstance(value, dict):
+            changed[key] = {p: _seen_pair(v) for p, v in cast("Data", value).items()}
+        elif value is not None:
+            changed[key] = _seen_pair(value)
+    if entry.get("angle") is not None:
+        changed["angle"] = _seen_heading(entry["angle"])
+    return changed
+
+
+def _seen_element(entry: Any, kinds: dict[str, type[Spec]]) -> Any:
+    if isinstance(entry, str):
+        entry = {entry: None}
+    ((kind, value),) = cast("Data", entry).items()
+    if kind not in _ALIKE or kind not in kinds:
+        raise _Stays
+    fields = kinds[kind].from_plain(value)
+    if fields.get("on", "ground") != "ground" or {"friction", "radius"} & set(fields):
+        raise _Stays
+    for name in _headings(kinds[kind]):
+        given = fields.get(name, kinds[kind].model_fields[name].default)
+        if given is not None:
+            fields[name] = _seen_heading(given)
+    if isinstance(fields.get("through"), list):
+        fields["through"] = _seen_pair(fields["through"])
+    return {kind: fields}
+
+
+def _seen_measure(value: Any) -> str:
+    for pattern, seen in _SEEN_PHRASES:
+        found = re.match(pattern, value) if isinstance(value, str) else None
+        if found:
+            text = found.expand(seen)
+            return re.sub(r" (?:below|above) $", "", text)
+    raise _Stays
+
+
+def _is_seen_alike(text: str, measures: set[str]) -> bool:
+    """Questions about measures, which are mirrored with the model, and about what has no sides."""
+    subject = _OF_MEASURES.match(text)
+    return bool(_WITHOUT_SIDES.match(text)) or (subject is not None and subject[1] in measures)

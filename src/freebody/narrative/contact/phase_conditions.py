@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.expression import Call, Expr, Symbol, negate
 from freebody.model.elements import Rub
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced
@@ -56,28 +56,43 @@ def _tell_limit(script: Script, way: Way, leg: Leg, rub: Rub) -> int:
         unknowns = [newton.reaction(rub.name), *(newton.reaction(n) for n in rub.load)]
         values = newton.write(script, newton.plan(unknowns), unknowns)
     friction = values[unknowns[0]][0]
-    c = f.lowest_terms(leg.phase.coefficient(rub, 1, at_rest=True))
-    limit = c * values[unknowns[1]][0] if rub.load else c
+    pressing = values[unknowns[1]][0] if rub.load else f.one
     lines = tuple(line for _v, line in values.values())
-    with script.stage("stage.holds", "hint.holds", connection=label(rub.of or rub.name)):
+    here = leg.phase.start_instant.here
+
+    def carried(direction: int) -> tuple[Expr, Expr]:
+        """What it can carry against slip in a direction, by what presses it and at the start of the phase."""
+        c = f.lowest_terms(leg.phase.coefficient(rub, direction, at_rest=True))
         written: Expr = tidy(c) * Symbol(names[rub.load[0]].name) if rub.load else tidy(c)
-        symbol = Call("abs", Symbol(names[rub.name].name))
-        here = leg.phase.start_instant.here
-        force, most = (way.home(leg, f.lowest_terms(here(x))) for x in (friction, limit))
-        size = -force if bool((way.tree.numbers(force)[way.piece.sets] < 0).all()) else force
+        return written, readable(way.home(leg, f.lowest_terms(here(c * pressing))))
+
+    with script.stage("stage.holds", "hint.holds", connection=label(rub.of or rub.name)):
+        symbol: Expr = Symbol(names[rub.name].name)
+        force = way.home(leg, f.lowest_terms(here(friction)))
+        known = way.tree.numbers(force)[way.piece.sets]
+        # against slip that grows the force is negative, F >= -c N, against the other way F <= c' N
+        falls, rises = bool((known < 0).all()), not bool((known < 0).any())
+        if falls or rises or rub.static_back is None:
+            shown = readable(-force if falls else force)
+            written, most = carried(-1 if rises else 1)
+            first: tuple[Expr, ...] = (Call("abs", symbol), written)
+            then = (Call("abs", symbol), shown if falls or rises else Call("abs", shown), most)
+            signs: tuple[Sign, ...] = ("=", "≤")
+        else:
+            (back, least), (ahead, most) = carried(1), carried(-1)
+            first = (negate(back), symbol, ahead)
+            then = (negate(least), readable(force), most)
+            signs = ("≤", "≤")
         with on_the_way(script, leg.course):
             args: dict[str, Argument] = {"connection": label(rub.of or rub.name)}
-            number = script.line(
-                symbol, written, relations=("≤",), why="condition.coulomb", args=args, uses=lines, when="start"
-            )
-            same = (symbol, readable(size), readable(most))
-            uses = (number, *lines)
+            bounds: tuple[Sign, ...] = ("≤",) * (len(first) - 1)
+            number = script.line(*first, relations=bounds, why="condition.coulomb", args=args, uses=lines, when="start")
             return script.line(
-                *same,
-                relations=("=", "≤"),
+                *then,
+                relations=signs,
                 why="condition.put_in",
                 args={"lines": lines, "line": number},
-                uses=uses,
+                uses=(number, *lines),
                 when="start",
             )
 

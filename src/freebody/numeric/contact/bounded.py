@@ -60,6 +60,7 @@ class Drag:
     loads: tuple[int, ...]  # places of the rows that press
     load_sign: int
     rub: RubElement
+    packed: int  # its number in the packing
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,9 @@ class Bounded:
         self.rows = system.rows
         places = {row.name: k for k, row in enumerate(self.rows)}
         ideal = [Bound(row) for row in system.held if row.unilateral]
-        bounds = [*ideal, *system.bounds]
+        # in the order of their names: where several outcomes are alike, none in the file chooses one
+        bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
+        rubs = sorted(enumerate(system.rubs), key=lambda numbered: numbered[1].name)
         for bound in ideal:
             packing.watched.append(packing.held[places[bound.name]].where)
         for bound in system.bounds:
@@ -140,8 +143,9 @@ class Bounded:
                 packing.rubs[k].loads,
                 packing.rubs[k].sign,
                 rub,
+                k,
             )
-            for k, rub in enumerate(system.rubs)
+            for k, rub in rubs
         ]
         self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
 
@@ -233,15 +237,15 @@ class Bounded:
             for k, state in enumerate(mode.drags):
                 if state == 0 and k not in mode.followers:
                     group = next((group for group in mode.groups if group[0] == k), (k,))
-                    guards.append(Guard(OF_RESERVE, rub=k, n_shares=len(group) - 1))
-                    guards += (Guard(OF_SHARE, rub=other) for other in group[1:])
+                    guards.append(Guard(OF_RESERVE, rub=self.drags[k].packed, n_shares=len(group) - 1))
+                    guards += (Guard(OF_SHARE, rub=self.drags[other].packed) for other in group[1:])
                     about += [("grip", other) for other in group]
                 elif state == 0:
                     continue
                 elif state is not None:
                     guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state)))
                     about.append(("slip", k))
-            sliding = tuple((k, state) for k, state in enumerate(mode.drags) if state)
+            sliding = tuple((drag.packed, state) for drag, state in zip(self.drags, mode.drags, strict=True) if state)
             rows = Rows(self.written, self.held_in(mode), sliding, tuple(guards))
             engine = Engine(self.numbers, self.watches, self.tracked, rows)
             self._engines[mode] = engine, tuple(guards), about
@@ -364,7 +368,9 @@ class Bounded:
 
     def _limits(self, k: int, t: float) -> tuple[float, float]:
         """The largest friction at rest and in motion of a brake, at the instant looked at."""
-        static, kinetic = (max(0.0, self.free.tape_value(tape, t)) for tape in self.written.limit_tapes(k))
+        static, kinetic = (
+            max(0.0, self.free.tape_value(tape, t)) for tape in self.written.limit_tapes(self.drags[k].packed)
+        )
         return max(static, kinetic), kinetic
 
     def is_angle(self, row: Held) -> bool:
@@ -372,7 +378,7 @@ class Bounded:
 
     def keep(self, drag: int, now: Instant) -> None:
         """The slip of a drag is kept from now on where it is."""
-        self.written.keep(drag, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
+        self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
+from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import Status as Consistency
 from freebody.numeric.contact.problem import Status as Outcome
 from freebody.numeric.contact.record import Phase, merged
@@ -47,6 +48,7 @@ class Hybrid:
         self.several: float | None = None  # when first several outcomes were consistent
         self.ahead: tuple[float, float] | None = None  # when the most energy was there for a moment, and how much
         self.shared: dict[str, None] = {}  # dry friction that is pressed by reactions that are not unique
+        self.is_pulling = False  # whether a contact would have to pull for the rule, and carries nothing
         self.is_arbitrary = False  # whether they were ever shared otherwise than by the rule
 
     def run(
@@ -242,16 +244,17 @@ class Hybrid:
         if not found or not self._matters(engine, mode, free, found):
             return
         self.shared |= dict.fromkeys(b.drags[k].rub.row.connection for k in found)
-        if engine.is_shared:
-            return
-        plain = engine.layout
         engine.share_by_compliance()
         _accelerations, multipliers = engine.evaluate(y, t)
-        size = float(np.abs(multipliers).max(initial=0.0))
-        if any(b.barriers[k].sign * multipliers[row_of[b.barriers[k].place]] < -1e-9 * size for k in mode.closed):
-            engine.layout, engine.is_shared = plain, False  # something would have to pull
+        pushing = {row_of[b.barriers[k].place]: b.barriers[k].sign for k in mode.closed}
+        idle = _idle(multipliers, sets / sizes[:, None], 1.0 / engine.scale_of_held, pushing)
+        if idle:
+            engine.share_by_compliance(idle)
+            self.is_pulling = True
+        elif idle is None:
+            engine.layout, engine.is_shared = engine.unshared, False  # no distribution at all would do
             self.is_arbitrary = True
-            engine.evaluate(y, t)
+        engine.evaluate(y, t)
 
     def _matters(self, engine: Engine, mode: ModeOf, free: dict[int, Floats], found: list[int]) -> bool:
         """Whether friction as a whole depends on the sharing: not where all that presses rubs along one line with one
@@ -309,8 +312,10 @@ class Hybrid:
             message = f"{message}; {said}" if message else said
         if self.shared:
             how = "they are shared as if all joints yielded alike, and the motion depends on it"
+            if self.is_pulling:
+                how += "; a contact that would have to pull for that carries nothing"
             if self.is_arbitrary:
-                how += "; where a contact would have to pull for that, they are shared by the order of the rows"
+                how += "; where contacts would have to pull however they are shared, it is by the order of the rows"
             said = (
                 f"the reactions that press the dry friction of {', '.join(sorted(self.shared))} are not unique in a "
                 f"rigid model; {how}"
@@ -321,6 +326,9 @@ class Hybrid:
                 f"rebounds too small to be followed end at t = {self.ahead[0]:.6g} s at once, and their friction with "
                 f"them: for that moment the energy is {self.ahead[1]:.2g} J too high"
             )
+            message = f"{message}; {said}" if message else said
+        if self.transition.tied:
+            said = f"of {', '.join(self.transition.tied)}, which are hit equally fast, the first by name is taken first"
             message = f"{message}; {said}" if message else said
         if self.transition.is_replaced:
             said = (
@@ -338,3 +346,22 @@ class Hybrid:
         unknown = {name: np.full_like(getattr(course, name)[:1], np.nan) for name in ("accelerations", "multipliers")}
         course = replace(course, **one, **unknown, unique=np.zeros_like(course.unique[:1]))
         return Phase(course, b.free, ModeOf(frozenset(), (None,) * len(b.drags)))
+
+
+def _idle(forces: Floats, free: Floats, weights: Floats, pushing: dict[int, int]) -> list[int] | None:
+    """Rows that carry nothing in the least forces in which no contact pulls: empty where the least of all are such,
+    None where there are none. forces: (n,) the least; free: (n, k) what may be added; weights: (n,) of the rows;
+    pushing: the rows of contacts with their signs. A strictly convex problem has one solution, whatever the order of
+    the rows."""
+    size = float(np.abs(forces).max(initial=0.0))
+    rows = list(pushing)
+    signs = np.array([pushing[row] for row in rows], dtype=np.float64)
+    if not bool((signs * forces[rows] < -1e-9 * size).any()):
+        return []
+    inverse = np.linalg.inv(np.linalg.qr(weights[:, None] * free, mode="r"))
+    among = free @ inverse
+    least = least_within(signs[:, None] * among[rows], -signs * forces[rows])
+    if least is None:
+        return None
+    found = forces + among @ least
+    return [row for row, sign in zip(rows, signs, strict=True) if sign * found[row] <= 1e-9 * size]

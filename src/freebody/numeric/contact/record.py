@@ -120,7 +120,7 @@ def _rows(bounded: Bounded, phase: Phase) -> tuple[Floats, Floats, Floats, Float
         if k in mode.followers:
             continue
         if state:
-            load = _load(bounded, phase, drag, k, multipliers)
+            load = _load(bounded, phase, drag, state, multipliers)
             multipliers[:, drag.keeps] = -state * load
             unique[:, drag.keeps] = unique[:, list(drag.loads)].min(axis=1, initial=1.0)
     for group in mode.groups:
@@ -146,16 +146,14 @@ def _share(bounded: Bounded, group: tuple[int, ...], multipliers: Floats, unique
         unique[:, bounded.drags[k].keeps] = 0.0
 
 
-def _load(bounded: Bounded, phase: Phase, drag: Drag, k: int, multipliers: Floats) -> Floats:
-    """(n_times,) size of the force of a friction that slides."""
-    state = phase.mode.drags[k]
-    assert state is not None
+def _load(bounded: Bounded, phase: Phase, drag: Drag, state: int, multipliers: Floats) -> Floats:
+    """(n_times,) size of the force of a friction that slides in a direction."""
     if drag.loads:
         c = bounded.numbers.number(drag.rub.coefficient(state))
         pressed = multipliers[:, list(drag.loads)]
         return c * (drag.load_sign * pressed[:, 0] if drag.load_sign else np.linalg.norm(pressed, axis=1))
     course, engine = phase.course, phase.engine
-    tape = bounded.written.limit_tapes(k)[1]
+    tape = bounded.written.limit_tapes(drag.packed)[1]
     found = np.zeros(len(course.times))
     out = np.zeros(engine.n_y)
     for i, t in enumerate(course.times):

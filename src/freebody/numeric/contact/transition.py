@@ -25,6 +25,7 @@ from freebody.numeric.options import Law
 
 STILL = 1e-9  # rates below this part of the system's speed are none
 REST = 1e-10  # gaps that do not come wider than this part of the system's size are none
+TIED = 1e-9  # rates of approach that differ by less, relatively, are equal
 N_IMPACTS = 50
 MOST_OTHERS = 300  # modes that are tried to find out whether there is another outcome: those of three contacts
 
@@ -68,6 +69,7 @@ class Transition:
         self.bounded, self.law, self.jams = bounded, law, jams
         self.length = bounded.numbers.length
         self.fastest = 0.0  # met so far: by it rates count as none
+        self.tied: dict[str, None] = {}  # contacts hit equally fast of which one had to come first
         self.is_replaced = False  # whether an impact did not obey the law, and another one took its place
 
     def after(
@@ -235,10 +237,14 @@ class Transition:
     def _alone(
         self, now: Instant, closed: list[int], drags: dict[int, int], rates: dict[int, float]
     ) -> tuple[ImpactOutcome, Problem] | None:
-        """Where no impulses of all contacts at once obey the law: that of the fastest one alone; what it does to the
-        others is a collision of its own."""
+        """Where no impulses of all contacts at once obey the law: that of the fastest one alone, of equally fast ones
+        the first by name; what it does to the others is a collision of its own."""
         b = self.bounded
-        hit = min(closed, key=lambda k: rates[k])
+        fastest = min(rates[k] for k in closed)
+        tied = [k for k in closed if rates[k] <= fastest * (1.0 - TIED)]
+        hit = min(tied)
+        if len(tied) > 1:
+            self.tied |= dict.fromkeys(b.barriers[k].name for k in tied)
         own = {k: s for k, s in drags.items() if b.drags[k].of == hit}
         problem = b.problem(now, [hit], own, of_rates=True)
         outcome = impact(problem.matrices, {problem.row_of_barrier(hit): b.barriers[hit].restitution}, Law.POISSON)

@@ -31,6 +31,7 @@ from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
 
 COMPLIANCE = 1e-5  # of held rows whose multipliers are shared, by the most mobile one
+WITHOUT_LIMIT = 1e30  # times that: of rows that carry nothing
 
 
 @dataclass(frozen=True)
@@ -194,6 +195,7 @@ class Engine(Packed):
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
+        self.unshared = self.layout
         self.is_shared = False  # whether multipliers that are not unique are the least
 
     @cached_property
@@ -211,21 +213,29 @@ class Engine(Packed):
             raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
         return self.room.acceleration.reshape(self.n_bodies + 1, -1).copy(), multipliers
 
-    def share_by_compliance(self) -> None:
+    @property
+    def scale_of_held(self) -> Floats:
+        """(n_held,) by which gaps of the held rows count: 1/length, 1 for angles."""
+        return np.array(self.layout.held_scale)[self.place_of]
+
+    def share_by_compliance(self, idle: Sequence[int] = ()) -> None:
         """From now on multipliers that are not unique are the least ones, sum of (lambda_i h_i)^2 over the held rows,
         h_i the size of the system where the row is a length, 1 where it is an angle: as if all joints yielded alike.
         That depends on no order of rows, on no units, and where bodies are joined by forces on no axes.
 
-        Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the proximal iteration
-        for massless bodies takes back without leaving the range of J: what is left of it is the choice of lambda.
+        Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the passes of
+        `dynamics.projected` take back without leaving the range of J: what is left of it is the choice of lambda.
+        Rows that are `idle` yield without limit and carry nothing.
         Source: Tikhonov regularisation, Hansen, Rank-Deficient and Discrete Ill-Posed Problems, 1998, ch. 5."""
-        L = self.layout
+        L = self.unshared
         held = np.array(L.held_scale)
         diagonal = np.array(self.room.diagonal)[: len(held)]
         compliance = COMPLIANCE * float((diagonal * held**2).max(initial=0.0))
         base = np.array(L.schur_base)
-        base[np.array(L.column_ptr[:-1])] += compliance / held**2
-        self.layout = L._replace(schur_base=base, has_gap=np.ones_like(L.has_gap))
+        yielding = compliance / held**2
+        yielding[self.place_of[list(idle)]] *= WITHOUT_LIMIT
+        base[np.array(L.column_ptr[:-1])] += yielding
+        self.layout = L._replace(schur_base=base, has_gap=L.has_gap | dynamics.SHARES)
         self.is_shared = True
 
     def tape_value(self, tape: int, t: float) -> float:

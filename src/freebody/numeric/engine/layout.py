@@ -35,7 +35,7 @@ class Layout(NamedTuple):
 
     inverse_mass: Floats  # (3 n_cells,) by coordinate
     mass_gap: Floats  # by how much the mass used is more than that of a body without any
-    has_gap: Ints  # (1,)
+    has_gap: Ints  # (1,): bits `dynamics.LENDS`, `dynamics.SHARES`
     constant_force: Floats  # loads that never change
     gyration: Floats2  # (n, 3) in space: I3 - I2, I1 - I3, I2 - I1; (0, 3) in the plane
 
@@ -107,6 +107,9 @@ class Room(NamedTuple):
     step: Floats
     multiplier: Floats
     acceleration: Floats
+    residual: Floats  # what `dynamics.solve` needs where masses are lent
+    descent: Floats
+    search: Floats
     slide_force: Floats
     slide_response: Floats2  # (n + 1, n_held): multipliers by a unit force along each slip, and without friction
     unit_force: Floats
@@ -152,6 +155,9 @@ def room_for(layout: Layout, *, space: bool = False) -> Room:
         step=empty(n_held),
         multiplier=empty(n_held),
         acceleration=empty(3 * n),
+        residual=empty(3 * n),
+        descent=empty(3 * n),
+        search=empty(3 * n),
         slide_force=empty(len(layout.slide)),
         slide_response=empty(len(layout.slide) + 1, n_held),
         unit_force=empty(3 * n),

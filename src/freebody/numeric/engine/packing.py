@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.writing import Written
 
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
-MASSLESS = 1e-4  # mass lent to a body without any, by the typical mass of the others
 
 
 @dataclass(frozen=True)

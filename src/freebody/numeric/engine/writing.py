@@ -15,10 +15,12 @@ import numpy as np
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
 from freebody.model.elements import VALUE, Push, RateMeasure, Rub
+from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.complement import held_entries, schur_complement
 from freebody.numeric.engine.layout import Layout, floats, ints, pointers
+from freebody.numeric.engine.lending import lent_sizes
 from freebody.numeric.engine.ordering import elimination_order
-from freebody.numeric.engine.packing import MASSLESS, Composition, Packing, Where
+from freebody.numeric.engine.packing import Composition, Packing, Where
 from freebody.numeric.engine.programs import Program, Writer
 from freebody.numeric.engine.tapes import Tapes
 
@@ -170,16 +172,15 @@ class Written:
         for k, b in enumerate(numbers.system.moving):
             masses[k], turns[k] = cells.masses(b)
             gyration += cells.gyration(b)
-        mass = float(masses[:, 0].max(initial=0.0)) or 1.0
-        typical = np.array(cells.sizes(mass, numbers.length))
         is_driven = np.isin(np.arange(masses.size).reshape(masses.shape), sorted(driven)) | (self.width == 1)
-        lent = np.where(turns & (masses == 0.0) & is_driven, MASSLESS * typical, 0.0)
+        lacks = turns & (masses == 0.0) & is_driven
+        lent = np.where(lacks, lent_sizes(numbers, cells, masses), 0.0)
         used = masses + lent
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
         return {
             "inverse_mass": inverse.ravel(),
             "mass_gap": lent.ravel(),
-            "has_gap": ints([int(lent.any())]),
+            "has_gap": ints([dynamics.LENDS * int(lent.any())]),
             "gyration": floats(np.array(gyration).reshape(-1, 3)),
         }
 

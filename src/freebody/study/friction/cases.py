@@ -237,7 +237,7 @@ class Ends:
         eq, one = self.equations, self.field.one
         lines: list[Line] = []
         slips = dict(failure.slips)
-        for row in eq.system.held:
+        for row in sorted(eq.system.held, key=lambda row: row.name):
             if row.unilateral and row.name not in failure.opens:
                 what = "stays taut" if row.reaction == "tension" else "keeps touching"
                 lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), f"{_label(row)} {what}"))

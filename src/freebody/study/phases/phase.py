@@ -154,13 +154,17 @@ class Phase:
     def begun(cls, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> Phase:
         """The phase, in the coordinates of the named measures, or without them where only that has a closed form."""
         phase = cls(base, mode, placed, values)
-        if placed.bodies is None or not has_lines(base):
+        if not has_lines(base):
+            return phase
+        needed = {*base.start, *base.start_rates} if placed.bodies is None else set[str]()
+        kept = {name: m for name, m in base.measures.items() if name in needed}
+        if len(kept) == len(base.measures):
             return phase
         try:
             _ = phase.course
         except CannotAnswer:
             with suppress(CannotAnswer):
-                plain = cls(replace(base, measures={}), mode, placed, values)
+                plain = cls(replace(base, measures=kept), mode, placed, values)
                 _ = plain.course
                 plain.base = base
                 return plain

@@ -1,0 +1,131 @@
+"""What is written in another order, or stands far away, changes nothing: not a bit more than round-off."""
+
+from __future__ import annotations
+
+import itertools
+import re
+
+import pytest
+
+import freebody as fb
+from freebody.numeric.engine.course import Status
+from freebody.study.simulate import Simulator
+
+
+# -- inertia lent to massless bodies --------------------------------------------------------------
+def pulleys(far: str = "", heavy: float = 4.0, arm: float = 0.1) -> fb.System:
+    """A compound Atwood machine with massless pulleys, and perhaps a body on a rail far away."""
+    stranger = f"  far: {{particle: {{mass: 3 kg}}, at: [{far}, 0]}}\n" if far else ""
+    rail = "  rail: {slider: {body: far, along: right, through: ground.F}}\n" if far else ""
+    return fb.System.from_text(f"""
+ground: {{points: {{O: [0, 0], F: [{far or "1 m"}, 0]}}}}
+bodies:
+  upper: {{disk: {{radius: {arm} m}}}}
+  lower: {{disk: {{radius: {arm / 2} m}}}}
+  A: {{particle: {{mass: {heavy} kg}}}}
+  B: {{particle: {{mass: 2 kg}}}}
+  C: {{particle: {{mass: 1 kg}}}}
+{stranger}connections:
+{rail}  axle: {{pin: [ground.O, upper]}}
+  rope1: {{string: {{from: A, over: [upper], to: lower}}}}
+  rope2: {{string: {{from: B, over: [lower], to: C}}}}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+measures: {{x1: drop of A below ground.O}}
+""")
+
+
+def acceleration(system: fb.System) -> float:
+    """x1'' of the engine at the start."""
+    names = [body.name for body in system.moving]
+    return -float(system.simulate(1e-3).course.accelerations[0, names.index("A"), 1])
+
+
+@pytest.mark.parametrize("heavy", [4.0, 1e-3, 1e5])
+@pytest.mark.parametrize("far", ["", "100 m", "1e6 m"])
+def test_massless_pulleys_take_nothing_of_what_the_engine_lends_them(far: str, heavy: float) -> None:
+    # the lower pulley with B and C weighs as much as 4 m2 m3/(m2 + m3) = 8/3 kg
+    expected = (heavy - 8 / 3) / (heavy + 8 / 3) * 9.81
+    assert acceleration(pulleys(far, heavy)) == pytest.approx(expected, rel=2e-11)
+
+
+def test_a_mass_close_to_the_pivot_of_a_long_massless_lever_moves_with_its_own_inertia() -> None:
+    system = fb.System.from_text("""
+bodies: {lever: {rod: {length: 1 m}, points: {near: [-0.499 m, 0]}}, m: {particle: {mass: 2 kg}}}
+connections: {h: {pin: [ground.O, lever.start]}, fix: {pin: [lever.near, m]}}
+loads: {push: {force: {at: lever.end, along: up, magnitude: 1e-3 N}}}
+start: {th: 0}
+measures: {th: angle of lever, x1: y of m}
+""")
+    simulator = Simulator(system)
+    accelerations, _multipliers = simulator.engine.evaluate(simulator.start, 0.0)
+    assert accelerations[0, 2] == pytest.approx(1e-3 * 1.0 / (2 * 1e-3**2), rel=1e-10)  # F L/(m r^2)
+
+
+# -- several impacts at once ------------------------------------------------------------------------
+def cradle(balls: str, contacts: str) -> fb.System:
+    place = {"a": "-0.2 m", "b": "0", "c": "0.2 m"}  # the first hits two that touch
+    listed = "\n".join(f"  {b}: {{disk: {{mass: 1 kg, radius: 0.1 m}}, at: [{place[b]}, 0]}}" for b in balls)
+    listed = listed.replace("at: [-0.2 m, 0]", "at: [-0.2 m, 0], velocity: [1 m/s, 0]")
+    joined = "\n".join(f"  {p}: {{contact: {{between: [{p[0]}, {p[1]}], restitution: 1}}}}" for p in contacts.split())
+    return fb.System.from_text(f"bodies:\n{listed}\nconnections:\n{joined}\n")
+
+
+def test_three_balls_that_touch_part_alike_in_every_order() -> None:
+    """Newton's law for all contacts at once: u12' = -e u12, and b and c, which do not approach, are not torn apart."""
+    for balls, contacts in itertools.product(("abc", "cba", "bca"), ("ab bc", "bc ab", "cb ba")):
+        run = cradle(balls, contacts).simulate(0.1)
+        assert run.status is Status.FINISHED
+        speed = {body: float(run.course.velocities[-1, k, 0]) for k, body in enumerate(balls)}
+        assert [speed[b] for b in "abc"] == pytest.approx([-1 / 3, 2 / 3, 2 / 3], abs=1e-12)
+
+
+def rod_flat(order: str, ends: str = "start end", mu: float = 0.0, speed: float = 0.0) -> fb.System:
+    joined = "\n".join(
+        f"  {c}: {{contact: {{between: [rod.{e}, floor], restitution: 0.5, friction: {mu}}}}}"
+        for c, e in sorted(zip("pq", ends.split(), strict=True), key=lambda pair: order.index(pair[0]))
+    )
+    return fb.System.from_text(f"""
+ground: {{lines: {{floor: {{along: right}}}}}}
+bodies: {{rod: {{rod: {{mass: 2 kg, length: 1 m}}, at: [0, 0.1 m], angle: 0, velocity: [{speed} m/s, 0]}}}}
+connections:
+{joined}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+""")
+
+
+def test_a_rod_that_falls_flat_rebounds_alike_in_every_order() -> None:
+    runs = [
+        rod_flat(order, ends, 0.3, 0.2).simulate(0.3) for order in ("pq", "qp") for ends in ("start end", "end start")
+    ]
+    first = runs[0].course
+    assert abs(float(first.velocities[-1, 0, 2])) < 1e-9  # both ends are hit at once: it does not turn
+    for run in runs:
+        assert run.status is Status.FINISHED
+        assert re.sub(r"[pq]", "", run.message) == re.sub(r"[pq]", "", runs[0].message)
+        assert run.course.poses[-1] == pytest.approx(first.poses[-1], abs=1e-11)
+        assert run.course.velocities[-1] == pytest.approx(first.velocities[-1], abs=1e-10)
+
+
+def painleve(order: str) -> fb.Simulation:
+    """Two rods slide on their points, with so much friction that there is no consistent force for one of them."""
+    rods = {
+        "r": "at: {start: [0, 0]}, angle: 60 deg, velocity: [-4 m/s, 0]",
+        "s": "at: {start: [5 m, 0]}, angle: 120 deg, velocity: [4 m/s, 0]",
+    }
+    bodies = "\n".join(f"  {b}: {{rod: {{mass: 1 kg, length: 1 m}}, {rods[b]}}}" for b in order)
+    joined = "\n".join(f"  c{b}: {{contact: {{between: [{b}.start, floor], friction: 2}}}}" for b in order[::-1])
+    return fb.System.from_text(f"""
+ground: {{lines: {{floor: {{along: right}}}}}}
+bodies:
+{bodies}
+connections:
+{joined}
+loads: {{weight: {{gravity: 9.81 m/s^2}}}}
+""").simulate(0.05)
+
+
+def test_painleves_rods_end_alike_in_every_order() -> None:
+    one, other = painleve("rs"), painleve("sr")
+    assert one.status is other.status is Status.INCONSISTENT
+    assert one.message == other.message
+    assert "Painleve" in one.message
