@@ -248,6 +248,38 @@ def test_a_relation_holds_for_more_examples(name: str, relation: str) -> None:
     assert verdict.holds, verdict.differences
 
 
+# changes that once changed what was said: of a body that hangs on a string, of the order of words, of the coordinates
+@pytest.mark.parametrize(
+    ("name", "relation"),
+    [
+        ("yo_yo", "massless frame"),
+        ("yo_yo", "two halves"),
+        ("hoist", "order"),
+        ("bouncing_ball", "unrelated measure"),
+    ],
+)
+def test_a_relation_that_was_broken_holds(name: str, relation: str) -> None:
+    verdict = check(RELATIONS[relation], fb.System.load(EXAMPLES / f"{name}.yaml"))
+    assert verdict.applies
+    assert verdict.holds, verdict.differences
+
+
+def test_a_mirror_exchanges_up_and_down_and_both_senses_of_turning() -> None:
+    system = fb.System.load(EXAMPLES / "simple_pendulum.yaml")
+    (changed,) = RELATIONS["mirror"].change(system, random.Random(0))
+    assert "up" in repr(changed.data["loads"])
+
+
+def test_what_other_studies_say_is_compared_too() -> None:
+    system = fb.System.load(EXAMPLES / "mass_on_spring.yaml")
+    known = observed(system, studies=["modes", "mobility", "conserved", "explain"])
+    assert known.facts["modes"].numbers[0] > 0.0
+    assert "1 degrees of freedom" in known.facts["mobility"].words
+    for name in ("rename", "times"):
+        verdict = check(RELATIONS[name], system, before=known)
+        assert verdict.holds, verdict.differences
+
+
 def test_a_quarter_turn_turns_places_directions_and_gravity() -> None:
     system = fb.System.load(EXAMPLES / "simple_pendulum.yaml")
     (changed,) = RELATIONS["quarter turn"].change(system, random.Random(0))

@@ -213,8 +213,6 @@ _SEEN_PHRASES: tuple[tuple[str, str], ...] = (
     (r"^y of (\S+)$", r"drop of \1"),
     (r"^height of (\S+)(?: (?:above|over) (\S+))?$", r"drop of \1 below \2"),
     (r"^drop of (\S+)(?: (?:below|from) (\S+))?$", r"height of \1 above \2"),
-    (r"^clockwise angle of (\w+)$", r"angle of \1"),
-    (r"^angle of (\w+)$", r"clockwise angle of \1"),
     (r"^(distance .+)$", r"\1"),
 )
 # what says nothing of sides, or says it by headings and points alone
@@ -311,6 +309,13 @@ def _seen_measure(value: Any) -> str:
         if found:
             text = found.expand(seen)
             return re.sub(r" (?:below|above) $", "", text)
+    found = re.match(r"^(travel of \S+ along )(.+?)( from \S+)?$", str(value))
+    if found:
+        return f"{found[1]}{_seen_heading(found[2])}{found[3] or ''}"
+    found = re.match(r"^(clockwise )?angle of (line from \S+ to \S+|\w+)(?: from (.+?))?$", str(value))
+    if found:
+        base = f" from {_seen_heading(found[3])}" if found[3] else ""
+        return f"{'' if found[1] else 'clockwise '}angle of {found[2]}{base}"
     raise _Stays
 
 

@@ -17,7 +17,7 @@ from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Course
 from freebody.numeric.engine.jit import plain
-from freebody.numeric.engine.layout import Floats, room_for
+from freebody.numeric.engine.layout import Floats, Layout, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.motion import Motion, Progress
 from freebody.numeric.engine.observing import observe
@@ -195,7 +195,7 @@ class Engine(Packed):
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
-        self.unshared = self.layout
+        self.unshared: Layout = self.layout
         self.is_shared = False  # whether multipliers that are not unique are the least
 
     @cached_property
