@@ -264,6 +264,50 @@ def test_a_relation_that_was_broken_holds(name: str, relation: str) -> None:
     assert verdict.holds, verdict.differences
 
 
+# every example with two relations in turn, so that every relation meets some; those that take more than a second each
+# are slow
+DEAR = {
+    "ball_leaving_cylinder",
+    "ball_with_back_spin",
+    "band_brake",
+    "bennett_linkage",
+    "bevel_differential",
+    "billiard_ball",
+    "block_on_rough_incline",
+    "block_pushed_on_incline",
+    "block_tips_or_slides",
+    "cardan_joint",
+    "cardan_shaft_with_two_joints",
+    "free_asymmetric_body",
+    "gyroscope_in_gimbals",
+    "ladder_against_wall",
+    "ladder_rough_wall",
+    "multi_bar_platform",
+    "parallelogram_with_extra_bar",
+    "particle_leaving_dome",
+    "planetary_gear",
+    "rolling_coin",
+    "sliding_ladder",
+    "sphere_launched_down_incline",
+    "spherical_four_bar",
+    "spinning_top",
+    "wedge_under_load",
+}
+ROUND = [
+    pytest.param(path.stem, k, marks=pytest.mark.slow if path.stem in DEAR else ())
+    for k, path in enumerate(sorted(EXAMPLES.glob("*.yaml")))
+]
+
+
+@pytest.mark.parametrize(("name", "k"), ROUND)
+def test_relations_hold_for_every_example_in_turn(name: str, k: int) -> None:
+    system, known = fb.System.load(EXAMPLES / f"{name}.yaml"), sorted(RELATIONS)
+    before = observed(system)
+    for relation in (known[2 * k % len(known)], known[(2 * k + 1) % len(known)]):
+        verdict = check(RELATIONS[relation], system, before=before)
+        assert verdict.holds, (relation, verdict.differences)
+
+
 def test_a_mirror_exchanges_up_and_down_and_both_senses_of_turning() -> None:
     system = fb.System.load(EXAMPLES / "simple_pendulum.yaml")
     (changed,) = RELATIONS["mirror"].change(system, random.Random(0))
