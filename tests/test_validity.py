@@ -168,3 +168,19 @@ questions: [{find: tension of rope at a}]
     (answer,) = system.solve().answers
     assert answer.conditions == ("for no values of the parameters: rope stays taut",)
     assert answer.value is None
+
+
+def test_half_of_an_angle_is_known_beside_the_angle() -> None:
+    # cos(u/2) >= cos u for every u below 90 deg, since cos u = 2 cos(u/2)^2 - 1
+    system = fb.System.from_text("""
+parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2, u: 60 deg}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of line from ground.O to bob from down}
+start: {theta: u, rate(theta): 0}
+questions: [{find: velocity of theta when theta = u/2}]
+""")
+    (answer,) = system.solve().answers
+    assert answer.conditions == ("for all positive parameters, 0 < u < 90°",)
+    assert answer.value == pytest.approx(-math.sqrt(2 * 9.81 * (math.cos(math.pi / 6) - math.cos(math.pi / 3))))

@@ -100,9 +100,12 @@ def _atom(field: Field, base: Ratio) -> Complex:
         return _fifteenths(field, turn)
     shown = field.expression(base)
     acute = False
+    if len(base.generators()) == 1:
+        (index,) = base.generators()
+        part = (base / field.variable(index)).fraction()  # of an acute angle it is acute, too
+        acute = part is not None and 0 < part <= 1 and field.acute(index)
     if len(base.generators()) == 1 and base.den is None:
         (index,) = base.generators()
-        acute = field.acute(index)
         if index in field.known_pairs and base == field.variable(index):
             return field.known_pairs[index]
         if index in field.arguments and base == field.variable(index):

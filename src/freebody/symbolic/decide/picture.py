@@ -2,6 +2,7 @@
 
     positive parameter                  v in (0, oo); what only scales everything is set to 1
     cosine and sine of one angle        (1 - t^2)/(1 + t^2) and 2 t/(1 + t^2), t real; t in (0, 1) where it is acute
+    of n times this angle               the parts of (1 + i t)^(2 n)/(1 + t^2)^n
     root g of R                         the norm: a + b g vanishes only where a^2 - b^2 R does, and ends where R does
     pi, cos(pi/7) and other constants   a variable in a short interval around the number
     asin u, exp u and other atoms       a variable of its own in the range of the function
@@ -24,6 +25,7 @@ from freebody.symbolic.signs import is_positive
 
 _flint: Any = flint
 _MOST_VARIABLES = 7
+_MOST_MULTIPLE = 4
 _MOST_DEGREE = 24  # of a trigonometric polynomial in the tangent of half the angle
 _DIGITS = 10**12
 _POSITIVE: Interval = (Fraction(0), None)
@@ -58,12 +60,14 @@ class Picture:
         self.field = field
         self.roots: set[int] = set()
         self.circles: set[int] = set()  # generators of cosines
+        self.multiples: dict[int, tuple[int, int]] = {}  # of other angles than these: cosine of which, how many times
         self.free: dict[int, Interval] = {}
         self._seen: set[int] = set()
         plain: list[Ratio] = []
         for x in elements:
             plain += self._norms(x)
         self._plain = plain
+        self._relate()
         self._slots = {g: k for k, g in enumerate((*sorted(self.circles), *sorted(self.free)))}
         if len(self._slots) > _MOST_VARIABLES:
             raise TooLarge
@@ -105,6 +109,29 @@ class Picture:
                 self._seen |= {cos, cos + 1}
             else:
                 self.free[g] = self._range(g)
+
+    def _relate(self) -> None:
+        """Angles that are whole multiples of others are told by these."""
+        angles = self.field.angles
+        for cos in sorted(self.circles):
+            for base in sorted(self.circles - {cos}):
+                ratio = (angles[cos] / angles[base]).fraction()
+                if ratio is not None and ratio.denominator == 1 and 1 < ratio <= _MOST_MULTIPLE:
+                    self.circles.discard(cos)
+                    self.multiples[cos] = base, int(ratio)
+                    break
+        for cos, (base, n) in self.multiples.items():
+            while base in self.multiples:
+                base, m = self.multiples[base]
+                n *= m
+            self.multiples[cos] = base, n
+
+    def _powers(self, powers: Mapping[int, int]) -> Iterator[tuple[int, int, int, int]]:
+        """Of the circles in a monomial: which, how many times its angle, the powers of cosine and sine."""
+        for cos, (base, n) in [*((c, (c, 1)) for c in self.circles), *self.multiples.items()]:
+            i, j = powers.get(cos, 0), powers.get(cos + 1, 0)
+            if i or j:
+                yield base, n, i, j
 
     def _range(self, g: int) -> Interval:
         f = self.field
@@ -152,17 +179,22 @@ class Picture:
         degrees = dict.fromkeys(self.circles, 0)
         terms = f.terms(x.num)
         for m in terms:
-            powers = dict(m)
-            for cos in degrees:
-                degrees[cos] = max(degrees[cos], powers.get(cos, 0) + powers.get(cos + 1, 0))
+            own = dict.fromkeys(self.circles, 0)
+            for cos, n, i, j in self._powers(dict(m)):
+                own[cos] += n * (i + j)
+            degrees = {cos: max(degrees[cos], own[cos]) for cos in degrees}
         if any(2 * d > _MOST_DEGREE for d in degrees.values()):
             raise TooLarge
         total = ring.constant(0)
         for m, coefficient in terms.items():
             powers, term = dict(m), ring.constant(coefficient)
-            for cos, degree in degrees.items():
-                t, i, j = ring.variables[self._slots[cos]], powers.get(cos, 0), powers.get(cos + 1, 0)
-                term = term * (1 - t * t) ** i * (2 * t) ** j * (1 + t * t) ** (degree - i - j)
+            left = dict(degrees)
+            for cos, n, i, j in self._powers(powers):
+                real, imaginary = _turned(ring.variables[self._slots[cos]], ring.constant(1), ring.constant(0), n)
+                term = term * real**i * imaginary**j
+                left[cos] -= n * (i + j)
+            for cos, degree in left.items():
+                term = term * (1 + ring.variables[self._slots[cos]] ** 2) ** degree
             for g, e in powers.items():
                 if g in self.free and g not in self._scaled:
                     term = term * ring.variables[self._slots[g]] ** e
@@ -205,6 +237,10 @@ class Picture:
                     found[g + 1] = 2 * value / (1 + value * value)
                 else:
                     found[g] = value
+            for cos, (base, n) in self.multiples.items():
+                t = _ball(self._scaled.get(base, point[self._slots[base]]))
+                real, imaginary = _turned(t, _ball(Fraction(1)), _ball(Fraction(0)), n)
+                found[cos], found[cos + 1] = real / (1 + t * t) ** n, imaginary / (1 + t * t) ** n
             self._add_roots(found)
             yield found
 
@@ -216,6 +252,14 @@ class Picture:
                 continue
             if _flint.arb(inside) > 0:
                 values[g] = _flint.arb(inside).sqrt()
+
+
+def _turned(t: Any, one: Any, zero: Any, n: int) -> tuple[Any, Any]:
+    """Real and imaginary part of (1 + i t)^(2 n)."""
+    real, imaginary = one, zero
+    for _ in range(2 * n):
+        real, imaginary = real - imaginary * t, imaginary + real * t
+    return real, imaginary
 
 
 def is_made(field: Field, g: int) -> bool:
