@@ -109,5 +109,7 @@ def test_the_connection_of_contributing_works_as_written() -> None:
         # with a_m = (a_a + a_b)/2 give R = -F/6
         answer = fb.solve(fb.System.from_text(model), "acceleration of m along right")["q1"]
         assert answer.value == pytest.approx(2.0)
+        (line,) = (shown.sign for shown in fb.System.from_text(model).glyphs if shown.owner == "it")
+        assert [point.body for point in line.points] == ["a", "m", "b"]
     finally:
         Connection.kinds.pop("midpoint", None)

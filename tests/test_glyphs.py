@@ -15,13 +15,19 @@ import pytest
 import freebody as fb
 from freebody import connections, loads
 from freebody.connections.base import Connection
+from freebody.language.expression import number
 from freebody.loads.base import Load
+from freebody.measures.distance import Distance
+from freebody.model.elements import Held
 from freebody.model.glyphs import Groove
+from freebody.model.names import Names
 from freebody.present.animation import write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.scene import Scene
+from freebody.present.space.drawing import Drawing as SpatialDrawing
 from freebody.study.instant import start_of
 from freebody.study.picture import picture, poses_of
+from freebody.study.picture_in_space import poses_of as poses_in_space
 from freebody.system.reader import register_kinds
 
 register_kinds()
@@ -155,3 +161,76 @@ def test_a_new_connection_and_a_new_load_are_in_every_kind_of_file(added: Path) 
     path = write_animation(scene, np.zeros(1), poses_of(found.snapshot)[None], added / "a.html", title="bead")
     (data,) = re.findall(r'<script type="application/json" id="data">([^<>]*)</script>', path.read_text("utf-8"))
     assert "slot" in {stroke["style"] for stroke in json.loads(data)["strokes"]}
+
+
+@pytest.mark.usefixtures("added")
+def test_a_new_connection_is_drawn_in_space_too() -> None:
+    system = fb.System.from_text("""
+space: true
+bodies: {bead: {particle: {mass: 1 kg}, at: [1 m, 0, 0]}}
+connections: {flat: {planar: {body: bead}}, it: {circular_groove: {pin: bead, center: ground.O, radius: 1 m}}}
+""")
+    found = start_of(system, at_rest=True)
+    drawing = SpatialDrawing.of(Scene.of(system, found.snapshot.reference.number), *poses_in_space(found))
+    rails = [piece for piece in drawing.pieces if piece.look == "rail"]
+    middles = np.array([piece.placed(drawing.poses, 0)[0].mean(axis=0) for piece in rails])
+    assert np.hypot(*middles[:, :2].T) == pytest.approx(np.ones(len(rails)), abs=0.01)
+    assert middles[:, 2] == pytest.approx(np.zeros(len(rails)), abs=1e-9)
+    assert "link" not in {piece.look for piece in drawing.pieces}
+
+
+def test_a_connection_that_does_not_say_what_is_drawn_is_a_thin_line() -> None:
+    class Tether(Connection, kind="tether"):
+        """`tether: [ground.A, bob]`."""
+
+        first: str
+        second: str
+
+        def rows(self, names: Names) -> list[Held]:
+            distance = Distance(names.point(self.first), names.point(self.second))
+            return [Held("length", "force", distance, number(1))]
+
+    try:
+        system = fb.System.from_text("""
+bodies: {bob: {particle: {mass: 1 kg}, at: [0, -1 m]}}
+connections: {it: {tether: [ground.A, bob]}}
+""")
+        drawing = drawn(system)
+    finally:
+        Connection.kinds.pop("tether")
+    (line,) = (stroke for stroke in drawing.strokes if stroke.style == "pull")
+    assert drawing.points(line, 0) == pytest.approx(np.array([(0.0, 0.0), (0.0, -1.0)]))
+
+
+@pytest.mark.parametrize(
+    ("kind", "text"),
+    [
+        ("driver", "angle of rod = w\u2009t"),
+        ("constraint", "x \u2212 2\u2009y = 0"),
+        ("dry_friction", "friction force \u2264 2 N"),
+    ],
+)
+def test_what_has_no_sign_is_said_by_an_equation(kind: str, text: str) -> None:
+    system = fb.System.from_text(Connection.kinds[kind].example)
+    assert text in {word.label.text for word in picture(system).words}
+    assert text in {label.text for label in drawn(system).labels}
+
+
+def test_a_brake_is_a_block_on_the_rim_and_a_spring_of_a_turn_a_spiral() -> None:
+    drawing = drawn(fb.System.from_text(Connection.kinds["brake"].example))
+    (block,) = (drawing.points(stroke, 0) for stroke in drawing.strokes if stroke.style == "shoe")
+    assert block[:, 1].min() == pytest.approx(0.1)  # the radius of the drum
+    drawing = drawn(fb.System.from_text(Load.kinds["torsional_spring"].example))
+    (spiral,) = (drawing.points(stroke, 0) for stroke in drawing.strokes if stroke.style == "spring")
+    assert (np.diff(np.hypot(*spiral.T)) > 0).all()
+
+
+def test_a_belt_is_told_from_gears_by_what_it_says() -> None:
+    # not by how far its wheels are apart
+    wheels = "bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {disk: {mass: 1 kg, radius: 1 m}, at: [%s m, 0]}}\n"
+    ground = "ground: {points: {A: [0, 0], B: [%s m, 0]}}\n"
+    pins = "connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {%s: [a, b]}}\n"
+    for kind, apart, n_belts in (("belt", 2, 1), ("belt", 5, 1), ("gear_mesh", 2, 0)):
+        system = fb.System.from_text(wheels % apart + ground % apart + pins % kind)
+        strings = [stroke for stroke in drawn(system).strokes if stroke.style == "string"]
+        assert len(strings) == n_belts, (kind, apart)

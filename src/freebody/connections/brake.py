@@ -75,7 +75,7 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
         measure = names.measure(self.measure)
         force = self.force.get("static", "") if isinstance(self.force, dict) else self.force
         for body in list(measure.bodies())[:1] if measure is not None else ():
-            yield glyphs.Equation(names.known(body).center, f"friction <= {force}")
+            yield glyphs.Equation(names.known(body).center, f"friction force <= {force}")
 
 
 def _rub(

@@ -6,6 +6,7 @@ What stands still comes first, then bodies, the larger behind the smaller, then 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,10 +26,23 @@ from freebody.present.figures import (
     turned,
 )
 from freebody.present.layout import Layout, extent_across, headings, travel
+from freebody.present.picture.label import equation
 from freebody.present.scene import Scene
 from freebody.present.strokes import Label, Path, Strand, Stretch, Stroke
 from freebody.present.surfaces import surplus
-from freebody.present.symbols import DASHPOT, ZIGZAG, aside, box, capsule, circle, hatched, hatched_ring, support
+from freebody.present.symbols import (
+    DASHPOT,
+    ZIGZAG,
+    aside,
+    box,
+    capsule,
+    circle,
+    hatched,
+    hatched_ring,
+    spiral,
+    support,
+    vane,
+)
 
 
 class Pen:
@@ -60,6 +74,10 @@ class Pen:
             yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "link")
         for spring in self.scene.springs:
             yield from self._spring(spring)
+        for sign in self.scene.signs:
+            if isinstance(sign, glyphs.Relation):
+                for a, b in pairwise(sign.points):
+                    yield Stretch(a, b, np.array([(0.0, 0.0), (1.0, 0.0)]), "pull")
         lead = 0
         for rope in self.ropes:
             yield Strand(rope, lead)
@@ -68,6 +86,11 @@ class Pen:
             if figure.is_particle:
                 yield from self._body(figure)
         yield from self._joints()
+        for sign in self.scene.signs:
+            if isinstance(sign, glyphs.Coil):
+                yield from self._coil(sign.body, sign.base, is_spring=sign.is_spring)
+            elif isinstance(sign, glyphs.Shoe):
+                yield from self._shoe(sign.first, sign.second)
 
     def _layer(self, figure: Figure) -> tuple[bool, float]:
         """Rings first, then the larger bodies behind the smaller ones."""
@@ -311,6 +334,26 @@ class Pen:
             if place not in dots:
                 yield Path(place, place.body, circle(size), "joint", True)
 
+    def _coil(self, body: Place, base: Place, *, is_spring: bool) -> Iterator[Path]:
+        """A spiral or a rotary damper about the pin of two bodies, else about the middle of the one."""
+        pins = (pair for pin in self.scene.pins for pair in (pin, pin[::-1]))
+        at = next((a for a, b in pins if (a.body, b.body) == (body.body, base.body)), body)
+        for line in (spiral(self.u),) if is_spring else vane(self.u):
+            yield Path(at, base.body, line, "spring")
+
+    def _shoe(self, first: Place, second: Place) -> Iterator[Path]:
+        """A block on the rim of a round body, or about the middle of another one; hatched where it stands still."""
+        place, other, rim = first, second, None
+        for a, b in ((first, second), (second, first)):
+            figure = self._figure(a.body)
+            if rim is None and figure is not None and figure.radius is not None:
+                place, other, rim = a, b, figure.radius
+        level = (rim or 0.0) + 0.45 * self.u
+        yield Path(place, other.body, box(1.2 * self.u, 0.45 * self.u) + np.array((0.0, level)), "shoe", True)
+        if other.body == GROUND:
+            strokes = hatched(-1.2 * self.u, 1.2 * self.u, 0.75 * self.u, 0.6 * self.u)
+            yield Path(place, GROUND, strokes + np.array((0.0, level + 0.45 * self.u)), "hatch")
+
     # -- names --------------------------------------------------------------------------------
     def labels(self) -> Iterator[Label]:
         """The name of each body beside its middle, or beside its rim where something else stands in the middle."""
@@ -331,6 +374,8 @@ class Pen:
             k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
             taken.append(spots[k])
             yield Label(figure.mass_center, figure.name, *options[k])
+        for n, sign in enumerate(sign for sign in self.scene.signs if isinstance(sign, glyphs.Equation)):
+            yield Label(sign.at, equation(sign.text).text, 1.2, -3.4 - 1.8 * n)
 
     def _is_on_surface(self, spot: Array, n_letters: int) -> bool:
         """Whether a name that begins (or ends, for a negative number of letters) at a spot covers a line of the ground

@@ -61,6 +61,21 @@ def support(size: float, *, upside_down: bool = False) -> Iterator[tuple[Array, 
     yield (hatched(-1.7, 1.7, -0.75, 0.68) + np.array((0.0, base))) * size * flip, "hatch", False
 
 
+def spiral(size: float) -> Array:
+    """(n, 2) a flat spring about the origin."""
+    a = np.linspace(0.0, 5 * np.pi, 46)
+    r = size * np.linspace(0.6, 1.8, len(a))
+    return np.stack((r * np.cos(a), r * np.sin(a)), axis=-1)
+
+
+def vane(size: float) -> Iterator[Array]:
+    """A rotary damper about the origin: a wing in a cup."""
+    a = np.linspace(0.3, 2 * np.pi - 0.3, 24)
+    yield 1.8 * size * np.stack((np.cos(a), np.sin(a)), axis=-1)
+    yield np.array([(0.6, 0.0), (1.4, 0.0)]) * size
+    yield np.array([(1.4, -0.4), (1.4, 0.4)]) * size
+
+
 # Lines between two places: the share of the way, and the distance to the left in sizes of symbols.
 _COILS = 11
 _TURNS = np.linspace(0.14, 0.86, 2 * _COILS + 1)[1::2]

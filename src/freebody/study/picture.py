@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
-from freebody.model.glyphs import Spring
+from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
@@ -155,9 +155,10 @@ def _in_the_plane(found: Instant, acting: Sequence[Force], show: Sequence[str], 
     from freebody.present.places import Places
 
     system, reference = found.snapshot.reference.system, found.snapshot.reference
-    # a spring shows that it pulls, every other load is an arrow
-    springs = {shown.owner for shown in system.glyphs if shown.is_load and isinstance(shown.sign, Spring)}
-    arrows = {push.name for push in system.pushes if push.load not in springs}
+    # dry friction that slides is a load of its own
+    arrow = (ForceArrow, MomentArrow, Coil)
+    shown = {s.owner for s in system.glyphs if s.is_load and isinstance(s.sign, arrow)}
+    arrows = {push.name for push in system.pushes if push.load in shown or push.load not in system.loads}
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
     whole = Whole(system, Places(system, reference.number), poses_of(found.snapshot), loads)
     if show:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -27,6 +28,7 @@ from freebody.numeric.options import WITH_STEP
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.evidence import element_at
+from freebody.study.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulate import Simulator
 from freebody.system.modes import Mode, in_mode
@@ -226,6 +228,19 @@ def both_routes_give_the_same_reactions(kind: str) -> None:
             _equal(value, snapshot.multiplier(row), f"reaction of {row.name}", relative=1e-8, absolute=1e-8)
 
 
+@_of_connections
+def is_drawn_with_glyphs_of_its_own(kind: str) -> None:
+    """It says what it looks like, and a picture without that is another one."""
+    assert Connection.kinds[kind].glyphs is not Connection.glyphs, f"{kind} does not say what is drawn of it: glyphs"
+    _check_drawn(System.from_text(Connection.kinds[kind].example))
+
+
+def _check_drawn(system: Description) -> None:
+    bare = replace(system)
+    vars(bare)["glyphs"] = tuple(shown for shown in system.glyphs if shown.owner != "it")
+    assert picture(system).svg() != picture(bare).svg(), "what it declares to look like is not seen in a picture"
+
+
 # -- loads ------------------------------------------------------------------------------------
 @_of_loads
 def load_is_described_and_in_the_schema(kind: str) -> None:
@@ -243,6 +258,12 @@ def load_example_is_a_valid_model(kind: str) -> None:
     assert [push for push in system.pushes if push.load == "it"], f"{kind} pushes nothing in its example"
     assert System.from_text(system.to_yaml()) == system
     _validate(system)
+
+
+@_of_loads
+def load_is_drawn_with_glyphs_of_its_own(kind: str) -> None:
+    """As for connections."""
+    _check_drawn(loaded(kind))
 
 
 @_of_loads

@@ -5,13 +5,17 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from freebody.errors import ExpressionError
 from freebody.language.expression import Expr, Symbol
 from freebody.language.notation import to_latex, to_text
+from freebody.language.parser import parse
 
 _PART = re.compile(
     r"(?P<name>[^\W\d_₀-₉⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)(?P<index>(?:_\w+|[₀-₉]+)?)(?P<dots>'*)|(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<rest>.)"
 )
 _DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789-0123456789")
+_RELATIONS = {"<=": "\u2264", ">=": "\u2265", "=": "="}
+_WORDS = re.compile(r"[^\W\d]\w* [^\W\d]|^[\d.]+ [^\W\d]")  # `angle of rod`, `2 N`
 _FUNCTIONS = frozenset(("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sign"))
 _GLYPHS = {"·": "\u2009", "-": "\u2212", "'": "\u2032"}
 _SMALL = 0.72  # of an index
@@ -65,6 +69,21 @@ def name(text: str) -> Label:
     return formula(Symbol(text))
 
 
+def equation(text: str) -> Label:
+    """An equation or an inequality in the notation of a model; sides that are no formula are words."""
+    left, sign, right = next((parts for s in _RELATIONS if (parts := text.partition(f" {s} "))[1]), (text, "", ""))
+    if not sign:
+        return _side(text)
+    return beside(_side(left), _side(right), f" {_RELATIONS[sign.strip()]} ")
+
+
+def _side(text: str) -> Label:
+    try:
+        return words(text) if _WORDS.search(text) else formula(parse(text))
+    except ExpressionError:
+        return words(text)
+
+
 def beside(first: Label, second: Label, between: str = "") -> Label:
     """Two labels in one, as in `2 T`, `F = 3 N`."""
     parts = (first.latex or _as_text(first.text), _as_text(between), second.latex or _as_text(second.text))
@@ -73,7 +92,8 @@ def beside(first: Label, second: Label, between: str = "") -> Label:
 
 
 def _as_text(text: str) -> str:
-    return rf"\text{{{text}}}" if text.strip(" =\u2009") else text.strip()
+    text = text.replace("\u2264", r"\leq").replace("\u2265", r"\geq")
+    return rf"\text{{{text}}}" if text.strip(" =\u2009") and "\\" not in text else text.strip()
 
 
 def _runs(text: str) -> list[Run]:

@@ -8,12 +8,12 @@ from itertools import islice, zip_longest
 
 import numpy as np
 
-from freebody.model.glyphs import ForceArrow, MomentArrow
+from freebody.model.glyphs import Equation, ForceArrow, MomentArrow
 from freebody.present.figures import Array
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
 from freebody.present.picture.forces import Force
-from freebody.present.picture.label import name, words
+from freebody.present.picture.label import equation, name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape, Word
@@ -146,6 +146,10 @@ def whole_in_space(
     """A system in space."""
     sketch = SpaceSketch(drawing, angles, perspective=perspective)
     sketch.name_loads(loads)
+    for sign in drawing.scene.signs:
+        if isinstance(sign, Equation):
+            at = sketch.seen(drawing.poses.place(sign.at, 0))
+            sketch.wish(Wish(equation(sign.text), around(at, (1.0, -1.0)), 9.5, Ink("measure"), weight=2.5))
     sketch.add_corner()
     return sketch
 

@@ -10,14 +10,14 @@ from freebody.language.expression import differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import RATE, VALUE, Push, RateMeasure
-from freebody.model.glyphs import Spring
+from freebody.model.glyphs import Equation, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
 from freebody.present.picture.bodies_free import name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
 from freebody.present.picture.forces import Force
-from freebody.present.picture.label import Label, Run, name, words
+from freebody.present.picture.label import Label, Run, equation, name, words
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.plane import sketched
 from freebody.present.picture.shapes import Ink, Shape
@@ -58,6 +58,10 @@ class Whole:
         for figure in self.scene.figures:
             name_beside(self.sketch, figure, self.drawing.poses)
         self._name_springs()
+        for sign in self.scene.signs:
+            if isinstance(sign, Equation):
+                at = self._at(sign.at)
+                self.sketch.wish(Wish(equation(sign.text), around(at, (1.0, -1.0)), 9.5, Ink("measure"), weight=2.5))
         self._name_points()
         gravity = self.scene.gravity
         corner_signs(self.sketch, None if gravity is None else gravity[:2])

@@ -7,7 +7,7 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from freebody.model.glyphs import Coil, ForceArrow, MomentArrow, Rod, Rope, Spring
+from freebody.model.glyphs import Coil, ForceArrow, MomentArrow, Relation, Rod, Rope, Shoe, Spring
 from freebody.present import figures
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.scene import Scene
@@ -15,7 +15,7 @@ from freebody.present.space.cuts import Cuts
 from freebody.present.space.figures import Poses, upright
 from freebody.present.space.pieces import Piece, ball
 from freebody.present.space.shells import Shells
-from freebody.present.space.solids import prism
+from freebody.present.space.solids import basis, box, prism
 from freebody.present.space.stands import Stands
 from freebody.present.space.symbols import arrow, curved_arrow, damper, helix, spiral
 
@@ -37,6 +37,11 @@ class Loads:
         match shown.sign:
             case Rod(first, second):
                 yield from self._rod(first, second)
+            case Relation(points):
+                for a, b in pairwise(points):
+                    yield Piece(prism(0.08 * self.u, 0.0, 1.0, 6), a, a.body, "string", end=b)
+            case Shoe(first, second):
+                yield from self._shoe(first, second)
             case Rope(nodes):
                 yield from self._string([place for place, _same in groupby(node.place for node in nodes)])
             case Spring(first, second, is_spring, is_damper):
@@ -59,6 +64,18 @@ class Loads:
         for a, b in pairwise(way):
             yield Piece(prism(0.1 * self.u, 0.0, 1.0, 6), a, a.body, "string", end=b)
         yield from self.stands.held(way[0], way[-1])
+
+    def _shoe(self, first: Place, second: Place) -> Iterator[Piece]:
+        """A block on the rim of a round body, at rest with the other one."""
+        form, other = self.cuts.forms.get(first.body), second
+        if form is None or form.axis is None:
+            form, other = self.cuts.forms.get(second.body), first
+        if form is not None and form.axis is not None:
+            way = basis(form.axis)[0].tolist()
+            out = np.array(self.poses.turned_back(other.body, self.poses.heading(Heading(form.index, *way), 0), 0))
+            level = form.sizes[0] + 0.45 * self.u
+            block = box(1.6 * self.u, 1.6 * self.u, 0.9 * self.u).moved(basis(out), level * out)
+            yield Piece(block, form.center, other.body, "joint")
 
     def _is_particle(self, place: Place) -> bool:
         form = self.cuts.forms.get(place.body)
