@@ -416,5 +416,5 @@ ground:
 bodies:
 {boxes}
 connections: {{c: {{contact: {{among: all, friction: 0.4}}}}}}
-{WEIGHT}""").simulate(1.0, every=0.01, max_seconds=120.0)
+{WEIGHT}""").simulate(1.0, every=0.01, max_steps=200_000)
     assert result.status is Status.FINISHED

@@ -74,7 +74,14 @@ class Jet:
     __radd__ = __add__
 
     def __sub__(self, other: Any, /) -> Jet:
-        return self + (-other)
+        if not isinstance(other, Jet):
+            return Jet(self.value - float(other), self.gradient, self.rate, self.bias)
+        return Jet(
+            self.value - other.value,
+            _difference(self.gradient, other.gradient),
+            self.rate - other.rate,
+            self.bias - other.bias,
+        )
 
     def __rsub__(self, other: Any, /) -> Jet:
         return -self + other
@@ -139,6 +146,12 @@ def _sum(a: Array | None, b: Array | None) -> Array | None:
     if a is None:
         return b
     return a if b is None else a + b
+
+
+def _difference(a: Array | None, b: Array | None) -> Array | None:
+    if b is None:
+        return a
+    return -b if a is None else a - b
 
 
 def _times(c: float, a: Array | None) -> Array | None:
