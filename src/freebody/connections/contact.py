@@ -23,8 +23,6 @@ from freebody.model.spec import Formula
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-MOST_SITES = 20_000  # more are left to time stepping, which looks at near pairs only
-
 
 @dataclass(frozen=True)
 class Surface:

@@ -19,6 +19,7 @@ from freebody.model import glyphs
 from freebody.model.elements import Held, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -81,7 +82,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
                 )
             return given
         x, y = (number_of(names, c) for c in guide.components[:2])
-        line = guide if x > 1e-9 or (abs(x) <= 1e-9 and y > 0) else guide.reversed()
+        line = guide if x > ROUND_OFF or (abs(x) <= ROUND_OFF and y > 0) else guide.reversed()
         me = next((name for name, other in names.connections.items() if other is self), "")
         whose = f"the guide of {pinion.name}" if rack.fixed else "its guide"
         names.assumptions.append(f"{me}: the teeth of {rack.name} run along {whose}")
@@ -97,7 +98,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         places = [stands_at(names, body.center, here.normal()) for body in (rack, pinion)]
         if places[0] is None or places[1] is None:
             return False
-        return number_of(names, add(places[0], negate(places[1]))) > 1e-9
+        return number_of(names, add(places[0], negate(places[1]))) > ROUND_OFF
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         pinion, rack = names.body(self.pinion), names.body(self.rack)

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Expr, add, evaluate, multiply
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import RigidBody
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-ROUND_OFF = 1e-9
 _TRIALS = (0.3, 0.7)  # what parameters without a value are taken to be, where directions and places are compared
 
 

@@ -17,7 +17,7 @@ from freebody.connections.hanging import Hook, askew, hooks_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
-from freebody.connections.standing import ROUND_OFF, is_parallel, number_of, place_of, quietly, stands_at
+from freebody.connections.standing import is_parallel, number_of, place_of, quietly, stands_at
 from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -32,6 +32,7 @@ from freebody.model import glyphs
 from freebody.model.elements import Bound, Held, Rub, Stretch
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -373,12 +374,12 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             turn = 0.0
             if before and after:
                 turn = before[0] * after[1] - before[1] * after[0]
-            if node.way == "around" and abs(turn) > 1e-9:
+            if node.way == "around" and abs(turn) > ROUND_OFF:
                 turns.append(1 if turn > 0 else -1)
                 continue
             rightward = 1.0
             start, end = way[k - 1].place, way[k + 1].place
-            if abs(turn) > 1e-9 and leads[k - 1] is not None and leads[k] is not None:
+            if abs(turn) > ROUND_OFF and leads[k - 1] is not None and leads[k] is not None:
                 turns.append(1 if turn > 0 else -1)
                 continue
             if start is not None and end is not None and abs(end[0] - start[0]) > 1e-12:

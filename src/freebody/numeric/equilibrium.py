@@ -37,6 +37,7 @@ from freebody.numeric.potential import potential
 from freebody.numeric.small_motion import Instant
 from freebody.numeric.split import Split, stack
 from freebody.numeric.tours import toured
+from freebody.tolerances import LEAST
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
@@ -189,7 +190,7 @@ class Statics:
             size = float(np.linalg.norm(K)) or 1.0
             damped = np.vstack((K, damping * size * np.eye(len(K))))
             step = here.split.null @ _least_squares(damped, np.append(here.residual, np.zeros(len(K))))
-            part = min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            part = min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), LEAST))
             step = part * step
             there = self._best(here, step, (1.0, 2.0, 3.0) if ratio > 0.1 else (1.0,))
             if there is not None and there.error < here.error:
@@ -236,7 +237,7 @@ class Statics:
             values, vectors = np.linalg.eigh((K + K.T) / 2.0)
             steep = np.maximum(np.abs(values), 1e-6 * float(np.abs(values).max()) or 1.0)
             step = here.split.null @ (vectors @ ((vectors.T @ here.residual) / steep))
-            step = step * min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), 1e-300))
+            step = step * min(1.0, reach / max(float(self.reference.sizes.relative(step).max()), LEAST))
             slope = float(here.forces @ step)
             for part in (1.0, 0.5, 0.25, 0.1, 0.01):
                 lower = self.moved(here.pose, part * step)

@@ -20,6 +20,7 @@ from freebody.language.units import LENGTH
 from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
 from freebody.system.system import System
+from freebody.tolerances import LEAST
 
 LIGHT = 1e-2  # what counts as the mass of a massless body where the smallest move is meant, by the lightest
 
@@ -103,7 +104,7 @@ class Sizes:
         where that is more, and nothing turns by more than half a radian."""
         moved = self.relative(step)
         far = float(moved[~self.turning].max(initial=0.0)) / max(1.0, reach)
-        return step * min(1.0, 0.5 / max(far, float(moved[self.turning].max(initial=0.0)), 1e-300))
+        return step * min(1.0, 0.5 / max(far, float(moved[self.turning].max(initial=0.0)), LEAST))
 
     def relative(self, step: Array) -> Array:
         """A move by the size of the system, a turn in radians."""

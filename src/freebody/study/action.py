@@ -17,9 +17,7 @@ from freebody.model.elements import Held, Push, RateMeasure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.points import points_of, touching_point
-
-_NOTHING = 1e-9  # beside one
-_NEAR = 1e-6  # of the size of a system: on the line of action
+from freebody.tolerances import ON_LINE, ROUND_OFF
 
 
 class Action:
@@ -49,7 +47,7 @@ class Action:
         """(2 or 3,) [m] where a force f acts that has the moment m about the mass centre."""
         center = self.center(body)
         for at in self._candidates(of, siblings, body):
-            if float(np.abs(m - cross(at - center, f)).max()) < _NEAR * self.size:
+            if float(np.abs(m - cross(at - center, f)).max()) < ON_LINE * self.size:
                 return at
         middle = self.place(self.system.bodies[body].center)
         # the foot of a point on the line of action: r = c + f x m / f^2
@@ -68,13 +66,13 @@ class Action:
     def _common_point(self, siblings: Sequence[Held], body: str) -> Array | None:
         """(2 or 3,) [m] where the lines of action of all forces of a connection meet: r x f = m for each of them."""
         wrenches = [self.wrench(row.measure, body) for row in siblings if body in set(row.measure.bodies())]
-        acting = [(f, m) for f, m in wrenches if float(np.linalg.norm(f)) > _NOTHING]
+        acting = [(f, m) for f, m in wrenches if float(np.linalg.norm(f)) > ROUND_OFF]
         if len(acting) < 2:
             return None
         lines = np.concatenate([_moment_matrix(f) for f, _m in acting])
         moments = np.concatenate([m for _f, m in acting])
         away, _residual, rank, _values = np.linalg.lstsq(lines, moments, rcond=1e-9)
-        if rank < len(away) or float(np.abs(lines @ away - moments).max()) > _NEAR * self.size:
+        if rank < len(away) or float(np.abs(lines @ away - moments).max()) > ON_LINE * self.size:
             return None
         return self.center(body) + away
 

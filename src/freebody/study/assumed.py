@@ -19,8 +19,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import rate_not_given
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
-_SMALL = 1e-9
 _WORD = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -76,7 +76,7 @@ def rates_not_given(reference: Reference, q: Array, v: Array) -> tuple[str, ...]
     for name, measure in reference.system.measures.items():
         with suppress(CannotAnswer):
             row = reference.jet(g, measure, name).row(n)
-            is_open = np.abs(row @ free).max(initial=0.0) > _SMALL * np.abs(row).max(initial=0.0)
-            if is_open and abs(float(row @ v)) > _SMALL and name not in reference.system.start_rates:
+            is_open = np.abs(row @ free).max(initial=0.0) > ROUND_OFF * np.abs(row).max(initial=0.0)
+            if is_open and abs(float(row @ v)) > ROUND_OFF and name not in reference.system.start_rates:
                 found.append(rate_not_given(name))
     return tuple(found)

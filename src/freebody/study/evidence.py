@@ -30,6 +30,7 @@ from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
+from freebody.tolerances import LEAST
 
 INSTANT_TOLERANCE = 1e-8
 MOTION_TOLERANCE = 1e-7
@@ -77,7 +78,7 @@ class Witness:
             gap = max(abs(x - y) for x, y in zip(a, b, strict=True))
             share = gap / max(_size(a), _size(b), 1e-3 * largest, floor)
             if not share <= self.tolerance:
-                share = min(share, gap / max(OF_PARTS * parts(), 1e-300))
+                share = min(share, gap / max(OF_PARTS * parts(), LEAST))
             if not share <= self.tolerance:
                 values = ", ".join(f"{k} = {v:.6g}" for k, v in draw.values.items())
                 raise RoutesDisagree(

@@ -30,8 +30,8 @@ from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
-_AGREES = 1e-9
 _MOST_TERMS = 40  # of a formula that is shown
 _MOST_TERMS_OF_ANGLE = 6  # of what a loop makes of a cosine or sine
 
@@ -117,7 +117,7 @@ class ExactPose:
             value = self.number(element)
         except (KeyError, ValueError, ArithmeticError):
             return None
-        if not math.isclose(value, number, rel_tol=_AGREES, abs_tol=_AGREES):
+        if not math.isclose(value, number, rel_tol=ROUND_OFF, abs_tol=ROUND_OFF):
             return None
         return tidy(element)
 
@@ -175,7 +175,9 @@ class _LoopAngles:
         for sign in (1, -1):
             c, s = (-a * d - b * w * sign) / square, (-b * d + a * w * sign) / square
             numbers = self.pose.number(f.variable(cosine)), self.pose.number(f.variable(sine))
-            if all(math.isclose(self.pose.number(y), n, abs_tol=_AGREES) for y, n in zip((c, s), numbers, strict=True)):
+            if all(
+                math.isclose(self.pose.number(y), n, abs_tol=ROUND_OFF) for y, n in zip((c, s), numbers, strict=True)
+            ):
                 return {cosine: c, sine: s}
         return {}
 

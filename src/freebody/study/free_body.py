@@ -35,9 +35,7 @@ from freebody.study.points import own_measures
 from freebody.study.strings import Pull, pulls, rope_of
 from freebody.system.symbols import ReactionSymbol, reaction_symbols
 from freebody.system.system import System
-
-_NOTHING = 1e-9  # beside one
-_NEAR = 1e-6  # of the size of a system: on the line of action
+from freebody.tolerances import ON_LINE, ROUND_OFF
 
 
 def checked_bodies(system: System, bodies: Sequence[str]) -> tuple[str, ...]:
@@ -120,7 +118,7 @@ class FreeBody:
 
     def _is_internal(self, measure: Measure | RateMeasure) -> bool:
         others = set(measure.bodies()) - set(self.bodies)
-        small = _NEAR * self.size
+        small = ON_LINE * self.size
         return all(max(map(abs, self.snapshot.gradient(measure, body))) < small for body in others)
 
     # -- reactions ----------------------------------------------------------------------------
@@ -200,13 +198,13 @@ class FreeBody:
         turns = self.system.bodies[body].turns
         nothing = (0.0,) * len(m)
         rest = m if turns else np.zeros(len(m))
-        if size > _NOTHING:
+        if size > ROUND_OFF:
             at = self.action.point(of, siblings, body, f, rest) if turns else center
             away = at - center
             rest = rest - cross(away, f)
             away_components, label_f = tuple(map(float, away)), scaled(label, size)
             yield Force(of.name, label_f, body, away_components, _components(f), nothing, kind, about=about)
-        if turns and float(np.abs(rest).max()) > _NEAR * (self.size if size > _NOTHING else 1.0):
+        if turns and float(np.abs(rest).max()) > ON_LINE * (self.size if size > ROUND_OFF else 1.0):
             amount = float(np.linalg.norm(rest))
             own = self.action.couple_point(of, siblings, body)
             away_components = tuple(map(float, own - center))
@@ -217,7 +215,7 @@ class FreeBody:
 
     def _lever(self, of: Held | Push, body: str, amount: float) -> Label | None:
         """The arm of a couple as the model writes it: R of R F."""
-        if abs(amount - 1.0) < _NOTHING:
+        if abs(amount - 1.0) < ROUND_OFF:
             return None
         for coefficient, part in own_measures(of.measure):
             if body in set(part.bodies()) and not free_symbols(coefficient) <= set():

@@ -36,6 +36,7 @@ from freebody.study.given import formula, named_measure
 from freebody.study.settled import settled
 from freebody.study.worded import in_words
 from freebody.system.system import System
+from freebody.tolerances import LEAST
 
 # text in `t` and the parameters; a number; a function of t giving (value, rate, acceleration); three arrays of these
 Course = str | float | Callable[[float], Sequence[float]] | Sequence[ArrayLike]
@@ -270,7 +271,7 @@ class _Follower:
             n_strides = 0
             while s.t < goal:
                 pace = float(self.free.sizes.relative(s.v).max(initial=0.0))
-                step = min(goal - s.t, _STRIDE / max(pace, 1e-300))
+                step = min(goal - s.t, _STRIDE / max(pace, LEAST))
                 s, split = self._stepped(s, goal if s.t + step >= goal * (1 - 1e-15) else s.t + step, kept)
                 n_strides += 1
                 if n_strides > _N_STRIDES:

@@ -52,14 +52,6 @@ class Reduced:
     residuals: tuple[Ratio, ...]
 
 
-@dataclass(frozen=True)
-class Reserve:
-    """What must not be negative for the limit to be this one."""
-
-    element: Ratio
-    purpose: str
-
-
 class RestEquations:
     """The equations of a system at rest in its start pose, over the field of a symbolic model."""
 

@@ -26,8 +26,8 @@ from freebody.symbolic.signs import Sign
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import zeros_of
+from freebody.tolerances import ROUND_OFF
 
-_ROUND_OFF = 1e-9
 _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
 
 
@@ -171,7 +171,7 @@ def _at_first(model: SymbolicModel, c: Condition) -> bool:
     values = model.at_samples(c.element)
     if not values or values[0] != values[0]:
         return decide(c.element, c.relation) is not False
-    return values[0] > -_ROUND_OFF if c.relation == ">=" else values[0] != 0 if c.relation == "!=" else values[0] > 0
+    return values[0] > -ROUND_OFF if c.relation == ">=" else values[0] != 0 if c.relation == "!=" else values[0] > 0
 
 
 def _with_stability(model: SymbolicModel, at: dict[int, Ratio], conditions: tuple[Condition, ...]) -> Rest:

@@ -41,11 +41,11 @@ from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start_pose import StartPose, known_poses, recognised
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 Parts = tuple[Ratio, ...]  # along the slots of a body
 # Ranks of unknowns: the lowest is eliminated first.
 POSITION, TANGENT_LENGTH, TANGENT_ANGLE, BODY_ANGLE, OFFERED, NAMED = range(6)
-ZERO_TOLERANCE = 1e-9
 N_RATES = 5  # of a given function of time; an acceleration's rate needs three
 
 
@@ -449,7 +449,7 @@ class SymbolicModel:
         lengths = {line.length for line in self._lines}
         for values in self._sample_values:
             value = values.get(index)
-            if value is None or not math.isfinite(value) or (index in lengths and abs(value) < ZERO_TOLERANCE):
+            if value is None or not math.isfinite(value) or (index in lengths and abs(value) < ROUND_OFF):
                 return False
         return True
 
@@ -464,7 +464,7 @@ class SymbolicModel:
             return self._raw.scalar(row.in_symbols)
         if not row.measure.incremental:  # type: ignore[union-attr]
             return self.field.zero
-        if all(abs(s.constants.get(row.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
+        if all(abs(s.constants.get(row.name, 0.0)) < ROUND_OFF for s in self.samples):
             return self.field.zero
         given = self._given_value(row.measure, row.name)  # type: ignore[arg-type]
         if given is not None and (len(self.field.terms(given.num)) == 1 or self._is_placed(row.measure)):  # type: ignore[arg-type]
@@ -597,7 +597,7 @@ class SymbolicModel:
         # poses in general position, since an entry may vanish at the start and nowhere else
         general = [k for k, s in enumerate(self.samples) if not s.is_start]
         # what does not vanish shows it at the first of them, nearly always
-        return all(abs(v) < ZERO_TOLERANCE for v in self._at(x, general or range(len(self.samples))))
+        return all(abs(v) < ROUND_OFF for v in self._at(x, general or range(len(self.samples))))
 
     def _is_looped(self, x: Ratio) -> bool:
         if not hasattr(self, "elimination"):
@@ -1068,7 +1068,7 @@ class SymbolicModel:
         """The start value of a measure of which only changes count (a spring relaxed at the start)."""
         if isinstance(push.measure, RateMeasure) or not push.measure.incremental:
             return self.field.zero
-        if all(abs(s.constants.get(push.name, 0.0)) < ZERO_TOLERANCE for s in self.samples):
+        if all(abs(s.constants.get(push.name, 0.0)) < ROUND_OFF for s in self.samples):
             return self.field.zero
         now = self.value_of(push.measure)
         if not self.field.ingredients(now) & (self._changing):

@@ -22,8 +22,8 @@ from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
-ROUND_OFF = 1e-9
 _LINE = 9  # the rank of lines: what is known of bodies comes first
 
 

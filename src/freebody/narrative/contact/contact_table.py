@@ -23,6 +23,7 @@ from freebody.narrative.principles.wide_planner import WidePlanner
 from freebody.study.phases.phase import Phase
 from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
+from freebody.tolerances import ROUND_OFF
 
 _MOVING = 0.4
 
@@ -138,7 +139,7 @@ class ContactPlanner(WidePlanner):
 
     def _avoided(self, e: Entry) -> tuple[str, ...]:
         kept = super()._avoided(e)
-        standing = {n for n in self.table.laws if abs(self._arm(e.principle.weights, n)) > 1e-9}
+        standing = {n for n in self.table.laws if abs(self._arm(e.principle.weights, n)) > ROUND_OFF}
         pressing = {self.table.laws[n].load for n in standing}
         return tuple(r for r in kept if r not in standing and not (r in pressing and self._arm(e.principle.weights, r)))
 

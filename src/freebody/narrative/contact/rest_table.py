@@ -24,6 +24,7 @@ from freebody.study.friction.touching import Touching
 from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
+from freebody.tolerances import ROUND_OFF
 
 _TERM = 0.05  # for a force in an equation
 
@@ -121,7 +122,7 @@ class RestPlanner(WidePlanner):
             row[self.column(name)] = sum(w * slopes.get(slot, 0.0) for slot, w in numbers.items())
         if not self.asked:
             row[self.last] = sum(w * load.get(slot, 0.0) for load in self._loads for slot, w in numbers.items())
-        row[np.abs(row) < 1e-9 * max(1.0, float(np.abs(row).max(initial=0.0)))] = 0.0
+        row[np.abs(row) < ROUND_OFF * max(1.0, float(np.abs(row).max(initial=0.0)))] = 0.0
         return self.decided(row)
 
     def decided(self, row: Array) -> Array:
@@ -168,7 +169,7 @@ class RestPlanner(WidePlanner):
     def _cost(self, p: Principle, row: Array, place: int) -> float:
         """Equations with fewer forces come first."""
         arms = (self._arm(p.weights, name) for name in self._slopes if name not in self.gone)
-        return super()._cost(p, row, place) + _TERM * sum(1 for arm in arms if abs(arm) > 1e-9)
+        return super()._cost(p, row, place) + _TERM * sum(1 for arm in arms if abs(arm) > ROUND_OFF)
 
     def _arm(self, weights: Mapping[Slot, Ratio], row: str) -> float:
         return sum(self._number(w) * self._slopes[row].get(slot, 0.0) for slot, w in weights.items())
@@ -180,6 +181,6 @@ class RestPlanner(WidePlanner):
             moving = {b for b, _slot in slopes if not self._is_fixed(b)}
             if name in self.gone or not moving & bodies or (moving <= bodies and len(moving) > 1):
                 continue
-            if abs(self._arm(weights, name)) < 1e-9:
+            if abs(self._arm(weights, name)) < ROUND_OFF:
                 found.append(name)
         return tuple(found)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.narrative.principles.table import Principle, Slot, Table
 from freebody.symbolic.field import Ratio
+from freebody.tolerances import ROUND_OFF
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -34,7 +35,6 @@ UNNATURAL = 0.02  # per place in the list of directions
 MASSLESS = -0.2
 MOST_STATES = 4000
 MOST_EQUATIONS = 12
-_ZERO = 1e-9
 _SPAN = 1e-7
 
 
@@ -92,7 +92,7 @@ class Planner:
             for row, slopes in self._slopes.items():
                 if (body, slot) in slopes:
                     found[self.column(row)] -= w * slopes[body, slot]
-        found[np.abs(found) < _ZERO * max(1.0, float(np.abs(found).max(initial=0.0)))] = 0.0
+        found[np.abs(found) < ROUND_OFF * max(1.0, float(np.abs(found).max(initial=0.0)))] = 0.0
         return found
 
     def _cost(self, p: Principle, row: Array, place: int) -> float:

@@ -28,11 +28,11 @@ from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.model import SpatialModel
+from freebody.tolerances import ROUND_OFF
 
 MOST_TOGETHER = 4  # bodies that are put together in every possible way
 MOST_CENTRES = 5
 TOGETHER = 0.2  # what a further body costs
-_SMALL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -203,7 +203,7 @@ class SpatialPlanner(Planner):
             for row, slopes in self._slopes.items():
                 if (body, slot) in slopes:
                     found[self.column(row)] -= w * slopes[body, slot]
-        found[np.abs(found) < _SMALL * max(1.0, float(np.abs(found).max(initial=0.0)))] = 0.0
+        found[np.abs(found) < ROUND_OFF * max(1.0, float(np.abs(found).max(initial=0.0)))] = 0.0
         return found
 
 

@@ -76,10 +76,6 @@ class ModeOf:
         """Drags whose slip another one of their group holds."""
         return frozenset(k for group in self.groups for k in group[1:])
 
-    def is_as(self, other: ModeOf) -> bool:
-        """The same states."""
-        return self.closed == other.closed and self.drags == other.drags
-
 
 @dataclass(frozen=True)
 class Instant:
@@ -300,10 +296,6 @@ class Bounded:
                 if not e.layout.held[place, 2]:  # a target of velocities
                     goals[k] = 0.0, goals[k, 0], goals[k, 1]
         return goals
-
-    def values_of(self, rows: Sequence[int]) -> Floats:
-        """Values of rows at the instant looked at last."""
-        return self.free.room.rows[list(rows), dynamics.VALUE]
 
     @cached_property
     def inverse_mass(self) -> Floats:

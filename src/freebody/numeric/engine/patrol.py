@@ -31,6 +31,7 @@ from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.layout import Floats, floats, ints, pointers
 from freebody.numeric.engine.programs import Program
 from freebody.numeric.engine.search import Search
+from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine
@@ -41,10 +42,7 @@ N_PARTS = 4
 QUARTERS = np.linspace(0.0, 1.0, N_PARTS + 1)
 TURN = 0.1  # [rad]
 MOST_PARTS = 4000
-ZERO = 1e-12  # by the size of what is guarded
-RESOLUTION = 1e-9
 N_MENDED = 3
-LOOSE = 0.05  # by the size of the system: a foot that is so far beside its edge will not be on it
 SLACK = 1e-9  # by the size of a gap or a slip rate: so far below zero it may begin
 
 Lasts = Callable[[Floats, float, Floats], bool]  # of a state, the time, and the bearings from which turns are counted
@@ -202,7 +200,7 @@ class Patrol:
         self._divided()
         values = self._values
         stepping.patrol(m.engine.layout, m.engine.room, run, self._parts, 0.0, self._y, values, self._rates, self._own)
-        zero = ZERO * np.maximum(self.sizes, self._own.max(axis=0))
+        zero = WATCHED_ZERO * np.maximum(self.sizes, self._own.max(axis=0))
         if self._gaps is None:
             self._gaps = Gaps(m, self.sizes)
         begin = values[0].copy()

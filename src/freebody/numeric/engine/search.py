@@ -18,12 +18,11 @@ import numpy as np
 from freebody.numeric.engine import enclosures, stepping
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.programs import Program
+from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.stepping import Run
 
-ZERO = 1e-12  # by the size of what is watched: so small is none
-RESOLUTION = 1e-9  # and the error of the steps, if that is more: crossings between which it is less are one touch
 A_STEP = 0.1  # of the tolerance, that a step may be off
 MOST_PARTS = 2_000_000  # of one step that are looked at
 N_FOUND = 1024  # events for which there is room in one call
@@ -52,7 +51,7 @@ class Search:
     ) -> None:
         """target: what the program is searched for. size: what counts as large. near: the bearings, by measure, from
         which turns are counted. powers: of the entries of the state, if others find them."""
-        self.program, self.zero = program, ZERO * size
+        self.program, self.zero = program, WATCHED_ZERO * size
         self._size, self._tolerance = size, tolerance
         self._sizes = np.array([-target, self.zero, RESOLUTION * size, MOST_PARTS])
         n = len(program.code)

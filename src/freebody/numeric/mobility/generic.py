@@ -47,6 +47,7 @@ from freebody.numeric.mobility.exact import (
 from freebody.numeric.mobility.rank import ZERO, Rank
 from freebody.system.generic import GenericModel, generic_model
 from freebody.system.system import System
+from freebody.tolerances import LEAST
 
 CLOSED = 1e-10  # gaps up to which a geometry fits before it is refined
 N_DRAWS = 6
@@ -58,12 +59,6 @@ def generic_rank(system: System, seed: int = 0) -> Rank:
     """The rank of all held rows in generic geometry, and the circuits that it has in any. Parameters need no values.
     Raises CannotAnswer if no random geometry gives every row a gradient."""
     return Framework.of(system).rank(seed=seed)
-
-
-def generic_rank_of(system: System, rows: Iterable[str], seed: int = 0) -> int:
-    """The generic rank of some rows, by name ("A.x"), with only their connections assembled. Raises InputError for
-    a name that is not held."""
-    return Framework.of(system).rank(rows, seed).rank
 
 
 @dataclass(frozen=True)
@@ -277,7 +272,7 @@ class Framework:
             if not columns:
                 break
             step = np.linalg.pinv(A, rcond=1e-11) @ gaps
-            step *= min(1.0, REACH / max(float(np.abs(step).max(initial=0.0)), 1e-300))
+            step *= min(1.0, REACH / max(float(np.abs(step).max(initial=0.0)), LEAST))
             improved = False
             for _halving in range(8):
                 there = numbers.copy()

@@ -15,18 +15,14 @@ from freebody.model.elements import Held
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.mobility.idle_in_space import AloneInSpace
 from freebody.numeric.mobility.rank import gradients
-from freebody.numeric.mobility.scene import SAME, joined, leaves, pinning
+from freebody.numeric.mobility.scene import joined, leaves, pinning
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
-
-
-def idle_freedoms(reference: Reference, q: Array, t: float = 0.0) -> dict[str, str]:
-    """Finite motions of one body in which nothing else moves, by body: "turns about its pin roller_pin"."""
-    return {body: " and ".join(motions) for body, motions in idle_motions(reference, q, t).items()}
+from freebody.tolerances import SAME_PLACE
 
 
 def idle_motions(reference: Reference, q: Array, t: float = 0.0) -> dict[str, list[str]]:
-    """The same one by one.
+    """Finite motions of one body in which nothing else moves, by body: "turns about its pin roller_pin".
 
     Only bodies that connections join to two others or more are asked about (fixed bodies and the ground are one): the
     last link of a chain moves alone, but what it does is the motion of the mechanism. Source: Norton, Design of
@@ -63,7 +59,7 @@ class _Alone:
         for v in self._null(self.q).T:
             v = v / float((np.abs(v) / moves).max())
             spin = float(v[2]) if len(v) == 3 else 0.0
-            if abs(spin) < SAME:
+            if abs(spin) < SAME_PLACE:
                 along = v[:2] / float(np.linalg.norm(v[:2]))
                 shifts = [part * self.reference.sizes.length * along for part in (0.05, 0.2)]
                 if all(self._holds(0.0, shift) for shift in shifts):
@@ -98,7 +94,7 @@ class _Alone:
         except CannotAnswer:
             return False
         size = max(1.0, self.reference.sizes.length)
-        return float(change.max(initial=0.0)) <= SAME * size and free >= self._null(self.q).shape[1]
+        return float(change.max(initial=0.0)) <= SAME_PLACE * size and free >= self._null(self.q).shape[1]
 
     def _turning(self, center: Array) -> str:
         g = self._geometry(self.q)
@@ -107,9 +103,9 @@ class _Alone:
             if m is not None:
                 place = position(g, m.of)
                 away = math.hypot(place.x.value - center[0], place.y.value - center[1])
-                if away <= SAME * max(1.0, self.reference.sizes.length):
+                if away <= SAME_PLACE * max(1.0, self.reference.sizes.length):
                     return f"turns about its pin {row.connection}"
-        x, y = (0.0 if abs(c) <= SAME * self.reference.sizes.length else float(c) for c in center)
+        x, y = (0.0 if abs(c) <= SAME_PLACE * self.reference.sizes.length else float(c) for c in center)
         return f"turns about ({x:.6g}, {y:.6g}) m"
 
     def _sliding(self, along: Array) -> str:
@@ -118,7 +114,7 @@ class _Alone:
             for m in leaves(row.measure):
                 if isinstance(m, Displacement) and m.along not in (RIGHT, UP):
                     across = unit(g, m.along)
-                    if abs(across.x.value * along[0] + across.y.value * along[1]) <= SAME:
+                    if abs(across.x.value * along[0] + across.y.value * along[1]) <= SAME_PLACE:
                         return f"slides along the guide of {row.connection}"
         angle = math.degrees(math.atan2(along[1], along[0])) % 180.0
         return f"slides at {angle:.6g} deg from the x axis"

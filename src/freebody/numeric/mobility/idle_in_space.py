@@ -12,8 +12,9 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.model.elements import Held
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.twists import SAME, Freedom, Screw, freedom
+from freebody.numeric.mobility.twists import Freedom, Screw, freedom
 from freebody.numeric.reference import Reference
+from freebody.tolerances import SAME_PLACE
 
 AMOUNTS = (0.1, 0.7)  # by which a body is moved to see whether it stays free [rad], or parts of the size
 
@@ -74,7 +75,7 @@ class AloneInSpace:
         for a, b in combinations(self._centers.values(), 2):
             along = b - a
             length = float(np.linalg.norm(along))
-            if length > SAME * self.size:
+            if length > SAME_PLACE * self.size:
                 yield Screw(along / length, a, 0.0)
         yield from self._lines.values()
 
@@ -93,7 +94,7 @@ class AloneInSpace:
                 is_free = freedom(self.reference, there, self.body, self.rows, self.t).n >= n_free
             except CannotAnswer:
                 return False
-            if change > SAME * max(1.0, self.size) or not is_free:
+            if change > SAME_PLACE * max(1.0, self.size) or not is_free:
                 return False
         return True
 
@@ -123,7 +124,7 @@ class AloneInSpace:
 
 
 def _is_same(a: Screw, b: Screw, size: float) -> bool:
-    is_parallel = float(np.linalg.norm(np.cross(a.direction, b.direction))) <= SAME
+    is_parallel = float(np.linalg.norm(np.cross(a.direction, b.direction))) <= SAME_PLACE
     return a.pitch is not None and is_parallel and b.passes(a.point, size)
 
 
@@ -137,4 +138,4 @@ def _without(twists: Array, taken: Array) -> Array:
 
 
 def _numbers(v: Array) -> str:
-    return f"({', '.join(f'{0.0 if abs(c) <= SAME else float(c):.6g}' for c in v)})"
+    return f"({', '.join(f'{0.0 if abs(c) <= SAME_PLACE else float(c):.6g}' for c in v)})"

@@ -30,6 +30,7 @@ from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.placing import Equation
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
+from freebody.tolerances import LEAST
 
 SIZES = (0.01, 0.05, 0.2)  # of the moves to poses near by, by the size of the system
 FAR = 0.02  # part of a move that is asked for, below which no pose is taken to be in reach
@@ -90,7 +91,7 @@ class Neighbourhood:
         if any(isinstance(row.measure, RateMeasure) for row in circuit):
             return False, False
         J = self._gradients(circuit) * self.reference.sizes.unit_moves
-        scale = 1.0 / np.maximum(np.linalg.norm(J, axis=1), 1e-300)
+        scale = 1.0 / np.maximum(np.linalg.norm(J, axis=1), LEAST)
         w: Array = np.linalg.svd(scale[:, None] * J)[0][:, -1] * scale
 
         def second(v: Any) -> tuple[float, float]:

@@ -20,7 +20,8 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.elements import RateMeasure
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.scene import CHANGE, SAME, Bar, Change, Scene, leaves
+from freebody.numeric.mobility.scene import CHANGE, Bar, Change, Scene, leaves
+from freebody.tolerances import SAME_PLACE
 
 N_PLACES = 30  # places up to which lines through three of them are searched
 T = TypeVar("T")
@@ -70,7 +71,7 @@ def _equal_bars(scene: Scene) -> Iterator[str]:
 
 
 def _same_length(scene: Scene, a: Bar, b: Bar) -> bool:
-    return abs(a.length - b.length) <= SAME * scene.size
+    return abs(a.length - b.length) <= SAME_PLACE * scene.size
 
 
 def _guides_alike(scene: Scene) -> Iterator[str]:
@@ -79,7 +80,7 @@ def _guides_alike(scene: Scene) -> Iterator[str]:
         if len(kept) < 2:
             continue
         first = kept[0]
-        is_one = all(abs(_cross(first.along, g.place - first.place)) <= SAME * scene.size for g in kept)
+        is_one = all(abs(_cross(first.along, g.place - first.place)) <= SAME_PLACE * scene.size for g in kept)
         yield f"the guides of {listed([g.name for g in kept])} are {'in one line' if is_one else 'parallel'}"
 
 
@@ -96,7 +97,7 @@ def _round_bodies(scene: Scene) -> Iterator[str]:
         names = [name for name, _r, _place in group]
         if len(group) > 1 and any(scene.rests_on(_recentred(scene, name)) for name in names):
             yield f"{listed(names)} are concentric"
-    for group in in_groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME * scene.size):
+    for group in in_groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME_PLACE * scene.size):
         names = [
             name
             for name, radius, _place in group
@@ -189,13 +190,13 @@ def _concurrent(scene: Scene) -> str:
         directions = [bar.along / bar.length for bar in some]
         lines = np.array([[*e, _cross(bar.start / scene.size, e)] for bar, e in zip(some, directions, strict=True)])
         U, singular, _Vt = np.linalg.svd(lines.T, full_matrices=True)
-        if singular[1] > 1e-6 * singular[0] and (len(singular) < 3 or singular[2] <= SAME * singular[0]):
+        if singular[1] > 1e-6 * singular[0] and (len(singular) < 3 or singular[2] <= SAME_PLACE * singular[0]):
             a, b, c = U[:, 2]
             # (x, y) with  x e_y - y e_x = m  for every line (e_x, e_y, m)
             names = listed([bar.name for bar in some])
-            if abs(c) <= SAME:
+            if abs(c) <= SAME_PLACE:
                 return f"{names} are parallel"
-            x, y = (0.0 if abs(k) <= SAME else float(k) * scene.size for k in (-b / c, a / c))
+            x, y = (0.0 if abs(k) <= SAME_PLACE else float(k) * scene.size for k in (-b / c, a / c))
             return f"the lines of {names} meet in one point ({x:.6g}, {y:.6g}) m"
     return ""
 
@@ -206,11 +207,11 @@ def _cross(u: Array, v: Array) -> float:
 
 
 def _is_parallel(u: Array, v: Array) -> bool:
-    return abs(_cross(u, v)) <= SAME * float(np.linalg.norm(u) * np.linalg.norm(v))
+    return abs(_cross(u, v)) <= SAME_PLACE * float(np.linalg.norm(u) * np.linalg.norm(v))
 
 
 def _is_near(scene: Scene, a: Array, b: Array) -> bool:
-    return float(np.linalg.norm(a - b)) <= SAME * scene.size
+    return float(np.linalg.norm(a - b)) <= SAME_PLACE * scene.size
 
 
 def _in_line(places: Sequence[Array], size: float) -> bool:
@@ -219,7 +220,7 @@ def _in_line(places: Sequence[Array], size: float) -> bool:
         return True
     centred = (np.array(places) - np.mean(places, axis=0)) / size
     singular = np.asarray(np.linalg.svd(centred, compute_uv=False), np.float64)
-    return bool(singular[-1] <= SAME * max(1.0, float(singular[0])))
+    return bool(singular[-1] <= SAME_PLACE * max(1.0, float(singular[0])))
 
 
 def _lie_in_line(places: Mapping[str, Array], size: float) -> str:

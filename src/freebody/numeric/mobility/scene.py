@@ -24,8 +24,8 @@ from freebody.numeric.mobility.exact import FLOATS, DualGeometry
 from freebody.numeric.mobility.generic import Framework, dense
 from freebody.numeric.mobility.rank import n_independent, unit_length
 from freebody.numeric.reference import Reference
+from freebody.tolerances import SAME_PLACE
 
-SAME = 1e-9  # what is nearer counts as the same, by the size of the system
 CHANGE = 0.03  # by which a datum is changed to see whether a dependence rests on it
 N_TRIED = 80  # rows up to which that is tried
 
@@ -146,7 +146,7 @@ class Scene:
                     change = dict.fromkeys(self.columns(row.connection, "length"), CHANGE * self.size)
                     ends = self.place(m.start), self.place(m.end)
                     bars.append(Bar(row.connection, (str(m.start), str(m.end)), *ends, change))
-        return [bar for bar in bars if bar.length > SAME * self.size]
+        return [bar for bar in bars if bar.length > SAME_PLACE * self.size]
 
     def _stretch(self, point: Point, other: Point) -> Change:
         """What moves a point of a body away from another one of it."""
@@ -187,7 +187,7 @@ class Scene:
                 found |= {bar.ends[0]: bar.start, bar.ends[1]: bar.end}
         distinct: dict[str, Array] = {}
         for name, place in found.items():
-            if all(np.linalg.norm(place - other) > SAME * self.size for other in distinct.values()):
+            if all(np.linalg.norm(place - other) > SAME_PLACE * self.size for other in distinct.values()):
                 distinct[name] = place
         return distinct
 
@@ -204,7 +204,7 @@ class Scene:
         bodies = [k for body in self.bodies for k in self.framework.columns.get(body, ())]
         try:
             gaps = self.framework.close(assembled, numbers, bodies)
-            if gaps.max(initial=0.0) > SAME * max(1.0, self.size):
+            if gaps.max(initial=0.0) > SAME_PLACE * max(1.0, self.size):
                 return True
             g = self.framework.geometry(numbers.tolist(), bodies, FLOATS)
             _columns, J = dense([g.of(row.measure).gradient for row in held])

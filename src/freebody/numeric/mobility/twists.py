@@ -23,8 +23,7 @@ from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix
 from freebody.numeric.split import Split
-
-SAME = 1e-9  # what is nearer counts as the same, by the size of the system
+from freebody.tolerances import LEAST, SAME_PLACE
 
 
 @dataclass(frozen=True)
@@ -40,14 +39,14 @@ class Screw:
         """The screw of a twist (6,); size: of the system [m]."""
         w, u = twist[:3], twist[3:]
         spin = float(np.linalg.norm(w))
-        if spin * size <= SAME * float(np.linalg.norm(u)):
+        if spin * size <= SAME_PLACE * float(np.linalg.norm(u)):
             return cls(u / np.linalg.norm(u), np.zeros(3), None)
         pitch = float(w @ u) / spin**2
-        return cls(w / spin, np.cross(w, u) / spin**2, 0.0 if abs(pitch) <= SAME * size else pitch)
+        return cls(w / spin, np.cross(w, u) / spin**2, 0.0 if abs(pitch) <= SAME_PLACE * size else pitch)
 
     def passes(self, place: Array, size: float) -> bool:
         """Whether the line goes through a place."""
-        return float(np.linalg.norm(np.cross(self.direction, place - self.point))) <= SAME * max(size, 1e-300)
+        return float(np.linalg.norm(np.cross(self.direction, place - self.point))) <= SAME_PLACE * max(size, LEAST)
 
     def step(self, center: Array, R: Array, amount: float, principal: Array) -> Array:
         """The step (6,) of a body's coordinates that takes it along the screw: by an angle, or by a length."""
@@ -81,7 +80,7 @@ class Freedom:
         if not self.n:
             return None
         _U, S, Vt = np.linalg.svd(self.twists[:, :3])
-        cut = SAME * max(1.0, float(S[0]))
+        cut = SAME_PLACE * max(1.0, float(S[0]))
         is_one = S[0] > 1e-6 and (len(S) < 2 or S[1] <= cut)
         return np.asarray(Vt[0], np.float64) if is_one else None
 
@@ -95,7 +94,7 @@ class Freedom:
         spins = self.twists[:, :3] @ axis
         k = int(np.abs(spins).argmax())
         others = self.twists - np.outer(spins / spins[k], self.twists[k])  # those that do not turn
-        if float(np.abs(others[:, 3:] @ across).max()) > SAME * self.size:
+        if float(np.abs(others[:, 3:] @ across).max()) > SAME_PLACE * self.size:
             return None
         return Screw(axis, np.cross(self.twists[k, :3], self.twists[k, 3:]) / spins[k] ** 2, 0.0)
 
@@ -108,7 +107,7 @@ class Freedom:
         b = -self.twists[:, 3:].ravel()
         r, _rest, rank, _S = np.linalg.lstsq(A, b, rcond=1e-9)
         gap = float(np.abs(A @ r - b).max())
-        return np.asarray(r, np.float64) if rank == 3 and gap <= SAME * self.size else None
+        return np.asarray(r, np.float64) if rank == 3 and gap <= SAME_PLACE * self.size else None
 
 
 def freedom(reference: Reference, q: Array, body: str, rows: Sequence[Held], t: float = 0.0) -> Freedom:

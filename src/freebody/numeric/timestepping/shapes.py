@@ -40,11 +40,6 @@ class Shape:
         corners = tuple(tuple(places[id(edge)] for edge in r.edges) for r in outline.rounds)
         return cls(is_fixed, corners, tuple(s.length is not None for s in outline.straights), len(outline.hollows))
 
-    @property
-    def is_bounded(self) -> bool:
-        """False for what contains a line without ends."""
-        return all(self.straights)
-
     def stand_in(self, role: str) -> Outline:
         """An outline of this class whose numbers are symbols; `role` is its body."""
         body = GROUND if self.is_fixed else role

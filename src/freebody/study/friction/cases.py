@@ -24,7 +24,6 @@ from freebody.symbolic.inequalities import Inequality, Line, without_free, witho
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
 
-AGREES = 1e-8
 MOST_CASES = 6
 _FAR = 1.6  # how far these are from the file's values, against the usual draws
 

@@ -22,8 +22,8 @@ from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, draw_parameters
 from freebody.system.modes import Mode, ideal_bounds, in_mode
 from freebody.system.system import System
+from freebody.tolerances import TOUCHES
 
-_TOUCHES = 1e-8  # a gap that is no gap, by the size of the system
 _TOGETHER = 1e-6  # gaps that close together
 
 
@@ -44,7 +44,7 @@ class Touching:
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
         g = reference.geometry(q, np.zeros_like(q), 0.0)
-        slack, closed = _TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
+        slack, closed = TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
         for bound in self.bounds:
             if not _is_within(reference, g, bound, slack):
                 return False
@@ -114,7 +114,7 @@ def _apart(reference: Reference, g: JetGeometry, sites: Iterable[Bound]) -> dict
 
 def _met(reference: Reference, g: JetGeometry, bounds: Iterable[Bound], closed: set[str]) -> set[str]:
     """Other bounds that are closed in this pose."""
-    size = _TOUCHES * reference.sizes.length
+    size = TOUCHES * reference.sizes.length
     return {
         bound.name
         for bound in bounds

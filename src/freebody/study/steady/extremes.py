@@ -25,8 +25,6 @@ from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy
 
-_SMALL = 1e-9
-
 
 @dataclass(frozen=True)
 class Extremum:

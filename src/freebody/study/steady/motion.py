@@ -30,11 +30,11 @@ from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import zeros_of
+from freebody.tolerances import ROUND_OFF
 
 MOST_ROOTS = 4
 _THERE_IS = "there is such a motion"
 _AT_REST = 1e-9
-_ROUND_OFF = 1e-9
 
 
 @dataclass
@@ -345,4 +345,4 @@ def _starts_steadily(setup: Setup, steady: Steady) -> bool:
 def _vanishes_at(f: Field, x: Ratio, numbers: dict[int, Any]) -> bool:
     """Zero beside the sum of the sizes of its terms."""
     parts = [float(f.evaluate(f.polynomial({m: c}), numbers)) for m, c in f.terms(x.num).items()]
-    return abs(sum(parts)) <= _ROUND_OFF * sum(map(abs, parts))
+    return abs(sum(parts)) <= ROUND_OFF * sum(map(abs, parts))

@@ -28,8 +28,8 @@ from freebody.symbolic.functions import functions
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import sine_form, tidy
+from freebody.tolerances import ROUND_OFF
 
-_SMALL = 1e-9
 _DEEPEST = 14  # halvings of a sixteenth of a turn
 _flint: Any = flint
 _QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "pi"), (0, -1): ("-90°", "-pi/2")}
@@ -155,7 +155,7 @@ class Turning:
         if value.is_zero() or any(sign_of(x) in (Sign.NEGATIVE,) for x in place.must_be_positive):
             return value.is_zero()
         numbers = [v for v in self.model.at_samples(value) if not math.isnan(v)]
-        return bool(numbers) and all(abs(v) < _SMALL for v in numbers)
+        return bool(numbers) and all(abs(v) < ROUND_OFF for v in numbers)
 
     def _in_sine(self, base: Ratio) -> list[Place] | None:
         """Zeros of a polynomial that is one in s alone, with c^2 = 1 - s^2; None where it is not."""

@@ -34,10 +34,10 @@ from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import BODY_ANGLE, NAMED, POSITION, TANGENT_LENGTH, Coordinate, Parts, SymbolicModel
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.spatial.tree import Link, Step, Tree, tree_of
+from freebody.tolerances import ROUND_OFF
 
 Triple = tuple[Ratio, Ratio, Ratio]
 Matrix = tuple[Triple, Triple, Triple]  # columns
-_SMALL = 1e-9
 _MOST_TERMS = 24  # of cosine and sine of an angle by which a closed loop is solved; longer ones stay equations
 _AXES = tuple(Direction(GROUND, along, name) for along, name in zip(UNIT, "xyz", strict=True))
 
@@ -234,7 +234,7 @@ class SpatialModel(SymbolicModel):
         assert own is not None
         square = f.lowest_terms(a * a + b * b)
         signs = {v > 0 for v in self.at_samples(b * f.variable(own[0]) - a * f.variable(own[1]))}
-        if len(signs) != 1 or any(abs(v) < _SMALL for v in self.at_samples(square)):
+        if len(signs) != 1 or any(abs(v) < ROUND_OFF for v in self.at_samples(square)):
             return None
         w = f.sqrt(f.lowest_terms(square - d * d)) * (1 if signs.pop() else -1)
         pair = (b / w, -a / w) if d.is_zero() else ((b * w - a * d) / square, -(a * w + b * d) / square)
