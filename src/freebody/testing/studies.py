@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from pathlib import Path
-from tempfile import gettempdir
+from tempfile import TemporaryDirectory
 from types import FrameType
 from typing import Any
 
@@ -37,6 +37,7 @@ class End(Enum):
     DISAGREE = "disagree"
     EMPTY = "neither value nor reason"
     TOO_LONG = "too long"
+    CRASHED = "crashed"
 
     @property
     def is_defect(self) -> bool:
@@ -210,9 +211,10 @@ def _explain(system: System) -> list[Outcome]:
 
 
 def _write(system: System) -> list[Outcome]:
-    path = Path(gettempdir()) / "freebody-testing.yaml"
-    path.write_text(system.to_yaml(), encoding="utf-8")
-    is_same = System.load(path) == System.from_text(system.to_yaml(), str(path))
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "model.yaml"
+        path.write_text(system.to_yaml(), encoding="utf-8")
+        is_same = System.load(path) == System.from_text(system.to_yaml(), str(path))
     return [
         Outcome("", End.ANSWERED if is_same else End.DISAGREE, "" if is_same else "written back it is another model")
     ]
