@@ -118,6 +118,18 @@ space: true
 bodies: {p: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}, fixed: true}}
 questions: [{find: natural frequencies}, {find: velocity of p}]
 """,
+    "a stop that is passed at the start": """
+bodies: {p: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {hinge: {pin: [ground.A, p.start]}, stop: {stop: {measure: angle of p, min: 30 deg}}}
+questions: [{find: does it hold}]
+""",
+    "a length whose square has a hundred digits": """
+ground: {points: {A: [0, 0]}}
+bodies: {p: {disk: {mass: 1 kg, radius: 1 m}, at: [1e-50 m, 1 m]}, q: {disk: {mass: 1 kg, radius: 1 m}}}
+connections: {c: {brake: {between: [p, q], torque: 1 N m}}}
+measures: {u: angle of line from q to p}
+questions: [{find: acceleration of u}]
+""",
 }
 
 

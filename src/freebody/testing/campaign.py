@@ -120,16 +120,16 @@ def _tell(seed: int, names: Sequence[str], seconds: float, out: IO[str]) -> None
         out.flush()
 
     system: System | None = None
+    found: list[Outcome] = []
     for name in names:
         tell(name)
         _limit_process(seconds)
         before = time.process_time()
         if system is None:
             system, found = _read(seed, seconds)
-            found = found if name == READ else []
         if name != READ and system is not None:
             found = run(name, system, seconds)
-        for outcome in found:
+        for outcome in found:  # of reading, where that is what ends here
             tell(name, Told(seed, outcome, time.process_time() - before).to_plain())
         if system is None:
             break

@@ -12,7 +12,7 @@ import random
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from freebody.api import System
 from freebody.connections.base import Connection
@@ -36,6 +36,8 @@ _SIZES = ("1", "2", "0.5", "0.2", "3", "0.125", "10", "1/3")
 _EXTREME = ("0", "1e-12", "1e-9", "1e9", "1e12", "1e-50", "1e50", "-1")
 _ANGLES = ("0", "30 deg", "45 deg", "90 deg", "-60 deg", "180 deg", "0.3", "pi/6")
 _PLACES = ("0", "0", "1 m", "-1 m", "0.5 m", "2 m", "0.3 m")
+_STARTS = {LENGTH: ("0", "0.5 m", "1 m", "-0.2 m"), DIMENSIONLESS: ("0", "0.3", "30 deg", "-pi/2")}
+_RATES = {LENGTH: ("0", "1 m/s", "-1 m/s"), DIMENSIONLESS: ("0", "2 rad/s", "-0.5 rad/s")}
 _EVENTS = (
     "MEASURE = LENGTH",
     "MEASURE = 0",
@@ -84,10 +86,13 @@ class Maker:
             self._keep("ground", section, "floor", {"normal" if self.is_space else "along": heading})
         for name in ("p", "q", "r")[: rng.choice((1, 1, 1, 2, 2, 3))]:
             self._body(name)
+        if rng.random() < 0.3:
+            self._measures()
         for k, name in enumerate(self.bodies):
             if rng.random() < 0.85:
                 self._element("connections", f"c{k}", name)
-        self._measures()
+        if not self.data.get("measures"):
+            self._measures()
         if rng.random() < 0.25:
             self._element("connections", "again", None)
         if rng.random() < 0.6:
@@ -154,26 +159,40 @@ class Maker:
         self._keep("bodies", name, {"particle": {"mass": "1 kg"}})
 
     def _element(self, section: str, name: str, body: str | None) -> None:
-        """A connection or a load of a random kind; `body`: one that it should take hold of."""
+        """A connection or a load of a random kind; `body`: one that it should take hold of. Kinds that few fillings fit
+        have as good a chance as the others: each is tried several times."""
         kinds: dict[str, type[Spec]] = dict(Connection.kinds) if section == "connections" else dict(Load.kinds)
         fitting = sorted(k for k, c in kinds.items() if self._fits(c))
-        for _ in range(_TRIES):
-            parameters = dict(self.data.get("parameters", {}))
+        favourite = [body] if body else []
+        for _ in range(_TRIES // 2):
             kind = kinds[self.rng.choice(fitting)]
-            fields = fields_of(kind, section)
-            options = options_of(kind, fields)
-            for option in options:
-                if self.rng.random() < 0.12:
-                    fields[option] = options[option]
-            favourite = [body] if body else []
-            value = filled(fields, lambda slot: self._fill(slot, favourite))  # noqa: B023
-            if self._keep(section, name, {kind.kind: value}):
-                return
-            self._forget(parameters)
+            if self._needs_measure(fields_of(kind, section)) and not self.data.get("measures"):
+                self._measures()
+            for _ in range(_TRIES):
+                parameters = dict(self.data.get("parameters", {}))
+                fields = fields_of(kind, section)
+                options = options_of(kind, fields)
+                for option in options:
+                    if self.rng.random() < (0.4 if self.is_space else 0.12):
+                        fields[option] = options[option]
+                value = filled(fields, lambda slot: self._fill(slot, favourite))
+                if self._keep(section, name, {kind.kind: value}):
+                    return
+                self._forget(parameters)
 
     def _fits(self, kind: type[Spec]) -> bool:
-        """Kinds whose example is spatial are for space."""
-        return self.is_space or "space: true" not in getattr(kind, "example", "")
+        """Kinds whose example is spatial are for space, where those of the plane seldom fit."""
+        return self.is_space == ("space: true" in getattr(kind, "example", "")) or (
+            self.is_space and (issubclass(kind, Load) or self.rng.random() < 0.2)
+        )
+
+    def _needs_measure(self, slots: Any) -> bool:
+        """Whether a law of measures stands among the fields."""
+        if isinstance(slots, Slot):
+            return slots.role == "law" and bool(slots.given[1])
+        if isinstance(slots, dict):
+            slots = list(cast("dict[str, Any]", slots).values())
+        return isinstance(slots, list) and any(map(self._needs_measure, cast("list[Any]", slots)))
 
     def _measures(self) -> None:
         for name in ("u", "w")[: self.rng.choice((0, 1, 1, 2))]:
@@ -189,27 +208,30 @@ class Maker:
 
     def _start(self) -> None:
         for name in self.data.get("measures", {}):
-            if self.rng.random() < 0.4:
-                value = self.rng.choice(("0", "0.3", "0.5 m", "1 m", "30 deg", "-0.2 m"))
-                self._keep("start", name, value)
+            dimension = self.system.measures[name].dimension if self.system is not None else DIMENSIONLESS
+            if self.rng.random() < 0.3:
+                self._keep("start", name, self.rng.choice(_STARTS.get(dimension, ("0",))))
             if self.rng.random() < 0.25:
-                self._keep("start", f"rate({name})", self.rng.choice(("0", "1 m/s", "2 rad/s", "-1 m/s")))
+                self._keep("start", f"rate({name})", self.rng.choice(_RATES.get(dimension, ("0",))))
 
     def _questions(self) -> None:
         asked: list[str] = []
-        for _ in range(6 * self.taste.n_questions):
-            if len(asked) == self.taste.n_questions:
-                return
-            text = random_question(self.rng, self._word)
-            if text not in asked and self._keep("questions", [{"find": t} for t in (*asked, text)]):
-                asked.append(text)
+        for _ in range(_TRIES):
+            form = self.rng.choice(FORMS).form
+            for _ in range(_TRIES // 2):
+                if len(asked) == self.taste.n_questions:
+                    return
+                text = random_question(self.rng, self._word, form)
+                if text not in asked and self._keep("questions", [{"find": t} for t in (*asked, text)]):
+                    asked.append(text)
+                    break
 
     # -- filling ------------------------------------------------------------------------------
     def _fill(self, slot: Slot, favourite: Sequence[str] = ()) -> Any:
         rng = self.rng
         match slot.role:
-            case "body":
-                return rng.choice([*(b for b in favourite if rng.random() < 0.8), *self.bodies, "ground"])
+            case "body" | "wheel":
+                return self._another(slot, favourite)
             case "point":
                 return self._point(favourite)
             case "surface":
@@ -230,10 +252,23 @@ class Maker:
             case "name":
                 return rng.choice((*self.bodies, self._point(favourite), "floor", "ground"))
             case "law":
-                text, names = slot.given
-                return re.sub(r"[A-Za-z_]\w*", lambda w: self._word("MEASURE") if w[0] in names else w[0], text)
+                text, names, parameters = slot.given
+                self.data["parameters"] = parameters | self.data.get("parameters", {})
+                named = list(self.data.get("measures", {})) or ["u"]
+                return re.sub(r"[A-Za-z_]\w*", lambda w: rng.choice(named) if w[0] in names else w[0], text)
             case _:
                 return slot.given
+
+    def _another(self, slot: Slot, favourite: Sequence[str]) -> str:
+        """A body, seldom the last one; a round one where the example has one, ground where the example has it."""
+        rng = self.rng
+        able = [b for b in self.bodies if slot.role == "body" or "radius" in repr(self.data["bodies"][b])]
+        able += [b for b in favourite if b in able and rng.random() < 0.8]
+        if slot.given == "ground" or rng.random() < 0.15:
+            able += ["ground"] * max(1, len(able)) if slot.given == "ground" else ["ground"]
+        others = [b for b in able if b != self._last.partition(".")[0]]
+        self._last = rng.choice((others if rng.random() < 0.9 else able) or ["ground"])
+        return self._last
 
     def _number(self) -> Any:
         rng = self.rng
@@ -326,9 +361,9 @@ def random_quantity(rng: random.Random, word: Any) -> str:
     return phrase(rng.choice(FORMS).form, word, rng)
 
 
-def random_question(rng: random.Random, word: Any) -> str:
-    """A question: a quantity, now and then at the start or at an event."""
-    text = random_quantity(rng, word)
+def random_question(rng: random.Random, word: Any, form: str) -> str:
+    """A question of a form: a quantity, now and then at the start or at an event."""
+    text = phrase(form, word, rng)
     chance = rng.random()
     if chance < 0.15:
         return f"{text} at start"

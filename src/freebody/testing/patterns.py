@@ -28,8 +28,8 @@ _OPTIONAL = re.compile(r"\[([^\[\]]*)\]")
 
 @dataclass(frozen=True)
 class Slot:
-    """A place: what it takes ("body", "point", "surface", "measure", "direction", "quantity", "number", "law" ...), and
-    what the example has there."""
+    """A place: what it takes ("body", "wheel", "point", "surface", "measure", "direction", "quantity", "number",
+    "law" ...), and what the example has there. A law has its text, and the names in it: measures and parameters."""
 
     role: str
     given: Any
@@ -88,7 +88,7 @@ def _slot_of_text(text: str, data: Mapping[str, Any]) -> Slot:
     ground = cast("dict[str, Any]", data.get("ground", {}))
     measures = cast("dict[str, Any]", data.get("measures", {}))
     if text in bodies:
-        return Slot("body", text)
+        return Slot("wheel" if "radius" in repr(data["bodies"].get(text)) else "body", text)
     if any(text in ground.get(section, {}) for section in ("lines", "planes")):
         return Slot("surface", text)
     if text in measures:
@@ -102,9 +102,11 @@ def _slot_of_text(text: str, data: Mapping[str, Any]) -> Slot:
     except FreebodyError:
         pass
     words = set(re.findall(r"[A-Za-z_]\w*", text))
-    if words & set(measures):
-        return Slot("law", (text, tuple(sorted(words & set(measures)))))
-    return Slot("phrase" if words & bodies else "law of time", text)
+    if words & bodies and not words & set(measures):
+        return Slot("phrase", text)
+    parameters = cast("dict[str, Any]", data.get("parameters", {}))
+    used = {name: parameters[name] for name in sorted(words & set(parameters))}
+    return Slot("law", (text, tuple(sorted(words & set(measures))), used))
 
 
 def filled(slots: Any, fill: Callable[[Slot], Any]) -> Any:

@@ -200,7 +200,8 @@ def _draw(system: System) -> list[Outcome]:
     picture = system.picture()
     picture.svg()
     picture.tikz()
-    system.free_body(*[b.name for b in system.moving[:1]]).svg()
+    for body in system.moving[:1]:
+        system.free_body(body.name).svg()
     return [Outcome("", End.ANSWERED)]
 
 
@@ -250,8 +251,8 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
     try:
         with limited(seconds):
             found = studies()[name](system)
-    except OutOfWork:
-        return [Outcome(name, End.TOO_LONG, f"no end after {seconds:g} s of processor time")]
+    except OutOfWork as stopped:
+        return [Outcome(name, End.TOO_LONG, f"no end after {seconds:g} s of processor time", _place(stopped))]
     except RoutesDisagree as error:
         return [Outcome(name, End.DISAGREE, str(error))]
     except FreebodyError as error:
@@ -264,6 +265,10 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
 
 def untyped(study: str, error: Exception) -> Outcome:
     """An exception that no one expected, with the deepest place in the package."""
+    return Outcome(study, End.UNTYPED, f"{type(error).__name__}: {error}", _place(error))
+
+
+def _place(error: BaseException) -> str:
+    """The deepest places in the package that an exception came through."""
     frames = [f for f in traceback.extract_tb(error.__traceback__) if "freebody" in f.filename]
-    place = " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames[-3:]))
-    return Outcome(study, End.UNTYPED, f"{type(error).__name__}: {error}", place)
+    return " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames[-3:]))

@@ -11,7 +11,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, substitute
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
-from freebody.measures.geometry import Direction, Point
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, ONE, Direction, Point
+from freebody.measures.turn import Alignment
 from freebody.model.elements import Bound, Component, Held, Push, RateMeasure, Rub
 from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
@@ -199,15 +201,7 @@ class Packing:
         return self._base[base]
 
     def _coefficient(self, coefficient: Component | Measure) -> Where:
-        if not isinstance(coefficient, Component):
-            return self.row(coefficient)
-        from freebody.measures.displacement import Displacement
-        from freebody.measures.geometry import GROUND, ONE
-
-        d = coefficient.direction
-        tip, foot = Point(d.body, d.components), Point(d.body, tuple(ZERO for _ in d.components))
-        axis = tuple(ONE if name == coefficient.axis else ZERO for name in "xyz"[: len(d.components)])
-        return self.row(Displacement(tip, foot, Direction(GROUND, axis)))
+        return self.row(coefficient if not isinstance(coefficient, Component) else _component(coefficient))
 
     def _expression(self, measure: Measure, inputs: dict[str, int]) -> Expr:
         """A measure as an expression in base rows, which are entered in `inputs` under names of their own."""
@@ -223,6 +217,15 @@ class Packing:
             for coefficient, part in measure.terms:
                 total = total + coefficient * self._expression(part, inputs)
             return total
+        if isinstance(measure, Alignment):  # in the plane, which has no kernel for it: a . b by components
+            return sum(
+                (
+                    self._expression(_component(Component(measure.of, axis)), inputs)
+                    * self._expression(_component(Component(measure.along, axis)), inputs)
+                    for axis in ("x", "y")
+                ),
+                ZERO,
+            )
         raise CannotAnswer(f"no kernel is written for the measure {type(measure).__name__}; run tools/write_kernels.py")
 
     def bearings(self) -> list[tuple[int, Measure, float, float | None]]:
@@ -377,3 +380,11 @@ def _sum(a: Base, b: Base, factor: float) -> Base:
     for k, c in b.terms:
         terms[k] = terms.get(k, 0.0) + factor * c
     return Base(a.constant + factor * b.constant, tuple(terms.items()))
+
+
+def _component(component: Component) -> Displacement:
+    """A ground component of a direction d as a measure: how far the point at d lies from the origin of d's body."""
+    d = component.direction
+    tip, foot = Point(d.body, d.components), Point(d.body, tuple(ZERO for _ in d.components))
+    axis = tuple(ONE if name == component.axis else ZERO for name in "xyz"[: len(d.components)])
+    return Displacement(tip, foot, Direction(GROUND, axis))

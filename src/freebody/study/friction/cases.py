@@ -93,19 +93,20 @@ class Ends:
 
     @cached_property
     def draws(self) -> list[Draw]:
-        """The draws of the setup and wider ones, in whose pose the same contacts touch and nothing else does."""
+        """The draws of the setup and wider ones, in whose pose the same contacts touch and nothing else does; the first
+        has the file's own values. Raises CannotAnswer where that one is none of them."""
         wide = draws(self.touching.held, self.n_wide, seed=SEED + 50, widest=_FAR, near=self.setup.draws[0])
         every = [*self.setup.draws, *wide]
         acute = [p.name for p in self.touching.system.parameters.values() if p.acute]
         kept = [d for d in every if all(0.0 < d.values[name] < math.pi / 2 for name in acute)]
-        return [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
+        found = [d for d in kept if self.touching.is_admissible(d.reference, d.q)]
+        self.touching.insist(self.setup.draws[0] in found)
+        return found
 
     def limit(self, sign: int) -> Limit:
         """One end, with all cases that the draws come across."""
         cases: list[Case] = []
         compared: list[Compared] = []
-        if self.setup.draws[0] not in self.draws:
-            raise CannotAnswer("in the start pose something penetrates, or touches beyond the end of an edge")
         for draw in self.draws:
             near = next((x for c in cases if self.holds(c, draw) and (x := self.number(c.element, draw))), None)
             try:

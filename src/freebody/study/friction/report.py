@@ -100,6 +100,7 @@ def statics(system: System) -> Statics:
         raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; or ask a question: does it hold")
     touching, setup = prepared(system)
     draw = setup.draws[0]
+    touching.insist(touching.is_admissible(draw.reference, draw.q))
     problem = rest_problem(draw.reference, draw.q, touching.rubs)
     if unresisted(problem) is not None:
         return Statics(system, False, how_it_fails(touching, problem, draw), 0.0, ())

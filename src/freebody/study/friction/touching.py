@@ -51,6 +51,11 @@ class Touching:
         apart = _apart(reference, g, self.system.bounds)
         return all(gap >= -slack or name in closed for gap, name in apart.values())
 
+    def insist(self, is_admissible: bool) -> None:
+        """Raises CannotAnswer where the start pose is not admissible: what is said of rest would be said of another."""
+        if not is_admissible:
+            raise CannotAnswer("in the start pose something penetrates, or touches beyond the end of an edge")
+
 
 def touching(system: System) -> Touching:
     """What touches in the start pose, at the model's own values. Raises CannotAnswer where the pose cannot be

@@ -8,7 +8,7 @@ up to five decades, for what is rare. The first set is that of the file where it
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any
 
@@ -34,13 +34,19 @@ _SPREAD = 1.4
 _MOST_FRICTION = 1.2
 _WIDEST = 5.8  # e^5.8: two decades and a half
 
+
+def _of_floats(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of arrays that takes whole numbers of any length too, which NumPy would keep as objects."""
+    return lambda *arguments: function(*(np.asarray(a, dtype=np.float64) for a in arguments))
+
+
 _FUNCTIONS = SimpleNamespace(
     pi=math.pi,
-    **{name: getattr(np, name) for name in ("sqrt", "cos", "sin", "exp", "log", "sinh", "cosh", "tanh")},
-    acos=np.arccos,
-    asin=np.arcsin,
-    atan=np.arctan,
-    atan2=np.arctan2,
+    **{name: _of_floats(getattr(np, name)) for name in ("sqrt", "cos", "sin", "exp", "log", "sinh", "cosh", "tanh")},
+    acos=_of_floats(np.arccos),
+    asin=_of_floats(np.arcsin),
+    atan=_of_floats(np.arctan),
+    atan2=_of_floats(np.arctan2),
 )
 
 
@@ -139,7 +145,7 @@ class Sets:
             )
             try:
                 found = np.asarray(model.field.evaluate(x, values), dtype=np.float64)
-            except (KeyError, ZeroDivisionError):
+            except (KeyError, ZeroDivisionError, OverflowError):
                 return np.full(self.n, np.nan)
         return found if found.ndim else np.full(self.n, float(found))
 
