@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -77,6 +77,7 @@ class Fit:
     extent: float  # how far the system reaches, by its size
     equations: Sequence[Equation]
     branches: Mapping[Branch, float]
+    n_steps: int = 0  # that led to it
 
     @property
     def error(self) -> float:
@@ -116,7 +117,8 @@ class Placing:
             return None
         D = self.sizes.small_moves * math.sqrt(self.sizes.mass) * self.sizes.length
         damping = 1e-2
-        for _ in range(n_steps):
+        n_tried = 0
+        for n_tried in range(n_steps):
             if here.error <= TOLERANCE:
                 break
             A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps
@@ -136,7 +138,7 @@ class Placing:
                 break
             else:
                 damping *= 10.0
-        return here
+        return replace(here, n_steps=n_tried + 1)
 
     def _gaps(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit | None:
         g = JetGeometry(self.frame, q, np.zeros_like(q), t, near)

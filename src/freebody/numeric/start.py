@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.budgets import allowed, exhausted
+from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.expression import Expr
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -22,7 +23,7 @@ from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, 
 from freebody.model.elements import RateMeasure, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
-from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
+from freebody.numeric.placing import ACCEPTED, N_STEPS, Equation, Fit
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.split import Split, stack
 from freebody.system.system import System
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 N_STARTS = 16
+MOST_STEPS = 1000  # of all starts together
 SINGULAR = 1e-6  # the volume that three unit axes span
 MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
 _AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
@@ -108,20 +110,22 @@ def assembled(
         fit = reference.placing.fit(guess, [*equations, *guided], 0.0, {})
         if fit is not None and fit.error <= ACCEPTED:
             return fit
+    left = allowed(MOST_STEPS)
     for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved, n_starts):
-        fit = reference.placing.fit(q, equations, 0.0, {})
+        fit = reference.placing.fit(q, equations, 0.0, {}, min(N_STEPS, left))
+        left -= 1 if fit is None else fit.n_steps
         if fit is not None and (best is None or fit.error < best.error):
             best = fit
-        if best is not None and best.error <= TOLERANCE:
+        if left <= 0 or (best is not None and best.error <= ACCEPTED):
             break
     if best is None:
         raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
     if best.error > ACCEPTED:
         turned = "turned" if reference.system.space else "angle"
-        raise CannotAnswer(
-            f"the start cannot be assembled: at best {best.worst}. "
-            f"Change the start of the model (at, {turned}, start) or the lengths"
-        )
+        at_best = f"at best {best.worst}. Change the start of the model (at, {turned}, start) or the lengths"
+        if left <= 0:
+            raise BudgetExhausted(f"a start that can be assembled was {exhausted(MOST_STEPS, 'steps')}: {at_best}")
+        raise CannotAnswer(f"the start cannot be assembled: {at_best}")
     return best
 
 

@@ -141,13 +141,15 @@ class Maker:
             entry: dict[str, Any] = {kind: filled(shape_fields(Shape.kinds[kind]), self._fill)}
             if rng.random() < 0.1 and "mass" in entry[kind]:
                 del entry[kind]["mass"]
+            place: dict[str, Any] = {}
             if rng.random() < 0.5:
-                entry["at"] = self._place()
+                place["at"] = self._place()
             if rng.random() < 0.25:
-                entry["turned" if self.is_space else "angle"] = self._turned() if self.is_space else self._angle()
-            if rng.random() < 0.2:
+                place["turned" if self.is_space else "angle"] = self._turned() if self.is_space else self._angle()
+            entry |= place if rng.random() < 0.4 or not place else {"near": place}  # what is exact often contradicts
+            if rng.random() < 0.1:
                 entry["velocity"] = [rng.choice(("0", "1 m/s", "-2 m/s")) for _ in self._place()]
-            if rng.random() < 0.15:
+            if rng.random() < 0.1:
                 entry["angular_velocity"] = ["0", "0", "3 rad/s"] if self.is_space else "2 rad/s"
             if rng.random() < 0.07:
                 entry["fixed"] = True
