@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,11 +19,11 @@ def finite(value: Any) -> float:
 
 
 @contextmanager
-def named(name: str) -> Generator[None]:
-    """Says in whose name something has no value."""
+def named(name: str | Callable[[], str]) -> Generator[None]:
+    """Says in whose name something has no value; the name may be one that is looked up only then."""
     try:
         yield
     except CannotAnswer as error:
-        raise CannotAnswer(f"{name}: {error}") from None
+        raise CannotAnswer(f"{name if isinstance(name, str) else name()}: {error}") from None
     except (ArithmeticError, ValueError) as error:
-        raise CannotAnswer(f"{name} has no value here: {error}") from None
+        raise CannotAnswer(f"{name if isinstance(name, str) else name()} has no value here: {error}") from None

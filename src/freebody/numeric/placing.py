@@ -118,7 +118,7 @@ class Placing:
         D = self.sizes.small_moves * math.sqrt(self.sizes.mass) * self.sizes.length
         damping = 1e-2
         n_tried = 0
-        for n_tried in range(n_steps):
+        for n_tried in range(n_steps):  # noqa: B007
             if here.error <= TOLERANCE:
                 break
             A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps

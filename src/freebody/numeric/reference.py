@@ -70,9 +70,10 @@ class Reference:
 
     def _moments_of(self, body: RigidBody) -> tuple[Array, Array]:
         """Moments of inertia, in space about the principal axes, and these axes."""
-        if not self.system.space:
-            return np.array([self.number(body.inertia)]), spatial.UNIT
-        return spatial.principal_axes(spatial.tensor_of(body, self.number))
+        with named(f"the inertia of {body.name}"):
+            if not self.system.space:
+                return np.array([self.number(body.inertia)]), spatial.UNIT
+            return spatial.principal_axes(spatial.tensor_of(body, self.number))
 
     # -- poses and velocities -----------------------------------------------------------------
     def columns(self, body: str) -> tuple[int, ...]:
@@ -195,9 +196,9 @@ class Reference:
         """What measures see at one instant; angles of lines are counted on from `near`, or from the start."""
         return JetGeometry(self.frame, q, v, t, self._branches if near is None else near)
 
-    def jet(self, g: JetGeometry, measure: Measure | RateMeasure, name: str = "the measure") -> Jet:
+    def jet(self, g: JetGeometry, measure: Measure | RateMeasure, name: str = "") -> Jet:
         """The jet of a measure; raises CannotAnswer where it has no finite value."""
-        with named(name):
+        with named(name or (lambda: self.name_of(measure))):
             jet = g.of(measure)
             finite(jet.value + jet.rate + jet.bias)
             return jet
@@ -305,9 +306,7 @@ class Reference:
     def name_of(self, measure: Measure | RateMeasure) -> str:
         """What the user calls a measure."""
         names = [name for name, known in self.system.measures.items() if known == measure]
-        if not names and not self.system.contacts:
-            return "the measure"
-        names += [row.name for row in self.system.rows if row.measure == measure]
+        names += [row.name for row in (*self.system.rows, *self.system.pushes) if row.measure == measure]
         return next(iter(names), "the measure")
 
     def most_moved(self, motion: Array) -> str:

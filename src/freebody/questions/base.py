@@ -125,8 +125,11 @@ class Quantity:
     def value(self, system: Described, state: State[Any]) -> Any:
         """The quantity at the state's instant: a scalar, or a tuple for a vector, whichever arithmetic the state has.
         Raises CannotAnswer for quantities that are no property of one instant."""
-        words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(self).__name__).lower()
-        raise CannotAnswer(f"the {words} is not worked out at one instant; ask for it without at or when")
+        words = self.kind or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(self).__name__).lower()
+        raise CannotAnswer(
+            f"what is asked ({words}) has no value at one instant: ask for it alone, without at or when, and where "
+            "no contact or friction changes"
+        )
 
     def counted(self, passage: Passage[Any]) -> Any:
         """The quantity at the event that ends a motion, or what has come together on the way there."""

@@ -11,6 +11,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.measures.base import Measure
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import Instant, SmallMotion
@@ -30,6 +32,7 @@ from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import LEAST
 
 INSTANT_TOLERANCE = 1e-8
@@ -244,13 +247,17 @@ def _small_number(setup: Setup, quantity: Small, draw: Draw) -> float | tuple[fl
 
 
 def _wanted(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
-    """The measures that the coordinates are, with their values at an equilibrium."""
+    """The measures that the coordinates are, with their values at an equilibrium; and where a coordinate is none, as
+    the angle of a link, the places of the bodies."""
     start = draw.start()
-    return [
-        (measure, element_at(setup, equilibrium[c.index], draw, start)[0])
-        for c in setup.model.coordinates
-        if (measure := setup.model.measure_of(c)) is not None
-    ]
+    measures = {c.index: setup.model.measure_of(c) for c in setup.model.coordinates}
+    wanted = [(measure, equilibrium[index]) for index, measure in measures.items() if measure is not None]
+    if len(wanted) < len(measures) and not setup.system.space:
+        there = SymbolicState(setup.model, equilibrium)
+        for body in setup.system.moving:
+            of, ground = body.point(body.default_point), Point(GROUND)
+            wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
+    return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
 
 
 def _rests(setup: Setup) -> bool:

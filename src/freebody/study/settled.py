@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.numeric.contact.transition import Transition
+from freebody.numeric.contact.transition import HELD_ALONE, Transition
 from freebody.numeric.options import Law
 from freebody.study.draws import SEED, draw_parameters
 from freebody.study.simulate import Simulator
@@ -52,7 +52,8 @@ def start_mode(system: System) -> Mode:
     assert bounded is not None
     found = Transition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
     if found.mode is None:
-        raise CannotAnswer(f"no force is consistent with {found.why} at the start (Painleve's paradox)")
+        source = "" if found.why == HELD_ALONE else " (Painleve's paradox)"
+        raise CannotAnswer(f"no force is consistent at the start with {found.why}{source}")
     ideal = {b.name for b in bounded.barriers if b.is_ideal}
     closed = {bounded.barriers[k].name for k in found.mode.closed} | ideal
     states = {d.name: s for d, s in zip(bounded.drags, found.mode.drags, strict=True) if s is not None}

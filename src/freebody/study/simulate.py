@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freebody.errors import InputError, ModelError
+from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
 from freebody.model.elements import Held
@@ -29,7 +30,7 @@ from freebody.numeric.reference import Reference
 from freebody.study.assumed import rates_not_given
 from freebody.study.at_rest import is_unstable_rest, staying
 from freebody.study.energy import EnergyBalance, energy_balance
-from freebody.study.worded import in_words
+from freebody.study.worded import in_words, without_value
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -74,6 +75,9 @@ class Simulator:
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
         check_laws(self.reference, start.geometry)
+        for rub in system.rubs:
+            if not rub.of:  # it rubs from the start on, so its slip must have a value there
+                self.reference.jet(start.geometry, rub.row.measure, rub.row.name)
         self.value_at_start = start.value
         try:
             self.engine.align(self.start, 0.0, self.value_at_start)
@@ -82,7 +86,10 @@ class Simulator:
                 _ = start.acceleration(measure)  # says which one has no value or rate at the start
             raise
         self._near = self.engine.near()
-        _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
+        try:
+            _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
+        except CannotAnswer as error:
+            raise CannotAnswer("; ".join([str(error), *islice(without_value(system), 1)])) from error
         if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
 

@@ -42,14 +42,14 @@ def in_words(study: Callable[Concatenate[System, P], T]) -> Callable[Concatenate
 
 def cause(system: System, error: Exception) -> str:
     """Why the arithmetic of a study failed: the measure without a value at the start, if there is one."""
-    undefined = next(_without_value(system), "")
+    undefined = next(without_value(system), "")
     if undefined:
         return f"{undefined}, so that nothing can be said here; start the model where it has a value"
     what = "divides by zero" if isinstance(error, ZeroDivisionError) else "leaves the range of floating point"
     return f"the arithmetic of this study {what} for this model, and no measure of it is without a value at its start"
 
 
-def _without_value(system: System) -> Iterator[str]:
+def without_value(system: System) -> Iterator[str]:
     """Measures of connections, loads and the user that have no value, or no gradient, at the start."""
     named: list[tuple[str, Measure | RateMeasure]] = [(row.name, row.measure) for row in system.held]
     named += [(push.name, push.measure) for push in system.pushes]

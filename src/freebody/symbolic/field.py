@@ -568,7 +568,9 @@ class Field:
         return c, s
 
     def angle_with(self, cos: Ratio, sin: Ratio) -> Ratio:
-        """The angle whose cosine and sine are given elements."""
+        """The angle whose cosine and sine are given elements, pi where 2 atan(sin/(1 + cos)) has no value."""
+        if cos == -1:
+            return self.pi
         key = ("angle with", cos.key(), sin.key())
         if key in self._atoms:
             return self.variable(self._atoms[key])

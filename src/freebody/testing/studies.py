@@ -25,6 +25,7 @@ from freebody.errors import FreebodyError, RoutesDisagree
 from freebody.study.answer import Answer
 
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
+OF_THE_INSIDE = ("has no value; known are", "the arithmetic of this study", "run tools/")  # nothing a user could mend
 UNTIL = 0.05  # s, of a short simulation
 
 
@@ -120,13 +121,18 @@ def _of_answers(study: str, answers: tuple[Answer, ...]) -> list[Outcome]:
 
 def outcome_of_answer(study: str, answer: Answer) -> Outcome:
     """What became of one question."""
-    if any(word in answer.reason for word in DISAGREE):
-        return Outcome(study, End.DISAGREE, answer.reason)
     if answer.reason:
-        return Outcome(study, End.REFUSED, answer.reason)
+        return _refused(study, answer.reason)
     if answer.is_answered or answer.conditions or answer.cases:
         return Outcome(study, End.ANSWERED)
     return Outcome(study, End.EMPTY, f"no expression, no value and no reason for '{answer.question}'")
+
+
+def _refused(study: str, reason: str) -> Outcome:
+    """A refusal, or what stands in the words of one and is none."""
+    if any(word in reason for word in DISAGREE):
+        return Outcome(study, End.DISAGREE, reason)
+    return Outcome(study, End.UNTYPED if any(word in reason for word in OF_THE_INSIDE) else End.REFUSED, reason)
 
 
 def _solve(system: System) -> list[Outcome]:
@@ -256,8 +262,7 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
     except RoutesDisagree as error:
         return [Outcome(name, End.DISAGREE, str(error))]
     except FreebodyError as error:
-        is_odd = any(word in str(error) for word in DISAGREE)
-        return [Outcome(name, End.DISAGREE if is_odd else End.REFUSED, str(error))]
+        return [_refused(name, str(error))]
     except Exception as error:
         return [untyped(name, error)]
     return [o if o.study else Outcome(name, o.end, o.message, o.place) for o in found]

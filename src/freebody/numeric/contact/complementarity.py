@@ -46,6 +46,8 @@ class Complementary:
 def lemke(M: Array, q: Array, *, max_pivots: int | None = None, tolerance: float = 1e-10) -> Complementary:
     """Solves the complementarity problem of M (n, n) and q (n,). Never raises for lack of a solution: see `ended`."""
     n = len(q)
+    if not (np.isfinite(M).all() and np.isfinite(q).all()):  # a row without a value: nothing solves it
+        return Complementary(Ended.RAY, np.full(n, np.nan), np.full(n, np.nan), np.inf, 0)
     if n == 0 or bool((q >= 0.0).all()):
         return _judged(M, q, np.zeros(n), Ended.SOLVED, 0, tolerance)
     rows, columns = _equilibrated(M)

@@ -16,7 +16,7 @@ from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import Status as Consistency
 from freebody.numeric.contact.problem import Status as Outcome
 from freebody.numeric.contact.record import Phase, merged
-from freebody.numeric.contact.transition import After, Choice, Transition
+from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, Transition
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Course, Happening, Status
@@ -279,6 +279,8 @@ class Hybrid:
     def _contradiction(self, result: After, t: float) -> str:
         if result.status is Outcome.NOT_FOUND:
             return f"at t = {t:.9g} s no force was found that is consistent with {result.why}{self._advice}"
+        if result.why == HELD_ALONE:
+            return f"at t = {t:.9g} s no force is consistent with {result.why}"
         return (
             f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither "
             "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "

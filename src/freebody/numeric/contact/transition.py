@@ -61,6 +61,9 @@ class After:
     settled: float = 0.0  # work of the friction of rebounds that are too small to be followed
 
 
+HELD_ALONE = "what is held without any contact: constraints that say the same thing contradict each other by round-off"
+
+
 class Transition:
     """Decides what follows on an instant of one system."""
 
@@ -379,8 +382,9 @@ class Transition:
                 outcome = contact_forces(problem.matrices, previous, most_others=MOST_OTHERS)
             if not outcome.is_found:
                 result.status = outcome.status
-                names = ", ".join(b.barriers[k].name for k in closed)
-                result.why = f"contact and friction at {names}"
+                names = [b.barriers[k].name for k in closed]
+                names += [b.drags[k].name for k in drags if b.drags[k].of not in closed]
+                result.why = f"contact and friction at {', '.join(names)}" if names else HELD_ALONE
                 return outcome
             still = [k for k in closed if outcome.mode[problem.row_of_barrier(k)] is State.CLOSED]
             if len(still) < len(closed) and any(b.barriers[k].grips for k in closed if k not in still):

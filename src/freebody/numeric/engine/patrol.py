@@ -17,6 +17,7 @@ looked for. A dip between two such points is not seen.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -397,4 +398,12 @@ def _peak(value: Callable[[float], float], low: float, high: float, zero: float)
 
 
 def _root(value: Callable[[float], float], low: float, high: float) -> float:
-    return float(_optimize.brentq(value, low, high, xtol=1e-15, rtol=1e-14))
+    """Where a value changes its sign. At a place in between where it has none, as a force in a singular pose, it counts
+    as what it was at the lower end."""
+    before = value(low)
+
+    def known(s: float) -> float:
+        x = value(s)
+        return x if math.isfinite(x) else before
+
+    return float(_optimize.brentq(known, low, high, xtol=1e-15, rtol=1e-14))

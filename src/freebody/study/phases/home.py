@@ -92,8 +92,13 @@ class Home:
 
     # -- one field ----------------------------------------------------------------------------
     def to_home(self, phase: Phase | Setup, x: Ratio) -> Ratio:
-        """An element of the parameters in the field that all phases share."""
+        """An element of the parameters in the field that all phases share. Raises CannotAnswer where it contains a
+        start value that follows from the assembly only: that is a symbol of its phase alone."""
         model = self.home.model
+        own = {phase.model.field.index(symbol): k for k, symbol in phase.model.start_symbols.items()}
+        for symbol in x.generators() & own.keys():
+            name = next(c.name for c in phase.model.coordinates if c.index == own[symbol])
+            raise CannotAnswer(f"what {name} is at the start has no closed form; give it in start")
         expr = phase.model.field.expression(x)
         return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
 

@@ -279,10 +279,11 @@ def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tu
     if isinstance(course, Uniform):
         t = tree.home.model.field.time
         for c in model.coordinates:
-            q0, u0, a = (
-                tree.to_home(phase, x)
-                for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed])
-            )
+            values = course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed]
+            try:
+                q0, u0, a = (tree.to_home(phase, x) for x in values)
+            except CannotAnswer:  # it starts where only the assembly says
+                continue
             motion.append((Symbol(c.name), add(readable(q0), readable(u0 * t), readable(a * t * t / 2))))
     elif isinstance(course, Energy):
         motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, readable(course.square)))
