@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.state import State
 from freebody.questions.base import Described, Found, Path, Quantity, asked
@@ -44,7 +45,17 @@ class RatioOf(Quantity, kind="ratio"):
         return any(q.may_jump for q in self.inner)
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        return self.top.value(system, state) / self.bottom.value(system, state)
+        return quotient(self.top.value(system, state), self.bottom.value(system, state))
+
+
+def quotient(top: Any, bottom: Any) -> Any:
+    """One value over another. Raises CannotAnswer for vectors, and where the lower one is zero."""
+    if isinstance(top, tuple) or isinstance(bottom, tuple):
+        raise CannotAnswer("a ratio is one of numbers, and a vector stands in it: ask for it along a direction")
+    try:
+        return top / bottom
+    except ZeroDivisionError:
+        raise CannotAnswer("the ratio has no value, because what stands below is zero") from None
 
 
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)

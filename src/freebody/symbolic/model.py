@@ -99,7 +99,8 @@ class SymbolicModel:
         self.elimination = self._eliminate([])
         self._finish_coordinates()
         # what the first pass found out may make the second one simpler; which rows are redundant is told by the first
-        redundant = self.redundant
+        held = {row.name for row in self.system.held}  # what defines a line or a name of the user holds nothing
+        redundant = [name for name in self.redundant if name in held]
         for found_out in (self._named_by_formula, self._constant_coordinates):
             equations = found_out()
             if equations:

@@ -1,6 +1,7 @@
 """Testing models, and testing freebody with models.
 
     python -m freebody.testing FILE...      does a model keep its answers when it is renamed, turned, rescaled ...?
+    python -m freebody.testing --random N   does every study of random models end in an answer or in words?
 
 `random_model` draws valid models of all kinds, `mutated` spoils model files, `RELATIONS` are changes that must not
 change what is true, `conformance` has the checks that every connection, load and integrator passes: run them on your

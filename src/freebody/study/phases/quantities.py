@@ -16,7 +16,7 @@ from freebody.model.elements import Push
 from freebody.model.state import State
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
-from freebody.questions.ratio import RatioOf
+from freebody.questions.ratio import RatioOf, quotient
 from freebody.questions.reactions import Multiplier, Wrench
 from freebody.system.system import System
 
@@ -25,7 +25,7 @@ def value_in_mode(quantity: Quantity, base: System, system: System, state: State
     """The quantity at an instant of a mode; `base` is the system with its contacts, `system` the mode."""
     match quantity:
         case RatioOf(top, bottom):
-            return value_in_mode(top, base, system, state) / value_in_mode(bottom, base, system, state)
+            return quotient(*(value_in_mode(q, base, system, state) for q in (top, bottom)))
         case Multiplier():
             return reaction(quantity.row, quantity.less, base, system, state)
         case Wrench() if _is_contact(quantity.connection, base):
