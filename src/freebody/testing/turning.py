@@ -312,10 +312,10 @@ def _seen_measure(value: Any) -> str:
     found = re.match(r"^(travel of \S+ along )(.+?)( from \S+)?$", str(value))
     if found:
         return f"{found[1]}{_seen_heading(found[2])}{found[3] or ''}"
-    found = re.match(r"^(clockwise )?angle of (line from \S+ to \S+|\w+)(?: from (.+?))?$", str(value))
+    found = re.match(r"^(clockwise )?angle of (line from \S+ to \S+|\w+)(?: from (\S+))?( clockwise)?$", str(value))
     if found:
         base = f" from {_seen_heading(found[3])}" if found[3] else ""
-        return f"{'' if found[1] else 'clockwise '}angle of {found[2]}{base}"
+        return f"angle of {found[2]}{base}{'' if found[1] or found[4] else ' clockwise'}"
     raise _Stays
 
 
