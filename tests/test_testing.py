@@ -25,9 +25,9 @@ from freebody.testing.__main__ import main
 from freebody.testing.models import Maker, is_assembled, maker
 from freebody.testing.mutations import read
 from freebody.testing.observing import Observed, observed
+from freebody.testing.outcomes import Outcome, OutOfWork, limited, studies
 from freebody.testing.patterns import shape_fields
 from freebody.testing.relations import SHORT
-from freebody.testing.studies import Outcome, OutOfWork, limited, studies
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PENDULUM = (EXAMPLES / "simple_pendulum.yaml").read_text(encoding="utf-8")
@@ -77,6 +77,18 @@ def test_a_random_model_is_answered_or_refused_in_words(seed: int, made: list[Ma
     names = ("write", "mobility", "draw", "solve") if seed % 3 == 0 else ("write", "mobility", "draw")
     found = [o for study in names for o in run(study, system, 1.0)]  # no end within the second is no defect
     assert not defects(found), f"seed {seed}\n{system.to_yaml()}"
+
+
+def test_every_name_of_the_package_stays_what_it_is() -> None:
+    """A module of the name of a function would take its place once it is loaded."""
+    from types import ModuleType
+
+    import freebody.testing as package
+
+    for of in (package, fb):
+        for name in of._HOMES:
+            for _ in range(2):
+                assert not isinstance(getattr(of, name), ModuleType), name
 
 
 @pytest.mark.slow

@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from freebody.testing.models import Taste, random_model
     from freebody.testing.mutations import MUTATIONS, mutated
+    from freebody.testing.outcomes import End, Outcome, run, studies
     from freebody.testing.relations import RELATIONS, Relation, Verdict, check
-    from freebody.testing.studies import End, Outcome, run, studies
 
 _HOMES = {
     **dict.fromkeys(("Taste", "random_model"), "models"),
     **dict.fromkeys(("MUTATIONS", "mutated"), "mutations"),
     **dict.fromkeys(("RELATIONS", "Relation", "Verdict", "check"), "relations"),
-    **dict.fromkeys(("End", "Outcome", "run", "studies"), "studies"),
+    **dict.fromkeys(("End", "Outcome", "run", "studies"), "outcomes"),
 }
 
 __all__ = [

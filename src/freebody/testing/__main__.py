@@ -13,8 +13,8 @@ from freebody.errors import FreebodyError, InputError
 from freebody.testing.campaign import campaign, report
 from freebody.testing.facts import STUDIES
 from freebody.testing.observing import observed
+from freebody.testing.outcomes import studies, untyped
 from freebody.testing.relations import RELATIONS, SHORT, check
-from freebody.testing.studies import studies, untyped
 
 
 def _arguments(arguments: Sequence[str] | None) -> argparse.Namespace:

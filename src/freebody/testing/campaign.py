@@ -22,7 +22,7 @@ from typing import IO, Any
 from freebody.api import System
 from freebody.errors import InputError
 from freebody.testing.models import maker
-from freebody.testing.studies import End, Outcome, OutOfWork, limited, run, untyped
+from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, run, untyped
 
 READ = "read"  # the study before all others: the model is drawn and read
 _MEMORY = 4 << 30  # bytes, of one process

@@ -379,7 +379,7 @@ def is_assembled(system: System, seconds: float = 1.0) -> bool:
     """Whether the start of a model can be put together, found with little work. What cannot be ends in the same refusal
     in every study, after a long search, and few such models are enough."""
     from freebody.numeric.reference import Reference
-    from freebody.testing.studies import OutOfWork, limited
+    from freebody.testing.outcomes import OutOfWork, limited
 
     if not system.has_values:
         return True

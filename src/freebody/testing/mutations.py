@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from freebody.api import System
 from freebody.errors import FreebodyError
-from freebody.testing.studies import End, Outcome, OutOfWork, limited, untyped
+from freebody.testing.outcomes import End, Outcome, OutOfWork, limited, untyped
 
 Mutation = Callable[[str, random.Random], str]
 MUTATIONS: dict[str, Mutation] = {}
