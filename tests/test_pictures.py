@@ -18,13 +18,14 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from freebody.errors import InputError
-from freebody.model.glyphs import Lead
+from freebody.model.glyphs import Equation, Lead
 from freebody.numeric.reference import Reference
 from freebody.present import animation
 from freebody.present.animation import resampled, write_animation
 from freebody.present.drawing import Drawing
 from freebody.present.figures import GROUND, Array, Heading, Node, Place, Rope, hull, positions
 from freebody.present.layout import Layout, headings, sweep
+from freebody.present.picture.label import equation
 from freebody.present.plots import plot, save
 from freebody.present.scene import Scene
 from freebody.present.stills import draw_frame
@@ -88,7 +89,8 @@ def test_every_body_of_every_example_is_drawn_inside_its_picture(path: Path) -> 
     assert np.isfinite(points).all()
     assert (points >= drawing.low).all()
     assert (points <= drawing.high).all()
-    assert {label.text for label in drawing.labels} == {figure.name for figure in scene.figures}
+    said = {equation(sign.text).text for sign in scene.signs if isinstance(sign, Equation)}
+    assert {label.text for label in drawing.labels} == {figure.name for figure in scene.figures} | said
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

@@ -287,10 +287,10 @@ def test_hidden_edges_of_a_box_are_weak_and_dashed() -> None:
     box = next(p for p in drawing.pieces if p.look == "body" and len(p.solid.points) == 8)
     shot = next(s for s in shots(drawing, 0, drawing.view((30.0, 20.0))) if s.piece is box)
     marks = [mark for mark in paint(shot) if not mark.is_area]
-    dashed = [mark for mark in marks if mark.is_dashed]
+    dashed = [mark for mark in marks if mark.dashes]
     assert sum(len(mark.points) - 1 for mark in dashed) == 3  # three edges meet in the hidden corner
-    assert sum(len(mark.points) - 1 for mark in marks if not mark.is_dashed) == 9
-    assert all(mark.alpha < 0.5 for mark in dashed)
+    assert sum(len(mark.points) - 1 for mark in marks if not mark.dashes) == 9
+    assert all(mark.stroke is not None and mark.stroke.alpha < 0.5 for mark in dashed)
 
 
 # -- what is drawn ----------------------------------------------------------------------------

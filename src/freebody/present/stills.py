@@ -8,9 +8,10 @@ import numpy as np
 
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array, positions
+from freebody.present.picture import pixels
+from freebody.present.picture.plane import shape_of
 from freebody.present.scene import Scene
-from freebody.present.strokes import Path, Strand, Stroke
-from freebody.present.theme import THEMES, Theme, style_of
+from freebody.present.theme import THEMES, Theme
 
 
 def draw_frame(scene: Scene, pose: Array, axes: Any, *, dark: bool = False) -> None:
@@ -38,12 +39,8 @@ def paint(drawing: Drawing, frame: int, axes: Any, theme: Theme) -> list[Any]:
     """Draws the strokes and names of one frame; returns the artists."""
     from matplotlib.patheffects import withStroke
 
-    artists: list[Any] = []
-    strokes = drawing.shown(frame)
-    for k, stroke in enumerate(strokes):
-        artist = _line(stroke, drawing.points(stroke, frame), axes, theme)
-        artist.set_zorder(2 + k / len(strokes))
-        artists.append(artist)
+    shapes = [shape_of(stroke, drawing.points(stroke, frame)) for stroke in drawing.shown(frame)]
+    artists: list[Any] = [pixels.paint(shapes, axes, dark=theme is THEMES["dark"])]
     halo = [withStroke(linewidth=2.5, foreground=theme.paper)]
     for label in drawing.labels:
         place = positions(drawing.poses[frame : frame + 1], label.place)[0]
@@ -52,26 +49,3 @@ def paint(drawing: Drawing, frame: int, axes: Any, theme: Theme) -> list[Any]:
         side = "left" if label.dx > 0 else "right"
         artists.append(axes.text(x, y, label.text, ha=side, va="center", **look))
     return artists
-
-
-def _line(stroke: Stroke, points: Array, axes: Any, theme: Theme) -> Any:
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Polygon
-
-    style = style_of(stroke.style)
-    edge = theme.color(style.stroke, stroke.color if isinstance(stroke, Path) else -1)
-    dashes = (0, style.dashes) if style.dashes else "-"
-    if not isinstance(stroke, Strand) and stroke.is_closed:
-        fill = theme.color(style.fill, stroke.color if isinstance(stroke, Path) else -1)
-        # an area and its edge are two colours with an alpha of their own
-        face = (*_rgb(fill), style.alpha) if fill else "none"
-        patch = Polygon(points, closed=True, facecolor=face, edgecolor=edge or "none", linewidth=style.width)
-        patch.set_linestyle(dashes)
-        return axes.add_patch(patch)
-    line = Line2D(*points.T, color=edge, linewidth=style.width, solid_capstyle="round", solid_joinstyle="round")
-    line.set_linestyle(dashes)
-    return axes.add_line(line)
-
-
-def _rgb(color: str) -> tuple[float, ...]:
-    return tuple(int(color[k : k + 2], 16) / 255 for k in (1, 3, 5))

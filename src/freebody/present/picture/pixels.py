@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from freebody.language.plain_text import plain, shortened
 from freebody.present.picture.label import Label
@@ -32,9 +35,8 @@ def rendered(picture: Picture, kind: str, *, dark: bool = False) -> bytes:
     axes.set_axis_off()
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
-    for k, shape in enumerate(picture.shapes):
-        if shape.scheme in ("", "dark" if dark else "light"):
-            _draw(shape, axes, theme, 1 + k / len(picture.shapes), dark=dark)
+    shown = [shape for shape in picture.shapes if shape.scheme in ("", "dark" if dark else "light")]
+    paint(shown, axes, dark=dark)
     for word in picture.words:
         _write(word, axes, theme, dark=dark)
     out = BytesIO()
@@ -45,23 +47,26 @@ def rendered(picture: Picture, kind: str, *, dark: bool = False) -> bytes:
     return out.getvalue()
 
 
-def _draw(shape: Shape, axes: Any, theme: Theme, order: float, *, dark: bool) -> None:
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Polygon
+def paint(shapes: Sequence[Shape], axes: Any, *, dark: bool = False) -> Any:
+    """Draws shapes, in units of the axes, one over the other; returns what was drawn. Widths and dashes are in points
+    whatever the units."""
+    from matplotlib.collections import PathCollection
+    from matplotlib.path import Path
 
-    dashes = (0, tuple(d / shape.width for d in shape.dashes)) if shape.dashes else "-"
-    if shape.fill is None and not shape.is_closed and shape.stroke is not None:
-        look: dict[str, Any] = {"solid_capstyle": "round", "solid_joinstyle": "round", "dash_capstyle": "round"}
-        color = _rgba(shape.stroke, theme, dark=dark)
-        axes.add_line(Line2D(*shape.points.T, color=color, linewidth=shape.width, ls=dashes, zorder=order, **look))
-        return
-    face = "none" if shape.fill is None else _rgba(shape.fill, theme, dark=dark)
-    edge = "none" if shape.stroke is None else _rgba(shape.stroke, theme, dark=dark)
-    patch = Polygon(shape.points, closed=shape.is_closed, facecolor=face, edgecolor=edge, zorder=order)
-    patch.set_linewidth(shape.width if shape.stroke is not None else 0.0)
-    patch.set_linestyle(dashes)
-    patch.set_joinstyle("round")
-    axes.add_patch(patch)
+    theme = THEMES["dark" if dark else "light"]
+    rims = [np.concatenate((s.points, s.points[:1])) if s.is_closed else s.points for s in shapes]
+    clear = (0.0, 0.0, 0.0, 0.0)
+    collection = PathCollection(
+        [Path(rim, closed=shape.is_closed) for rim, shape in zip(rims, shapes, strict=True)],
+        facecolors=[clear if s.fill is None else _rgba(s.fill, theme, dark=dark) for s in shapes],
+        edgecolors=[clear if s.stroke is None else _rgba(s.stroke, theme, dark=dark) for s in shapes],
+        linewidths=[0.0 if s.stroke is None else s.width for s in shapes],
+        linestyles=[(0, tuple(d / s.width for d in s.dashes)) if s.dashes else "-" for s in shapes],
+        capstyle="round",
+        joinstyle="round",
+        zorder=2,
+    )
+    return axes.add_collection(collection, autolim=False)
 
 
 def _write(word: Word, axes: Any, theme: Theme, *, dark: bool) -> None:

@@ -54,6 +54,31 @@ class Shape:
     dashes: tuple[float, ...] = ()
     scheme: Scheme = ""
 
+    @property
+    def is_area(self) -> bool:
+        """Whether it is nothing but a filled area."""
+        return self.stroke is None
+
+
+def area(points: Array, color: str, body: int, share: float, alpha: float) -> Shape:
+    """An area without an edge."""
+    return Shape(points, None, 0.0, Ink(color, body, alpha, share), is_closed=True)
+
+
+def line(
+    points: Array,
+    color: str,
+    body: int,
+    share: float,
+    alpha: float,
+    width: float,
+    *,
+    is_closed: bool = False,
+    dashes: tuple[float, ...] = (),
+) -> Shape:
+    """A line without a fill."""
+    return Shape(points, Ink(color, body, alpha, share), width, is_closed=is_closed, dashes=dashes)
+
 
 @dataclass(frozen=True)
 class Word:

@@ -25,7 +25,7 @@ from freebody.present.space.figures import Poses
 from freebody.present.space.labels import Ink as Painted
 from freebody.present.space.labels import names
 from freebody.present.space.looks import OF_BODIES
-from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
+from freebody.present.space.painter import Shot, paint, shots
 from freebody.present.space.shells import Shells
 from freebody.present.space.symbols import arrow, curved_arrow
 
@@ -58,25 +58,24 @@ class SpaceSketch(Sketch):
         if with_names:
             self._name(light)
 
-    def _both(self, light: Sequence[Mark], dark: Sequence[Mark]) -> Iterator[Shape]:
+    def _both(self, light: Sequence[Shape], dark: Sequence[Shape]) -> Iterator[Shape]:
         """Shapes that are the same on both papers but for their colours, and those that are not."""
         for mine, other in zip_longest(light, dark):
             if mine is not None and other is not None and _is_alike(mine, other):
-                yield self._shape(mine, other.share)
+                yield self._on_paper(mine, other)
                 continue
             if mine is not None:
-                yield replace(self._shape(mine), scheme="light")
+                yield replace(self._on_paper(mine), scheme="light")
             if other is not None:
-                yield replace(self._shape(other), scheme="dark")
+                yield replace(self._on_paper(other), scheme="dark")
 
-    def _shape(self, mark: Mark, dark_share: float | None = None) -> Shape:
-        other = None if dark_share is None or abs(dark_share - mark.share) < 1e-9 else round(dark_share, 2)
-        ink = Ink(mark.color, mark.body, mark.alpha, round(mark.share, 2), other)
-        points = self.at(mark.points)
-        if mark.is_area:
-            return Shape(points, None, 0.0, ink, is_closed=True)
-        dashes = DASHES if mark.is_dashed else ()
-        return Shape(points, ink, mark.width, is_closed=mark.is_closed, dashes=dashes)
+    def _on_paper(self, shape: Shape, on_dark: Shape | None = None) -> Shape:
+        """A shape in metres as one in points; on dark paper with the colours of another one."""
+        mine, other = _ink(shape), _ink(shape if on_dark is None else on_dark)
+        dark_share = None if abs(other.share - mine.share) < 1e-9 else round(other.share, 2)
+        ink = replace(mine, share=round(mine.share, 2), dark_share=dark_share)
+        points = self.at(shape.points)
+        return replace(shape, points=points, fill=ink) if shape.is_area else replace(shape, points=points, stroke=ink)
 
     def seen(self, points: Array) -> Array:
         """(..., 2) [points] on paper of places in space (..., 3)."""
@@ -86,8 +85,8 @@ class SpaceSketch(Sketch):
         """(3,) of a vector: to the right, upwards, towards the viewer."""
         return self.view.axes @ np.array(components)
 
-    def _name(self, painted: Sequence[Sequence[Mark]]) -> None:
-        owned: dict[int, list[tuple[Shot, Sequence[Mark]]]] = {}
+    def _name(self, painted: Sequence[Sequence[Shape]]) -> None:
+        owned: dict[int, list[tuple[Shot, Sequence[Shape]]]] = {}
         for shot, marks in zip(self.taken, painted, strict=True):
             if shot.piece.look != "plane":
                 index = shot.piece.turn if shot.piece.look in OF_BODIES else -1
@@ -106,7 +105,7 @@ class SpaceSketch(Sketch):
         corner = low - np.array((4.0, 90.0))
         letter = _SIZE / self.scale
         marks, texts = corner_marks(self.drawing, self.view, corner / self.scale + self.origin, letter)
-        self.shapes.extend(self._shape(mark) for mark in marks)
+        self.shapes.extend(self._on_paper(mark) for mark in marks)
         for at, text, color in texts:
             label = words(text) if len(text) > 1 else name(text)
             self.words.append(Word(label, self.at(at), _SIZE, Ink(color)))
@@ -129,10 +128,17 @@ class SpaceSketch(Sketch):
             self.wish(Wish(force.label, places, 10.5, Ink("force"), weight=5.0))
 
 
-def _is_alike(first: Mark, second: Mark) -> bool:
-    """Whether two marks differ at most in their colours."""
+def _ink(shape: Shape) -> Ink:
+    """The one colour of a line or an area."""
+    ink = shape.stroke or shape.fill
+    assert ink is not None
+    return ink
+
+
+def _is_alike(first: Shape, second: Shape) -> bool:
+    """Whether two shapes differ at most in their colours."""
     alike = np.array_equal(first.points, second.points) and first.is_closed == second.is_closed
-    return alike and (first.alpha, first.width) == (second.alpha, second.width)
+    return alike and (_ink(first).alpha, first.width) == (_ink(second).alpha, second.width)
 
 
 # pieces of an arrow

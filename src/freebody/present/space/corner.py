@@ -5,19 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from freebody.present.figures import Array
+from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.space.drawing import Drawing, round_length
-from freebody.present.space.painter import Mark
 from freebody.present.space.view import View
 
 Word = tuple[Array, str, str]  # where, what, in which colour
 _ARM = 3.6  # the longest an arm may be, in heights of letters
 
 
-def corner_marks(drawing: Drawing, view: View, low: Array, letter: float) -> tuple[list[Mark], list[Word]]:
+def corner_marks(drawing: Drawing, view: View, low: Array, letter: float) -> tuple[list[Shape], list[Word]]:
     """low: (2,) [m] the lower left corner of the picture; letter: [m] the height of one."""
     arm = round_length(_ARM * letter)
     origin = low + letter * np.array((5.2, 5.2))
-    marks: list[Mark] = []
+    marks: list[Shape] = []
     words: list[Word] = []
     order = np.argsort(view.axes[2])  # what points away from the viewer first
     for k in order.tolist():
@@ -36,14 +36,14 @@ def corner_marks(drawing: Drawing, view: View, low: Array, letter: float) -> tup
     return marks, words
 
 
-def _arrow(start: Array, along: Array, letter: float, color: str) -> list[Mark]:
+def _arrow(start: Array, along: Array, letter: float, color: str) -> list[Shape]:
     end = start + along
     length = float(np.linalg.norm(along))
     if length < 0.3 * letter:
-        return [Mark(np.array((start, end)), color, -1, 1.0, 1.0, 1.2)]
+        return [line(np.array((start, end)), color, -1, 1.0, 1.0, 1.2)]
     e = along / length
     n = np.array((-e[1], e[0]))
     size = min(0.7 * letter, 0.5 * length)
     head = np.array((end, end - size * (e + 0.4 * n), end - size * (e - 0.4 * n)))
     shaft = np.array((start, end - 0.8 * size * e))
-    return [Mark(shaft, color, -1, 1.0, 1.0, 1.2), Mark(head, color, -1, 1.0, 1.0, is_closed=True)]
+    return [line(shaft, color, -1, 1.0, 1.0, 1.2), area(head, color, -1, 1.0, 1.0)]

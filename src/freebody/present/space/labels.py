@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.present.figures import Array
-from freebody.present.space.painter import Mark, Shot
+from freebody.present.picture.shapes import Shape
+from freebody.present.space.painter import Shot
 
 _N_AROUND = 16
 _N_STEPS = 40
@@ -48,7 +49,7 @@ class Ink:
     outlines: tuple[Array, ...]
 
     @classmethod
-    def of(cls, painted: Sequence[tuple[Shot, Sequence[Mark]]], letter: float) -> Ink:
+    def of(cls, painted: Sequence[tuple[Shot, Sequence[Shape]]], letter: float) -> Ink:
         """letter: [m] the height of one on paper; points nearer than a third of it are one."""
         step = letter / 3
         lines = [mark.points for _shot, own in painted for mark in own if not (mark.is_area or mark.is_closed)]

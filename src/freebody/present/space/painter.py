@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.present.figures import Array
+from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.looks import LOOKS, Look
 from freebody.present.space.order import Seen, back_to_front, seen_ball, seen_solid
@@ -23,25 +24,6 @@ from freebody.present.space.view import View
 LIGHT = np.array((-0.35, 0.75, 0.56)) / np.linalg.norm((-0.35, 0.75, 0.56))  # on paper and towards the viewer
 DASHES = (3.0, 2.5)
 _N_BALL = 48
-
-
-@dataclass(frozen=True)
-class Mark:
-    """An area or a line on paper, points (n, 2) [m]. A colour name and its share, the rest being paper; alpha; the
-    width of a line [points], 0 for an area."""
-
-    points: Array
-    color: str
-    body: int
-    share: float
-    alpha: float
-    width: float = 0.0
-    is_closed: bool = False
-    is_dashed: bool = False
-
-    @property
-    def is_area(self) -> bool:
-        return self.width == 0.0
 
 
 @dataclass(frozen=True)
@@ -84,39 +66,39 @@ def _shot(drawing: Drawing, piece: Piece, frame: int, view: View) -> Shot:
     return Shot(piece, points, tuple(view.seen(line) for line in lines), normals, seen)
 
 
-def paint(shot: Shot, *, is_dark: bool = False) -> Iterator[Mark]:
+def paint(shot: Shot, *, is_dark: bool = False) -> Iterator[Shape]:
     """The areas and lines of one piece, in order. On dark paper colours are lighter than the paper, so what the light
     meets has more of them; on light paper, what it does not."""
     look, piece = LOOKS[shot.piece.look], shot.piece
     if piece.radius:
         yield from _ball(shot, look, is_dark=is_dark)
     elif piece.is_hint:
-        yield from (Mark(line[:, :2], look.color, piece.color, 1.0, 1.0, look.fine) for line in shot.lines)
+        yield from (line(way[:, :2], look.color, piece.color, 1.0, 1.0, look.fine) for way in shot.lines)
     else:
         yield from _areas(shot, look, is_dark=is_dark)
-        yield from (Mark(line[:, :2], look.color, piece.color, 0.6, 1.0, look.fine) for line in shot.lines)
+        yield from (line(way[:, :2], look.color, piece.color, 0.6, 1.0, look.fine) for way in shot.lines)
         yield from _edges(shot, look)
 
 
-def _ball(shot: Shot, look: Look, *, is_dark: bool) -> Iterator[Mark]:
+def _ball(shot: Shot, look: Look, *, is_dark: bool) -> Iterator[Shape]:
     middle, color = shot.points[0], shot.piece.color
     a = np.linspace(0.0, 2 * np.pi, _N_BALL, endpoint=False)
     outline = middle[:2] + shot.seen.radius * np.stack((np.cos(a), np.sin(a)), axis=-1)
-    yield Mark(outline, look.color, color, look.tint, look.cover, is_closed=True)
+    yield area(outline, look.color, color, look.tint, look.cover)
     # a crescent away from the light, or what is left of it
     if look.shade:
         inner = middle[:2] + shot.seen.radius * (0.18 * LIGHT[:2] + 0.88 * np.stack((np.cos(a), np.sin(a)), axis=-1))
         around = inner if is_dark else np.concatenate((outline, outline[:1], inner[:1], inner[::-1]))
-        yield Mark(around, look.color, color, 1.0, 0.35 * look.shade, is_closed=True)
-    for line in shot.lines:
-        near = line[:, 2] > middle[2]
+        yield area(around, look.color, color, 1.0, 0.35 * look.shade)
+    for circle in shot.lines:
+        near = circle[:, 2] > middle[2]
         for k, run in _runs(near):
-            stroke = line[k : k + run, :2]
+            stroke = circle[k : k + run, :2]
             if near[k]:
-                yield Mark(stroke, look.color, color, 1.0, 1.0, look.fine)
+                yield line(stroke, look.color, color, 1.0, 1.0, look.fine)
             else:
-                yield Mark(stroke, look.color, color, 1.0, look.hidden, look.fine, is_dashed=True)
-    yield Mark(outline, look.color, color, 1.0, 1.0, look.width, is_closed=True)
+                yield line(stroke, look.color, color, 1.0, look.hidden, look.fine, dashes=DASHES)
+    yield line(outline, look.color, color, 1.0, 1.0, look.width, is_closed=True)
 
 
 def _runs(flags: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
@@ -126,13 +108,13 @@ def _runs(flags: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
         yield a, min(b + 1, len(flags)) - a
 
 
-def _areas(shot: Shot, look: Look, *, is_dark: bool) -> Iterator[Mark]:
+def _areas(shot: Shot, look: Look, *, is_dark: bool) -> Iterator[Shape]:
     """A round solid as one area with shade on it, another face by face."""
     solid, color = shot.piece.solid, shot.piece.color
     if solid.is_smooth:
-        yield Mark(shot.seen.outline, look.color, color, look.tint, look.cover, is_closed=True)
+        yield area(shot.seen.outline, look.color, color, look.tint, look.cover)
         if look.is_seamed:
-            yield Mark(shot.seen.outline, look.color, color, look.tint, 1.0, 0.6, is_closed=True)
+            yield line(shot.seen.outline, look.color, color, look.tint, 1.0, 0.6, is_closed=True)
     for k, face in enumerate(solid.faces):
         if not shot.fronts[k] or k in solid.open:
             continue
@@ -142,40 +124,40 @@ def _areas(shot: Shot, look: Look, *, is_dark: bool) -> Iterator[Mark]:
         corners = shot.points[list(face), :2]
         if solid.is_smooth:
             if more > 0.01:
-                yield Mark(corners, look.color, color, 1.0, more * look.cover, is_closed=True)
+                yield area(corners, look.color, color, 1.0, more * look.cover)
             continue
         share = look.tint + more * (1.0 - look.tint)
-        yield Mark(corners, look.color, color, share, look.cover, is_closed=True)
+        yield area(corners, look.color, color, share, look.cover)
         if look.is_seamed:
-            yield Mark(corners, look.color, color, share, 1.0, 0.6, is_closed=True)
+            yield line(corners, look.color, color, share, 1.0, 0.6, is_closed=True)
 
 
-def _edges(shot: Shot, look: Look) -> Iterator[Mark]:
+def _edges(shot: Shot, look: Look) -> Iterator[Shape]:
     """Hidden edges first, then those that are seen."""
     if not look.width:
         return
-    hidden: list[Mark] = []
-    shown: list[Mark] = []
+    hidden: list[Shape] = []
+    shown: list[Shape] = []
     for a, b, left, right, kind in shot.piece.solid.edges:
         n_front = int(shot.fronts[left]) + int(shot.fronts[right])
         ends = shot.points[[a, b], :2]
         if kind == "mark" and n_front:
-            shown.append(Mark(ends, look.color, shot.piece.color, 1.0, 0.8, look.fine))
+            shown.append(line(ends, look.color, shot.piece.color, 1.0, 0.8, look.fine))
         elif n_front and (kind == "crease" or n_front == 1):
-            shown.append(Mark(ends, look.color, shot.piece.color, 1.0, 1.0, look.width))
+            shown.append(line(ends, look.color, shot.piece.color, 1.0, 1.0, look.width))
         elif kind == "crease" and not n_front and look.hidden:
-            hidden.append(Mark(ends, look.color, shot.piece.color, 1.0, look.hidden, look.fine, is_dashed=True))
+            hidden.append(line(ends, look.color, shot.piece.color, 1.0, look.hidden, look.fine, dashes=DASHES))
     yield from joined(hidden)
     yield from joined(shown)
 
 
-def joined(strokes: list[Mark]) -> Iterator[Mark]:
+def joined(strokes: list[Shape]) -> Iterator[Shape]:
     """Strokes that follow on each other as one line, so that dashes run on and ends meet."""
     way: list[Array] = []
     for k, stroke in enumerate(strokes):
         way += list(stroke.points if not way else stroke.points[1:])
         after = strokes[k + 1] if k + 1 < len(strokes) else None
-        is_alike = after is not None and (after.width, after.alpha) == (stroke.width, stroke.alpha)
+        is_alike = after is not None and (after.width, after.stroke) == (stroke.width, stroke.stroke)
         if after is None or not is_alike or (after.points[0] != way[-1]).any():
             yield replace(stroke, points=np.array(way))
             way = []

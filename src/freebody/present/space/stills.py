@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +11,14 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.language.plain_text import plain, shortened
 from freebody.present.figures import Array
+from freebody.present.picture import pixels
+from freebody.present.picture.shapes import Shape
 from freebody.present.scene import Scene
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.labels import Ink, names
 from freebody.present.space.looks import OF_BODIES
-from freebody.present.space.painter import DASHES, Mark, Shot, paint, shots
+from freebody.present.space.painter import Shot, paint, shots
 from freebody.present.space.view import AZIMUTH, ELEVATION, View
 from freebody.present.theme import THEMES, Theme
 
@@ -132,16 +134,16 @@ def figure_of(
 def paint_frame(stage: Stage, drawing: Drawing, frame: int) -> list[Any]:
     """Draws one instant; returns the artists. In a film names look for better places now and then."""
     taken = shots(drawing, frame, stage.view)
-    marks: list[Mark] = []
-    owned: dict[int, list[tuple[Shot, list[Mark]]]] = {}
+    shapes: list[Shape] = []
+    owned: dict[int, list[tuple[Shot, list[Shape]]]] = {}
     for shot in taken:
         painted = list(paint(shot, is_dark=stage.is_dark))
-        marks += painted
+        shapes += painted
         if shot.piece.look != "plane":
             owned.setdefault(owner(shot), []).append((shot, painted))
     letter = (_LETTER * stage.letter, stage.letter)
     corner, words = corner_marks(drawing, stage.view, stage.low, stage.letter)
-    artists = [_collection(stage, [*marks, *corner])]
+    artists = [pixels.paint([*shapes, *corner], stage.axes, dark=stage.is_dark)]
     for at, text, color in words:
         artists.append(_text(stage, at, text, color))
     bodies = {form.index: form.name for form in drawing.scene.figures}
@@ -162,40 +164,6 @@ def _text(stage: Stage, at: Array, text: str, color: str) -> Any:
     from matplotlib.patheffects import withStroke
 
     halo = [withStroke(linewidth=2.5, foreground=stage.theme.paper)]
-    ink = _hex(stage, color, -1)
+    ink = stage.theme.color(color, -1)
     look: Mapping[str, Any] = {"fontsize": _FONT, "parse_math": False, "path_effects": halo, "zorder": 9}
     return stage.axes.text(at[0], at[1], text, ha="center", va="center_baseline", color=ink, **look)
-
-
-def _collection(stage: Stage, marks: Sequence[Mark]) -> Any:
-    from matplotlib.collections import PathCollection
-    from matplotlib.path import Path as Way
-
-    rims = [np.concatenate((m.points, m.points[:1])) if m.is_closed else m.points for m in marks]
-    ways = [Way(rim, closed=m.is_closed) for rim, m in zip(rims, marks, strict=True)]
-    colors = [(*_mixed(stage, m), m.alpha) for m in marks]
-    clear = (0.0, 0.0, 0.0, 0.0)
-    collection = PathCollection(
-        ways,
-        facecolors=[color if m.is_area else clear for color, m in zip(colors, marks, strict=True)],
-        edgecolors=[clear if m.is_area else color for color, m in zip(colors, marks, strict=True)],
-        linewidths=[m.width for m in marks],
-        linestyles=[(0, DASHES) if m.is_dashed else "-" for m in marks],
-        capstyle="round",
-        joinstyle="round",
-    )
-    return stage.axes.add_collection(collection, autolim=False)
-
-
-def _mixed(stage: Stage, mark: Mark) -> tuple[float, ...]:
-    """The colour of a mark: its share of its colour, the rest paper."""
-    color, paper = _rgb(_hex(stage, mark.color, mark.body)), _rgb(stage.theme.paper)
-    return tuple(mark.share * c + (1 - mark.share) * p for c, p in zip(color, paper, strict=True))
-
-
-def _hex(stage: Stage, name: str, body: int) -> str:
-    return stage.theme.color(name, body)
-
-
-def _rgb(color: str) -> tuple[float, ...]:
-    return tuple(int(color[k : k + 2], 16) / 255 for k in (1, 3, 5))
