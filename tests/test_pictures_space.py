@@ -25,13 +25,13 @@ from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
 from freebody.present.space.drawing import Drawing, round_length
-from freebody.present.space.labels import Ink, names
+from freebody.present.space.labels import Footprint, names
 from freebody.present.space.motion import at_times, between, matrices, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
 from freebody.present.space.painter import Shot, paint, shots
 from freebody.present.space.solids import Solid
 from freebody.present.space.stills import draw, owner
-from freebody.present.space.view import View
+from freebody.present.view import View
 from freebody.system.reader import register_kinds
 from freebody.system.system import System
 
@@ -386,7 +386,7 @@ def test_names_stand_in_the_picture_and_not_on_each_other(name: str, angles: tup
     for shot in shots(drawing, 0, view):
         if shot.piece.look != "plane":
             painted.setdefault(owner(shot), []).append((shot, list(paint(shot))))
-    inks = {index: Ink.of(own, letter) for index, own in painted.items()}
+    inks = {index: Footprint.of(own, letter) for index, own in painted.items()}
     bodies = {form.index: form.name for form in drawing.scene.figures}
     found = names(inks, bodies, (0.56 * letter, letter), frame)
     assert [label.text for label in found] == list(bodies.values())

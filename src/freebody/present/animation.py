@@ -8,7 +8,7 @@ import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -48,14 +48,34 @@ def write_animation(
     of motion in a second of showing. contacts: where bodies touch at the given times, to be marked. Returns the path.
     Raises InputError if these do not fit together, the suffix is another one, the file cannot be written, or there is
     no ffmpeg for an MP4."""
+    return write_film(_Film(scene, _checked(scene, times, poses, contacts), title, speed), path)
+
+
+class Film(Protocol):
+    """A motion that can be shown; speed: seconds of motion in a second of showing."""
+
+    @property
+    def speed(self) -> float: ...
+
+    def page(self) -> str:
+        """The text of a page that plays it."""
+        ...
+
+    def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
+        """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""
+        ...
+
+
+def write_film(film: Film, path: str | Path) -> Path:
+    """Writes a film as `.html`, `.gif` or `.mp4`, by the suffix of the path, which it returns. Raises InputError for
+    another one, a speed that is not positive, a file that cannot be written, or an MP4 without ffmpeg."""
     path = Path(path)
-    motion = _checked(scene, times, poses, contacts)
-    if not (math.isfinite(speed) and speed > 0):
-        raise InputError(f"the speed of an animation is a positive number, not {speed}")
+    if not (math.isfinite(film.speed) and film.speed > 0):
+        raise InputError(f"the speed of an animation is a positive number, not {film.speed}")
     writers: dict[str, Callable[[Path], None]] = {
-        ".html": lambda file: _write_page(scene, motion, file, title, speed),
-        ".gif": lambda file: _write_gif(scene, motion, file, title, speed),
-        ".mp4": lambda file: _write_mp4(scene, motion, file, title, speed),
+        ".html": lambda file: _written(file, film.page()),
+        ".gif": lambda file: _write_gif(*film.stages(GIF_RATE), file),
+        ".mp4": lambda file: _write_mp4(film, file),
     }
     suffix = path.suffix.lower()
     if suffix not in writers:
@@ -116,17 +136,29 @@ def n_frames(times: Array, speed: float, rate: int) -> int:
     return min(N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
 
 
-def _write_page(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
-    drawing, shown = motion.drawn(scene, max(FEWEST + 1, n_frames(motion.times, speed, RATE)))
-    path.write_text(page(drawing, shown, title, speed), encoding="utf-8")
+@dataclass(frozen=True)
+class _Film:
+    """A motion of the plane, and how it is to be shown."""
+
+    scene: Scene
+    motion: _Motion
+    title: str
+    speed: float
+
+    def page(self) -> str:
+        drawing, shown = self.motion.drawn(self.scene, max(FEWEST + 1, n_frames(self.motion.times, self.speed, RATE)))
+        return page(drawing, shown, self.title, self.speed)
+
+    def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
+        drawing, shown = self.motion.drawn(self.scene, n_frames(self.motion.times, self.speed, rate))
+        return _stages(drawing, shown, self.title)
 
 
-def _write_gif(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
-    drawing, shown = motion.drawn(scene, n_frames(motion.times, speed, GIF_RATE))
-    write_gif(*_stages(drawing, shown, title), path)
+def _written(path: Path, text: str) -> None:
+    path.write_text(text, encoding="utf-8")
 
 
-def write_gif(figure: Any, stages: Iterator[None], path: Path) -> None:
+def _write_gif(figure: Any, stages: Iterator[None], path: Path) -> None:
     """A GIF of a figure that an iterator brings to one frame after the other."""
     from PIL import Image
 
@@ -137,15 +169,10 @@ def write_gif(figure: Any, stages: Iterator[None], path: Path) -> None:
     small[0].save(path, save_all=True, append_images=small[1:], duration=1000 // GIF_RATE, loop=0, optimize=False)
 
 
-def _write_mp4(scene: Scene, motion: _Motion, path: Path, title: str, speed: float) -> None:
-    _ffmpeg()  # first, because drawing takes long
-    drawing, shown = motion.drawn(scene, n_frames(motion.times, speed, RATE))
-    write_mp4(*_stages(drawing, shown, title), path)
-
-
-def write_mp4(figure: Any, stages: Iterator[None], path: Path) -> None:
-    """A film of a figure that an iterator brings to one frame after the other. Raises InputError without ffmpeg."""
-    program = _ffmpeg()
+def _write_mp4(film: Film, path: Path) -> None:
+    """Raises InputError without ffmpeg."""
+    program = _ffmpeg()  # first, because drawing takes long
+    figure, stages = film.stages(RATE)
     matplotlib: Any = importlib.import_module("matplotlib")
     animation: Any = importlib.import_module("matplotlib.animation")
     with matplotlib.rc_context({"animation.ffmpeg_path": program}):

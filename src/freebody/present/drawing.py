@@ -14,7 +14,7 @@ from freebody.present.layout import Layout, bounds, headings
 from freebody.present.marks import ContactTrack
 from freebody.present.pen import Pen
 from freebody.present.scene import Scene
-from freebody.present.strokes import Label, Path, Stretch, Stroke, stroke_points
+from freebody.present.strokes import Caption, Path, Stretch, Stroke, stroke_points
 from freebody.present.surfaces import Surfaces, surplus
 
 _NARROWEST, _LOWEST = 0.6, 0.35  # width by height of a picture, and height by width
@@ -36,7 +36,7 @@ class Drawing:
     high: Array
     moved: tuple[str, ...]
     strokes: list[Stroke] = field(default_factory=list[Stroke])
-    labels: list[Label] = field(default_factory=list[Label])
+    labels: list[Caption] = field(default_factory=list[Caption])
     contacts: ContactTrack | None = None  # with as many times as the poses
 
     @classmethod

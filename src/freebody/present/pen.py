@@ -28,7 +28,7 @@ from freebody.present.figures import (
 from freebody.present.layout import Layout, extent_across, headings, travel
 from freebody.present.picture.label import equation
 from freebody.present.scene import Scene
-from freebody.present.strokes import Label, Path, Strand, Stretch, Stroke
+from freebody.present.strokes import Caption, Path, Strand, Stretch, Stroke
 from freebody.present.surfaces import surplus
 from freebody.present.symbols import (
     DASHPOT,
@@ -355,7 +355,7 @@ class Pen:
             yield Path(place, GROUND, strokes + np.array((0.0, level + 0.45 * self.u)), "hatch")
 
     # -- names --------------------------------------------------------------------------------
-    def labels(self) -> Iterator[Label]:
+    def labels(self) -> Iterator[Caption]:
         """The name of each body beside its middle, or beside its rim where something else stands in the middle."""
         taken: list[Array] = []
         for figure in self.scene.figures:
@@ -373,9 +373,9 @@ class Pen:
             ]
             k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
             taken.append(spots[k])
-            yield Label(figure.mass_center, figure.name, *options[k])
+            yield Caption(figure.mass_center, figure.name, *options[k])
         for n, sign in enumerate(sign for sign in self.scene.signs if isinstance(sign, glyphs.Equation)):
-            yield Label(sign.at, equation(sign.text).text, 1.2, -3.4 - 1.8 * n)
+            yield Caption(sign.at, equation(sign.text).text, 1.2, -3.4 - 1.8 * n)
 
     def _is_on_surface(self, spot: Array, n_letters: int) -> bool:
         """Whether a name that begins (or ends, for a negative number of letters) at a spot covers a line of the ground

@@ -48,7 +48,7 @@ class Strand:
 
 
 @dataclass(frozen=True)
-class Label:
+class Caption:
     """A name beside a place, in sizes of symbols from it."""
 
     place: Place

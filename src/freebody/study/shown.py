@@ -30,7 +30,7 @@ _NOTHING = 1e-6  # of the largest force
 def add_shown(whole: Whole, found: Instant, show: Sequence[str]) -> None:
     """Adds what is wanted to a picture. Raises CannotAnswer for instant centres that there are not."""
     system = found.snapshot.reference.system
-    feet = {f.name: whole.sketch.at(positions(whole.drawing.poses, f.mass_center)[0]) for f in whole.scene.figures}
+    feet = {f.name: whole.sketch.seen(positions(whole.drawing.poses, f.mass_center)[0]) for f in whole.scene.figures}
     for word, ink, letter, unit in (
         ("velocity", Ink("velocity"), "v", "m/s"),
         ("acceleration", Ink("acceleration"), "a", "m/s²"),
@@ -43,7 +43,7 @@ def add_shown(whole: Whole, found: Instant, show: Sequence[str]) -> None:
         largest = max((f.size for f in whole.loads if not f.is_couple), default=0.0)
         whole.lengths = lambda force: 16.0 + 40.0 * force.size / (largest or 1.0)
     if "instant-centres" in show:
-        add_centres(whole.sketch, [(pair, whole.sketch.at(at)) for pair, at in _centres(system, found)])
+        add_centres(whole.sketch, [(pair, whole.sketch.seen(at)) for pair, at in _centres(system, found)])
 
 
 def vector_of(found: Instant, body: RigidBody, word: str) -> Array:

@@ -44,7 +44,7 @@ def free_body_picture(
     def where(force: Force) -> tuple[Array, Array]:
         figure = figures[force.body]
         middle = positions(drawing.poses, figure.center)[0] if figure.radius else center(figure)
-        return sketch.at(center(figure) + np.array(force.at[:2])), sketch.at(middle)
+        return sketch.seen(center(figure) + np.array(force.at[:2])), sketch.seen(middle)
 
     sketch.add(_cut_joints(scene, bodies, drawing, sketch))
     for figure in part.figures:
@@ -63,13 +63,13 @@ def _cut_joints(scene: Scene, bodies: Sequence[str], drawing: Drawing, sketch: S
     for pair in (*scene.pins, *scene.rods):
         for own, other in (pair, pair[::-1]):
             if own.body in kept and other.body not in kept and own not in dots:
-                at = sketch.at(positions(drawing.poses, own)[0])
+                at = sketch.seen(positions(drawing.poses, own)[0])
                 yield Shape(arc(at, 2.4, 0.0, math.tau), Ink("ink"), 1.1, Ink("paper"), is_closed=True)
 
 
 def name_beside(sketch: Sketch, figure: Figure, poses: Array) -> None:
     """The name of a body beside it, where there is room."""
-    middle = sketch.at(positions(poses, figure.center if figure.radius else figure.mass_center)[0])
+    middle = sketch.seen(positions(poses, figure.center if figure.radius else figure.mass_center)[0])
     places = [*around(middle)]
     if figure.radius is not None:
         rim = figure.radius * sketch.scale
@@ -79,7 +79,7 @@ def name_beside(sketch: Sketch, figure: Figure, poses: Array) -> None:
     elif len(figure.outline) > 2:
         places = [(middle + 4.0 * way, way) for _at, way in around(middle)] + places
     else:
-        ends = [sketch.at(positions(poses, place)[0]) for place in figure.points.values()]
+        ends = [sketch.seen(positions(poses, place)[0]) for place in figure.points.values()]
         for share in (0.5, 0.3, 0.7, 0.85):
             for end in (end for end in ends if float(np.hypot(*(end - middle))) > 2.0):
                 side = across(end - middle) / float(np.hypot(*(end - middle)))

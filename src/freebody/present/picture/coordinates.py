@@ -60,7 +60,7 @@ class Coordinates:
                 pass
 
     def _at(self, place: Place) -> Array:
-        return self.sketch.at(positions(self.drawing.poses, place)[0])
+        return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     def _turn_of(self, body: str) -> float:
         """[rad] the angle of a body."""

@@ -52,7 +52,7 @@ class Dimensions:
         self._links()
 
     def _at(self, place: Place) -> Array:
-        return self.sketch.at(positions(self.drawing.poses, place)[0])
+        return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
     def _is_new(self, label: Label) -> bool:
         return label.text.split("/")[0] not in self.shown
@@ -226,7 +226,7 @@ class Dimensions:
                 and stroke.turn == GROUND
                 and not stroke.is_closed
             ):
-                a, b = self.sketch.at(self.drawing.points(stroke, 0))[[0, -1]]
+                a, b = self.sketch.seen(self.drawing.points(stroke, 0))[[0, -1]]
                 way = b - a
                 if abs(math.sin(math.atan2(way[1], way[0]) - angle)) < 1e-6:
                     return a, b

@@ -54,7 +54,7 @@ def _scale(size: Array, room: tuple[float, float]) -> float:
 def shapes(drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:
     """The strokes of the first instant."""
     for stroke in drawing.shown(0):
-        yield shape_of(stroke, sketch.at(drawing.points(stroke, 0)))
+        yield shape_of(stroke, sketch.seen(drawing.points(stroke, 0)))
 
 
 def shape_of(stroke: Stroke, points: Array) -> Shape:

@@ -10,21 +10,32 @@ from freebody.present.figures import Array
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, dense, placed
 from freebody.present.picture.shapes import Shape, Word
+from freebody.present.view import PLANE, View
 
 
 class Sketch:
-    """scale: [points] by metre; origin: (2,) [m] what comes to (0, 0)."""
+    """scale: [points] by metre; origin: (2,) [m] what comes to (0, 0), as seen by the view."""
 
-    def __init__(self, scale: float, origin: Array) -> None:
-        self.scale, self.origin = scale, origin
+    def __init__(self, scale: float, origin: Array, view: View = PLANE) -> None:
+        self.scale, self.origin, self.view = scale, origin, view
         self.shapes: list[Shape] = []
         self.wishes: list[Wish] = []
         self.words: list[Word] = []
         self._known = 0, np.zeros((0, 2))
 
     def at(self, points: Array) -> Array:
-        """(..., 2) [points] of places [m]."""
+        """(..., 2) [points] of places on paper [m]."""
         return (np.asarray(points, dtype=np.float64) - self.origin) * self.scale
+
+    def seen(self, points: Array) -> Array:
+        """(..., 2) [points] on paper of places in space (..., 3), or in the plane (..., 2) [m]."""
+        places = np.asarray(points, dtype=np.float64)
+        flat = places.shape[-1] == 2
+        return self.at(self.view.seen(np.insert(places, 2, 0.0, axis=-1) if flat else places)[..., :2])
+
+    def vector(self, components: tuple[float, ...]) -> Array:
+        """(3,) of a vector in space: to the right, upwards, towards the viewer."""
+        return self.view.axes @ np.array(components)
 
     def add(self, *shapes: Shape | Iterable[Shape]) -> None:
         for shape in shapes:

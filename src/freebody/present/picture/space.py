@@ -22,8 +22,7 @@ from freebody.present.scene import Scene
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing, shells_of
 from freebody.present.space.figures import Poses
-from freebody.present.space.labels import Ink as Painted
-from freebody.present.space.labels import names
+from freebody.present.space.labels import Footprint, names
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import Shot, paint, shots
 from freebody.present.space.shells import Shells
@@ -46,10 +45,11 @@ class SpaceSketch(Sketch):
         perspective: bool,
         with_names: bool = True,
     ) -> None:
-        self.drawing, self.view = drawing, drawing.view(angles, perspective=perspective)
-        low, high = drawing.bounds(self.view)
+        view = drawing.view(angles, perspective=perspective)
+        self.drawing = drawing
+        low, high = drawing.bounds(view)
         scale = min(have / max(need, 1e-9) for have, need in zip(room, (high - low).tolist(), strict=True))
-        super().__init__(scale, (low + high) / 2)
+        super().__init__(scale, (low + high) / 2, view)
         self.taken = shots(drawing, 0, self.view)
         light = [list(paint(shot)) for shot in self.taken]
         dark = [list(paint(shot, is_dark=True)) for shot in self.taken]
@@ -77,14 +77,6 @@ class SpaceSketch(Sketch):
         points = self.at(shape.points)
         return replace(shape, points=points, fill=ink) if shape.is_area else replace(shape, points=points, stroke=ink)
 
-    def seen(self, points: Array) -> Array:
-        """(..., 2) [points] on paper of places in space (..., 3)."""
-        return self.at(self.view.seen(np.asarray(points, dtype=np.float64))[..., :2])
-
-    def vector(self, components: tuple[float, ...]) -> Array:
-        """(3,) of a vector: to the right, upwards, towards the viewer."""
-        return self.view.axes @ np.array(components)
-
     def _name(self, painted: Sequence[Sequence[Shape]]) -> None:
         owned: dict[int, list[tuple[Shot, Sequence[Shape]]]] = {}
         for shot, marks in zip(self.taken, painted, strict=True):
@@ -92,7 +84,7 @@ class SpaceSketch(Sketch):
                 index = shot.piece.turn if shot.piece.look in OF_BODIES else -1
                 owned.setdefault(index, []).append((shot, marks))
         letter = _SIZE / self.scale
-        inks = {index: Painted.of(own, letter) for index, own in owned.items()}
+        inks = {index: Footprint.of(own, letter) for index, own in owned.items()}
         called = {form.index: form.name for form in self.drawing.scene.figures}
         low, high = self.drawing.bounds(self.view)
         frame = low - 6 * letter, high + 6 * letter

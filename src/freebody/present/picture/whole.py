@@ -50,7 +50,7 @@ class Whole:
         def where(force: Force) -> tuple[Array, Array]:
             figure = figures[force.body]
             center = positions(self.drawing.poses, figure.mass_center)[0]
-            return self.sketch.at(center + np.array(force.at[:2])), self.sketch.at(center)
+            return self.sketch.seen(center + np.array(force.at[:2])), self.sketch.seen(center)
 
         Arrows(self.sketch, where, self.lengths).draw(self.loads)
         if with_signs:
@@ -114,7 +114,7 @@ class Whole:
                 self.sketch.wish(Wish(words(called), places, 9.5, Ink(), is_needed=False, weight=2.0))
 
     def _at(self, place: Place) -> Array:
-        return self.sketch.at(positions(self.drawing.poses, place)[0])
+        return self.sketch.seen(positions(self.drawing.poses, place)[0])
 
 
 def corner_signs(sketch: Sketch, gravity: Array | None) -> None:

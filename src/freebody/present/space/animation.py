@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,15 +11,14 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.present.animation import FEWEST, GIF_RATE, N_FRAMES, RATE, n_frames, write_gif, write_mp4
+from freebody.present.animation import FEWEST, N_FRAMES, RATE, n_frames, write_film
 from freebody.present.figures import Array
-from freebody.present.files import replaced
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
 from freebody.present.space.page import page
 from freebody.present.space.stills import checked, figure_of, paint_frame
-from freebody.present.space.view import AZIMUTH, ELEVATION
+from freebody.present.view import AZIMUTH, ELEVATION
 
 _STEP = 0.35  # [rad] a body turns between two frames of a page at most, or it would seem to turn the other way
 _INCHES = 6.4
@@ -44,34 +43,19 @@ def write_animation(
     4) unit quaternions (w, x, y, z); both in the order of `scene.names`. speed: seconds of motion in a second of
     showing. view: azimuth and elevation of the viewer [deg]. Returns the path. Raises InputError if these do not fit
     together, the suffix is another one, the file cannot be written, or there is no ffmpeg for an MP4."""
-    path = Path(path)
-    motion = _checked(scene, times, centers, axes)
-    if not (math.isfinite(speed) and speed > 0):
-        raise InputError(f"the speed of an animation is a positive number, not {speed}")
-    film = _Film(scene, motion, title, speed, view, perspective)
-    writers: dict[str, Callable[[Path], None]] = {
-        ".html": film.write_page,
-        ".gif": lambda file: write_gif(*film.stages(GIF_RATE), file),
-        ".mp4": lambda file: write_mp4(*film.stages(RATE), file),
-    }
-    suffix = path.suffix.lower()
-    if suffix not in writers:
-        raise InputError(f"{path.name}: an animation is written as {', '.join(writers)}; give one of these suffixes")
-    with replaced(path) as file:
-        writers[suffix](file)
-    return path
+    return write_film(_Film(scene, _checked(scene, times, centers, axes), title, speed, view, perspective), path)
 
 
 @dataclass(frozen=True)
-class _Motion:
-    """times: (n,) ascending; centers: (n, n_moving, 3); turns: (n, n_moving, 4) quaternions."""
+class _Turning:
+    """Poses at times (n,) that ascend. centers: (n, n_moving, 3); turns: (n, n_moving, 4) quaternions."""
 
     times: Array
     centers: Array
     turns: Array
 
 
-def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Motion:
+def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Turning:
     times, axes = np.asarray(times, dtype=np.float64), np.asarray(axes, dtype=np.float64)
     if axes.ndim == 3 and axes.shape[-1] == 4:
         axes = matrices(axes / np.linalg.norm(axes, axis=-1, keepdims=True))
@@ -81,7 +65,7 @@ def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Motion
     if not np.isfinite(times).all() or (np.diff(times) < 0).any():
         raise InputError("the times of an animation must ascend, and be finite")
     last = np.append(np.diff(times) > 0, True)
-    return _Motion(times[last], centers[last], quaternions(axes[last]))
+    return _Turning(times[last], centers[last], quaternions(axes[last]))
 
 
 @dataclass(frozen=True)
@@ -89,20 +73,19 @@ class _Film:
     """A motion, and how it is to be shown."""
 
     scene: Scene
-    motion: _Motion
+    motion: _Turning
     title: str
     speed: float
     view: tuple[float, float]
     perspective: bool
 
-    def write_page(self, path: Path) -> None:
+    def page(self) -> str:
         times, turns = self.motion.times, self.motion.turns
         needed = math.ceil(largest_turn(times, turns) * float(times[-1] - times[0]) / _STEP) + 1
         n = min(N_FRAMES, max(FEWEST + 1, n_frames(times, self.speed, RATE), needed))
         shown, centers, turns = at_times(times, self.motion.centers, turns, n)
         drawing = Drawing.of(self.scene, centers, matrices(turns))
-        text = page(drawing, shown, turns, self.title, self.speed, self.view, perspective=self.perspective)
-        path.write_text(text, encoding="utf-8")
+        return page(drawing, shown, turns, self.title, self.speed, self.view, perspective=self.perspective)
 
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other."""

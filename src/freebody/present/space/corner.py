@@ -7,7 +7,7 @@ import numpy as np
 from freebody.present.figures import Array
 from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.space.drawing import Drawing, round_length
-from freebody.present.space.view import View
+from freebody.present.view import View
 
 Word = tuple[Array, str, str]  # where, what, in which colour
 _ARM = 3.6  # the longest an arm may be, in heights of letters

@@ -20,7 +20,7 @@ from freebody.present.space.pieces import Piece
 from freebody.present.space.shells import Shells
 from freebody.present.space.solids import basis, plate
 from freebody.present.space.stands import Stands
-from freebody.present.space.view import AZIMUTH, ELEVATION, STRENGTH, View
+from freebody.present.view import AZIMUTH, ELEVATION, STRENGTH, View
 
 _SYMBOL = 0.026  # of the size of a scene
 _TINY = 1e-9  # [m] a scene of less has no lengths at all

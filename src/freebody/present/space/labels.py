@@ -42,14 +42,14 @@ class Name:
 
 
 @dataclass(frozen=True)
-class Ink:
+class Footprint:
     """What is drawn of a body, or of what joins bodies: points (n, 2) along lines, and outlines of pieces."""
 
     points: Array
     outlines: tuple[Array, ...]
 
     @classmethod
-    def of(cls, painted: Sequence[tuple[Shot, Sequence[Shape]]], letter: float) -> Ink:
+    def of(cls, painted: Sequence[tuple[Shot, Sequence[Shape]]], letter: float) -> Footprint:
         """letter: [m] the height of one on paper; points nearer than a third of it are one."""
         step = letter / 3
         lines = [mark.points for _shot, own in painted for mark in own if not (mark.is_area or mark.is_closed)]
@@ -75,7 +75,7 @@ def _next(n: int) -> NDArray[np.intp]:
 
 
 def names(
-    inks: Mapping[int, Ink],
+    inks: Mapping[int, Footprint],
     bodies: Mapping[int, str],
     letter: tuple[float, float],
     frame: tuple[Array, Array],

@@ -18,8 +18,8 @@ from freebody.present.space.looks import LOOKS, OF_BODIES
 from freebody.present.space.painter import DASHES, LIGHT
 from freebody.present.space.pieces import Piece
 from freebody.present.space.stills import description
-from freebody.present.space.view import horizontals
 from freebody.present.theme import THEMES
+from freebody.present.view import horizontals
 
 _TURN_DIGITS = 5
 _KEYS = (

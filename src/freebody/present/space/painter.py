@@ -19,7 +19,7 @@ from freebody.present.space.drawing import Drawing
 from freebody.present.space.looks import LOOKS, Look
 from freebody.present.space.order import Seen, back_to_front, seen_ball, seen_solid
 from freebody.present.space.pieces import Piece
-from freebody.present.space.view import View
+from freebody.present.view import View
 
 LIGHT = np.array((-0.35, 0.75, 0.56)) / np.linalg.norm((-0.35, 0.75, 0.56))  # on paper and towards the viewer
 DASHES = (3.0, 2.5)

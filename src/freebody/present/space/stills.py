@@ -16,11 +16,11 @@ from freebody.present.picture.shapes import Shape
 from freebody.present.scene import Scene
 from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.labels import Ink, names
+from freebody.present.space.labels import Footprint, names
 from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import Shot, paint, shots
-from freebody.present.space.view import AZIMUTH, ELEVATION, View
 from freebody.present.theme import THEMES, Theme
+from freebody.present.view import AZIMUTH, ELEVATION, View
 
 _WIDTH = 7.2  # inches
 _SHAPES = (0.55, 1.1)  # height by width
@@ -148,7 +148,7 @@ def paint_frame(stage: Stage, drawing: Drawing, frame: int) -> list[Any]:
         artists.append(_text(stage, at, text, color))
     bodies = {form.index: form.name for form in drawing.scene.figures}
     foot = stage.low + np.array((0.0, 8.0 * stage.letter))
-    inks = {index: Ink.of(own, stage.letter) for index, own in owned.items()}
+    inks = {index: Footprint.of(own, stage.letter) for index, own in owned.items()}
     found = names(inks, bodies, letter, (foot, stage.high), stage.choices, stays=frame % _PATIENCE != 0)
     stage.choices = {name.text: name.choice for name in found}
     artists.extend(_text(stage, name.at, name.text, "ink") for name in found)

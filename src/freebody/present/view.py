@@ -1,4 +1,4 @@
-"""Where a scene is looked at from, and where its points come to lie on paper.
+"""The camera: where a scene is looked at from, and where its points come to lie on paper. The plane is seen along z.
 
 With u the vertical, f a horizontal axis of the ground and r = u x f, the viewer is in the direction
 
@@ -56,6 +56,9 @@ class View:
             return local
         near = np.minimum(local[..., 2:], 0.9 * self.distance)
         return local * (self.distance / (self.distance - near))
+
+
+PLANE = View(np.eye(3), np.zeros(3))  # the plane of x and y, seen along z
 
 
 def horizontals(up: Array) -> tuple[Array, Array]:
