@@ -6,8 +6,10 @@ import json
 import re
 import sys
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,11 +20,13 @@ from freebody.connections.base import Connection
 from freebody.language.expression import number
 from freebody.loads.base import Load
 from freebody.measures.distance import Distance
+from freebody.model import glyphs
 from freebody.model.elements import Held
 from freebody.model.glyphs import Groove
 from freebody.model.names import Names
 from freebody.present.animation import write_animation
 from freebody.present.drawing import Drawing
+from freebody.present.figures import GROUND, Heading, Place
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing as SpatialDrawing
 from freebody.study.instant import start_of
@@ -234,3 +238,56 @@ def test_a_belt_is_told_from_gears_by_what_it_says() -> None:
         system = fb.System.from_text(wheels % apart + ground % apart + pins % kind)
         strings = [stroke for stroke in drawn(system).strokes if stroke.style == "string"]
         assert len(strings) == n_belts, (kind, apart)
+
+
+A, B = Place(GROUND, 0.0, 0.0), Place(GROUND, 1.0, 0.0)
+UP, RIGHT = Heading(GROUND, 0.0, 1.0), Heading(GROUND, 1.0, 0.0)
+SIGNS = (
+    glyphs.Pin(A, B),
+    glyphs.Weld(A, B),
+    glyphs.Ball(A, B),
+    glyphs.Cross(A, B, (UP, RIGHT)),
+    glyphs.Rail(A, B, RIGHT),
+    glyphs.Face(A, B, UP),
+    glyphs.Groove(A, B, 1.0),
+    glyphs.Track(B, RIGHT, 0.5),
+    glyphs.Rod(A, B),
+    glyphs.Rope((glyphs.Node(A, 0.0), glyphs.Node(B, 0.0)), (glyphs.Lead(None),)),
+    glyphs.Surface(A, RIGHT, (glyphs.Tip(B, 0.0, "ball"),), "ground"),
+    glyphs.Halt(B, A, RIGHT, 0.9, 1),
+    glyphs.Shoe(B, A),
+    glyphs.Relation((A, B)),
+    glyphs.Spring(A, B),
+    glyphs.Coil(B, A),
+)
+
+
+@pytest.mark.parametrize("space", [False, True])
+@pytest.mark.parametrize("sign", SIGNS, ids=lambda sign: type(sign).__name__)
+def test_every_sign_is_drawn_in_the_plane_and_in_space(sign: Any, space: bool) -> None:
+    system = fb.System.from_text(
+        "space: true\nbodies: {ball: {disk: {mass: 1 kg, radius: 0.2 m}, at: [1 m, 0, 0]}}"
+        if space
+        else "bodies: {ball: {particle: {mass: 1 kg}, at: [1 m, 0]}}"
+    )
+    found = start_of(system, at_rest=True)
+    bare = Scene.of(system, found.snapshot.reference.number)
+    shown = replace(bare, shown=(glyphs.Shown("it", _with(sign, bare.ground if space else GROUND)),))
+    if space:
+        n = [len(SpatialDrawing.of(scene, *poses_in_space(found)).pieces) for scene in (bare, shown)]
+    else:
+        n = [len(Drawing.of(scene, poses_of(found.snapshot)[None]).strokes) for scene in (bare, shown)]
+    assert n[1] > n[0]
+
+
+def _with(value: Any, ground: int) -> Any:
+    """The same glyph with A on the ground and B on the body."""
+    if isinstance(value, Heading):
+        return value._replace(body=ground)
+    if isinstance(value, Place):
+        return Place(ground, 0.0, 0.0) if value is A else Place(0, 0.0, 0.0)
+    if isinstance(value, tuple):
+        return tuple(_with(item, ground) for item in value)
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{f.name: _with(getattr(value, f.name), ground) for f in fields(value)})
+    return value

@@ -83,6 +83,11 @@ class Connection(Spec):
         return ()
 
 
+def as_written(measure: str | dict[str, Any]) -> str:
+    """A measure as a model writes it, in words."""
+    return measure if isinstance(measure, str) else " ".join(str(kind) for kind in measure)
+
+
 def coincidence(first: Point, second: Point) -> list[Held]:
     """Two points coincide. The multipliers are the force on the second body along x and y."""
     return [

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from freebody.connections.base import Connection
+from freebody.connections.base import Connection, as_written
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
 from freebody.model import glyphs
 from freebody.model.elements import Held
@@ -40,4 +40,4 @@ parameters: {w: 2 rad/s}
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measure = names.measure(self.measure)
         for body in list(measure.bodies())[:1] if measure is not None else ():
-            yield glyphs.Equation(names.known(body).center, f"{self.measure} = {self.follows}")
+            yield glyphs.Equation(names.known(body).center, f"{as_written(self.measure)} = {self.follows}")

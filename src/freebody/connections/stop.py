@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from freebody.connections.base import Connection
+from freebody.connections.base import Connection, as_written
 from freebody.language.expression import add
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -71,5 +71,5 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
                     yield glyphs.TurnHalt(*axes, add(limit, reference), side)
                 case _:
                     body = names.known(next(iter(measure.bodies())))
-                    text = f"{self.measure} {'>=' if side > 0 else '<='} {value}"
+                    text = f"{as_written(self.measure)} {'>=' if side > 0 else '<='} {value}"
                     yield glyphs.Equation(body.center, text)

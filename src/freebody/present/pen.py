@@ -59,6 +59,11 @@ class Pen:
             match sign:
                 case glyphs.Rail():
                     yield from self._rail(sign)
+                case glyphs.Face(through, point, normal, turning):
+                    edge = glyphs.Rail(
+                        through, point, normal.quarter_back(), "freely" if turning == "freely" else "not"
+                    )
+                    yield from self._rail(edge)
                 case glyphs.Track():
                     yield from self._track(sign)
                 case glyphs.Groove():
@@ -268,6 +273,8 @@ class Pen:
 
     def _is_pitch(self, figure: Figure, radius: float) -> bool:
         """Whether a circle is the pitch circle of a gear."""
+        if any(isinstance(s, glyphs.Toothed) and figure.center in s.wheels for s in self.scene.signs):
+            return radius == figure.radius
         for gears in (wheels for wheels in self.scene.wheels if wheels.is_toothed):
             ends = zip((gears.first, gears.second), gears.radii, strict=True)
             if any(place == figure.center and abs(abs(arm) - radius) < 1e-9 * radius for place, arm in ends):

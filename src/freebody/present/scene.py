@@ -13,7 +13,9 @@ from freebody.language.expression import ZERO, Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.model.elements import RigidBody
 from freebody.model.glyphs import (
+    Ball,
     Belt,
+    Cross,
     Field,
     Groove,
     Halt,
@@ -74,8 +76,8 @@ class Scene:
 
     @cached_property
     def pins(self) -> tuple[tuple[Place, Place], ...]:
-        """Pairs of places about which bodies turn."""
-        return tuple((s.first, s.second) for s in self.signs if isinstance(s, Pin))
+        """Pairs of places about which bodies turn; in the plane balls and crosses are pins too."""
+        return tuple((s.first, s.second) for s in self.signs if isinstance(s, (Pin, Ball, Cross)))
 
     @cached_property
     def welds(self) -> tuple[tuple[Place, Place], ...]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Toothed, Track, Wheels
+from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Surface, Toothed, Track, Wheels
 from freebody.present.figures import Array, Heading, Place, Triple, places_in
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import body_pieces, convex
@@ -68,7 +68,7 @@ class Drawing:
         drawing.pieces.extend(Joints(scene, poses, u, cuts, stands, shells).pieces())
         drawing.pieces.extend(Loads(scene, poses, u, cuts, stands, shells).pieces())
         drawing._frame()
-        sheets = [*scene.planes, *_flats(scene)]
+        sheets = [*scene.planes, *_flats(scene, poses)]
         drawing.pieces[:0] = [drawing._sheet(sheet) for sheet in _different(sheets, poses)]
         drawing._frame()
         return drawing
@@ -177,11 +177,19 @@ def _used(scene: Scene) -> list[Place]:
     return list(dict.fromkeys(found))
 
 
-def _flats(scene: Scene) -> Iterator[Sheet]:
-    """The planes in which joints keep bodies."""
+def _flats(scene: Scene, poses: Poses) -> Iterator[Sheet]:
+    """The planes in which joints keep bodies, and those of lines that bodies of the plane roll on or touch."""
     for sign in scene.signs:
-        if isinstance(sign, Face):
-            yield sign.through, sign.normal
+        match sign:
+            case Face(through, _point, normal):
+                yield through, normal
+            case Surface(through, along):
+                yield through, along.normal()
+            case Track(center, along, radius):
+                foot = poses.place(center, 0) - radius * poses.heading(along.normal(), 0)
+                yield Place(along.body, *poses.back(along.body, foot, 0)), along.normal()
+            case _:
+                pass
 
 
 def _different(sheets: Sequence[Sheet], poses: Poses) -> Iterator[Sheet]:

@@ -7,7 +7,7 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from freebody.model.glyphs import Coil, ForceArrow, MomentArrow, Relation, Rod, Rope, Shoe, Spring
+from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spring
 from freebody.present import figures
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.scene import Scene
@@ -40,6 +40,8 @@ class Loads:
             case Relation(points):
                 for a, b in pairwise(points):
                     yield Piece(prism(0.08 * self.u, 0.0, 1.0, 6), a, a.body, "string", end=b)
+            case Halt(point, origin, along, limit):
+                yield self._wall(point, origin, along, limit)
             case Shoe(first, second):
                 yield from self._shoe(first, second)
             case Rope(nodes):
@@ -64,6 +66,13 @@ class Loads:
         for a, b in pairwise(way):
             yield Piece(prism(0.1 * self.u, 0.0, 1.0, 6), a, a.body, "string", end=b)
         yield from self.stands.held(way[0], way[-1])
+
+    def _wall(self, point: Place, origin: Place, along: Heading, limit: float) -> Piece:
+        """A plate where a point stops, beside where it is at the start."""
+        at, e = self.poses.place(point, 0), self.poses.heading(along, 0)
+        stop = at + (limit - float((at - self.poses.place(origin, 0)) @ e)) * e
+        plate = box(2.4 * self.u, 2.4 * self.u, 0.5 * self.u).moved(basis(along.along))
+        return Piece(plate, Place(along.body, *self.poses.back(along.body, stop, 0)), along.body, "stand")
 
     def _shoe(self, first: Place, second: Place) -> Iterator[Piece]:
         """A block on the rim of a round body, at rest with the other one."""
