@@ -113,9 +113,19 @@ class Quantity:
             cls.kind = kind
             Quantity.kinds[kind] = cls
 
+    # whether the event itself is asked for, and nothing of the state there
+    is_of_event: ClassVar[bool] = False
+    # whether the equilibrium that is meant is a stable one, where there are several
+    is_about_stable: ClassVar[bool] = False
+
     @property
     def dimension(self) -> Dimension:
         return self.measured_in
+
+    @property
+    def is_of_state(self) -> bool:
+        """Whether it has a value in the course of a motion, at an instant or from the start up to it."""
+        return self.scope in ("instant", "course")
 
     @property
     def unit(self) -> str:
@@ -138,6 +148,15 @@ class Quantity:
     @property
     def inner(self) -> tuple[Quantity, ...]:
         """Quantities that this one is about."""
+        return ()
+
+    @property
+    def watched(self) -> tuple[Measure, int] | None:
+        """The measure whose value, rate or acceleration it is, and which of these."""
+        return None
+
+    def components(self, system: Described) -> tuple[tuple[str, Quantity], ...]:
+        """Of a vector: its components by the names of their axes. Nothing for a scalar."""
         return ()
 
     @property

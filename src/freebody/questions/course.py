@@ -45,6 +45,7 @@ class When(Counted, kind="time"):
     """The time of the event."""
 
     measured_in = TIME
+    is_of_event = True
 
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.time()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
@@ -53,6 +53,11 @@ class Momentum(Quantity, kind="linear momentum"):
     def is_of_whole(self) -> bool:
         return self.body is None
 
+    def components(self, system: Described) -> tuple[tuple[str, Momentum], ...]:
+        if self.along is not None:
+            return ()
+        return tuple((axis.name, replace(self, along=axis)) for axis in axes_of(system))
+
     def value(self, system: Described, state: State[Any]) -> Any:
         """sum of m v"""
         total: Vector = (0,) * len(axes_of(system))
@@ -80,6 +85,11 @@ class Spin(Quantity, kind="angular momentum"):
     @property
     def is_of_whole(self) -> bool:
         return self.body is None
+
+    def components(self, system: Described) -> tuple[tuple[str, Spin], ...]:
+        if self.along is not None or self.size or not system.space:
+            return ()
+        return tuple((axis.name, replace(self, basis=None, along=axis)) for axis in self.basis or axes_of(system))
 
     def value(self, system: Described, state: State[Any]) -> Any:
         """H_O = sum I w + m (r - r_O) x v, with absolute velocities."""

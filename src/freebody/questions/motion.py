@@ -55,6 +55,10 @@ questions: {it: acceleration of x}
     def may_jump(self) -> bool:
         return self.order == 2
 
+    @property
+    def watched(self) -> tuple[Measure, int]:
+        return self.measure, self.order
+
     def value(self, system: Described, state: State[Any]) -> Any:
         return (state.value, state.rate, state.acceleration)[self.order](self.measure)
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
-from freebody.model.elements import Held
+from freebody.model.elements import Held, Parameter
 from freebody.model.names import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -38,10 +38,20 @@ class RestLimit(AtRest, kind="limit of rest"):
     parameter: str
     which: Which
     of_parameter: Dimension
+    is_angle: bool = False
 
     @property
     def dimension(self) -> Dimension:
         return self.of_parameter
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension) if self.is_angle else str(self.dimension)
+
+    @property
+    def ends(self) -> tuple[int, ...]:
+        """Which ends of the values are asked for: -1 the least, 1 the largest."""
+        return {"range": (-1, 1), "least": (-1,), "largest": (1,)}[self.which]
 
 
 @dataclass(frozen=True)
@@ -50,10 +60,15 @@ class FirstFailure(AtRest, kind="first failure"):
 
     parameter: str
     of_parameter: Dimension
+    is_angle: bool = False
 
     @property
     def dimension(self) -> Dimension:
         return self.of_parameter
+
+    @property
+    def unit(self) -> str:
+        return angular_unit(self.dimension) if self.is_angle else str(self.dimension)
 
 
 @dataclass(frozen=True)
@@ -109,8 +124,8 @@ def _end(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 def _limit(names: Names, name: str, which: Which, path: Path) -> RestLimit | None:
-    dimension = _parameter(names, name, path)
-    return None if dimension is None else RestLimit(name, which, dimension)
+    p = _parameter(names, name, path)
+    return None if p is None else RestLimit(name, which, p.dimension, p.is_angle)
 
 
 @asked(
@@ -124,11 +139,11 @@ def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     if name is None:
         names.problem("say as what grows: does it tip or slide as F grows", None, *path)
         return None
-    dimension = _parameter(names, name, path)
-    return None if dimension is None else FirstFailure(name, dimension)
+    p = _parameter(names, name, path)
+    return None if p is None else FirstFailure(name, p.dimension, p.is_angle)
 
 
-def _parameter(names: Names, name: str, path: Path) -> Dimension | None:
+def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
     parameter = names.parameters.get(name)
     if parameter is None:
         names.problem(f"there is no parameter {name}.{did_you_mean(name, names.parameters)}", None, *path)
@@ -136,7 +151,7 @@ def _parameter(names: Names, name: str, path: Path) -> Dimension | None:
     if parameter.form is not None:
         names.problem(f"{name} is a function of time; ask for a parameter", None, *path)
         return None
-    return parameter.dimension
+    return parameter
 
 
 @asked(

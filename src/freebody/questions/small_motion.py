@@ -20,6 +20,7 @@ class Small(Quantity, kind="small oscillations"):
     what: Literal["frequencies", "frequency", "period"]
 
     scope = "small motion"
+    is_about_stable = True
 
     @property
     def dimension(self) -> Dimension:

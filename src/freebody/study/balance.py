@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
@@ -66,16 +66,11 @@ class Balance:
     @cached_property
     def value(self) -> Ratio:
         """The quantity in coordinates and independent speeds. Raises CannotAnswer for a vector."""
-        q = self.quantity
-        if isinstance(q, GeneralizedMomentum):
-            return self._conjugate(self._coordinate(q.coordinate))
-        if isinstance(q, JacobiIntegral):
-            return self._jacobi()
-        if isinstance(q, Energy):
-            if q.what != "kinetic" and self.unwritten:
-                names = ", ".join(dict.fromkeys(push.load for push in self.unwritten))
-                raise CannotAnswer(f"the potential energy of {names} has no closed form here")
-            return self._energy(q)
+        return self._value(self.quantity)
+
+    @singledispatchmethod
+    def _value(self, q: Quantity) -> Ratio:
+        """By the kind of quantity: what is stated over a state, and what needs the coordinates or potentials."""
         found = q.value(self.system, self.state)
         if isinstance(found, tuple):
             raise IsVector("a vector is conserved along some directions and not along others; name one")
@@ -88,6 +83,10 @@ class Balance:
         known = ", ".join(c.name for c in self.model.coordinates)
         raise CannotAnswer(f"{name} is no generalized coordinate of this system; these are: {known or 'none'}")
 
+    @_value.register(GeneralizedMomentum)
+    def _value_of_conjugate(self, q: GeneralizedMomentum) -> Ratio:
+        return self._conjugate(self._coordinate(q.coordinate))
+
     def _conjugate(self, c: Coordinate) -> Ratio:
         """p = sum of m v . dv/du"""
         k = self.model.coordinates.index(c)
@@ -97,7 +96,11 @@ class Balance:
                 total = total + momentum * slope
         return self.field.lowest_terms(total)
 
+    @_value.register(Energy)
     def _energy(self, q: Energy) -> Ratio:
+        if q.is_up_to_constant and self.unwritten:
+            names = ", ".join(dict.fromkeys(push.load for push in self.unwritten))
+            raise CannotAnswer(f"the potential energy of {names} has no closed form here")
         kinetic = self.field.element(Energy("kinetic", q.body).value(self.system, self.state))
         potential = self.field.zero
         for push in self.storing:
@@ -107,7 +110,8 @@ class Balance:
             return self.field.lowest_terms(kinetic)
         return self.field.lowest_terms(potential if q.what == "potential" else kinetic + potential)
 
-    def _jacobi(self) -> Ratio:
+    @_value.register(JacobiIntegral)
+    def _jacobi(self, q: JacobiIntegral) -> Ratio:
         """h = sum u p - L"""
         kinetic = self.field.element(Energy("kinetic").value(self.system, self.state))
         total = sum((self.state.potential(push) for push in self.storing), start=self.field.zero) - kinetic
@@ -131,8 +135,9 @@ class Balance:
         """By differentiation, the accelerations put in. Where closed loops bind the coordinates these have no short
         form: then by the principle, as far as that needs none of them (energy). Raises CannotAnswer otherwise."""
         m = self.model
-        if m.loops or (isinstance(self.quantity, Energy) and self.unwritten):
-            principle = self.by_principle() if isinstance(self.quantity, Energy) else None
+        has_potential = self.quantity.is_up_to_constant
+        if m.loops or (has_potential and self.unwritten):
+            principle = self.by_principle() if has_potential else None
             if principle is None:
                 raise CannotAnswer("closed loops bind the coordinates, so its rate has no short form")
             return m.field.lowest_terms(principle.total(m.field.zero))
@@ -144,19 +149,13 @@ class Balance:
     def by_principle(self) -> Principle | None:
         """By the principle; None for a quantity without one of its own. Raises CannotAnswer where a reaction that
         reaches outside is not unique."""
-        q = self.quantity
-        match q:
-            case Momentum():
-                return self._of_momentum(q)
-            case Spin():
-                return self._of_spin(q)
-            case Energy("total", None):
-                return self._of_energy()
-            case GeneralizedMomentum():
-                return self._of_conjugate(self._coordinate(q.coordinate))
-            case _:
-                return None
+        return self._principle(self.quantity)
 
+    @singledispatchmethod
+    def _principle(self, q: Quantity) -> Principle | None:
+        return None
+
+    @_principle.register(Momentum)
     def _of_momentum(self, q: Momentum) -> Principle:
         assert q.along is not None
         e = components_of(q.along, self.state, self._n)
@@ -168,6 +167,7 @@ class Balance:
             statement = "d(P·e)/dt = F·e + P·de/dt"
         return Principle(statement, tuple(parts))
 
+    @_principle.register(Spin)
     def _of_spin(self, q: Spin) -> Principle:
         n = self._n
         about, velocity = point_about(self.system, self.state, q)
@@ -203,7 +203,10 @@ class Balance:
     def _rates(self, e: Sequence[Ratio]) -> tuple[Ratio, ...]:
         return tuple(self._in_speeds(self.model.rate(self.field.element(c))) for c in e)
 
-    def _of_energy(self) -> Principle:
+    @_principle.register(Energy)
+    def _of_energy(self, q: Energy) -> Principle | None:
+        if q.what != "total" or q.body is not None:
+            return None
         parts: list[tuple[str, Ratio]] = []
         for push in self.system.pushes:
             if push not in self.storing:
@@ -214,7 +217,9 @@ class Balance:
                 parts.append((f"power of {row.connection}", self.state.multiplier(row) * rate))
         return Principle("d(T + V)/dt is the power of what stores no energy", _merged(parts, self.field.zero))
 
-    def _of_conjugate(self, c: Coordinate) -> Principle:
+    @_principle.register(GeneralizedMomentum)
+    def _of_conjugate(self, q: GeneralizedMomentum) -> Principle:
+        c = self._coordinate(q.coordinate)
         m, k = self.model, self.model.coordinates.index(c)
         force = change = self.field.zero
         for name, wrench in m.load_wrenches.items():

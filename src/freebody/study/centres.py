@@ -25,7 +25,7 @@ from freebody.measures.geometry import GROUND
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
-from freebody.questions.centres import InstantCentre, motion_at_origin
+from freebody.questions.centres import motion_at_origin
 from freebody.system.system import System
 
 STILL = 1e-10  # a speed of this part of the largest one, by the size of the system, is zero
@@ -74,7 +74,7 @@ def in_motion(snapshot: Snapshot) -> Snapshot:
 
 def moving_for(quantity: Quantity, snapshot: Snapshot) -> Snapshot:
     """The snapshot at which a quantity is asked: an instant centre needs some motion."""
-    return in_motion(snapshot) if isinstance(quantity, InstantCentre) else snapshot
+    return in_motion(snapshot) if quantity.is_of_pose_in_motion else snapshot
 
 
 def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:

@@ -25,9 +25,8 @@ from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Point
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved
-from freebody.questions.momentum import Momentum, Spin, point_about
+from freebody.questions.momentum import Spin, point_about
 from freebody.questions.reading import Question
-from freebody.questions.vectors import axes_of
 from freebody.study.balance import Balance, IsVector, Principle
 from freebody.study.constancy import (
     N_IN_SEARCH,
@@ -67,7 +66,7 @@ def conserved(system: System, question: str | None = None) -> Conservation:
 
         return conserved(settled(system), question)
     if question is None:
-        asked = tuple(q for q in system.questions if isinstance(q.quantity, Conserved))
+        asked = tuple(q for q in system.questions if q.quantity.scope == "every motion")
     else:
         asked = (_question(system, question),)
     setup = Setup(system, N_MOTIONS if asked else N_IN_SEARCH)
@@ -115,10 +114,9 @@ class Judge:
         asked = question.quantity
         assert isinstance(asked, Conserved)
         try:
-            of = asked.of
-            has_parts = isinstance(of, Momentum) or (isinstance(of, Spin) and self.system.space and not of.size)
-            if has_parts and isinstance(of, (Momentum, Spin)) and of.along is None:
-                return self._of_vector(question, asked.name, of)
+            parts = asked.of.components(self.system)
+            if parts:
+                return self._of_vector(question, asked.name, parts)
             found = self.finding(asked.of, asked.name)
             judgement: Judgement | None = None
             if question.options:
@@ -129,12 +127,10 @@ class Judge:
         except (CannotAnswer, RoutesDisagree) as error:
             return Verdicts(question.id, asked.name, None, None, None, reason=str(error))
 
-    def _of_vector(self, question: Question, name: str, quantity: Momentum | Spin) -> Verdicts:
+    def _of_vector(self, question: Question, name: str, parts: Sequence[tuple[str, Quantity]]) -> Verdicts:
         """A vector stays if all of its components do."""
-        basis = getattr(quantity, "basis", None) or axes_of(self.system)
-        labels = [str(axis.name) for axis in basis]
-        plain = replace(quantity, basis=None) if isinstance(quantity, Spin) else quantity
-        findings = [self.finding(replace(plain, along=axis)) for axis in basis]
+        labels = [axis for axis, _part in parts]
+        findings = [self.finding(part) for _axis, part in parts]
         verdicts = [
             self._verdict(question.id, f"{name} along {axis}", found, None)
             for found, axis in zip(findings, labels, strict=True)

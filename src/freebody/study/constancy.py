@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import singledispatch
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.potential import work_between
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
-from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
+from freebody.questions.energy import Energy
 from freebody.study.balance import Balance
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import element_at
@@ -299,28 +300,34 @@ def _size(snapshot: Snapshot, balance: Balance) -> float:
 
 def _reader(setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
     """The quantity at a snapshot: stated over the numbers; by its formula where it is one of coordinates."""
-    quantity = balance.quantity
-    if isinstance(quantity, (GeneralizedMomentum, JacobiIntegral)):
+    return _reader_of(balance.quantity, setup, balance, run)
+
+
+@singledispatch
+def _reader_of(quantity: Quantity, setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
+    if quantity.is_of_coordinates:
         if run.has_other_forms:
             raise CannotAnswer("its formula is in the functions of the file, not in those of the case")
         return lambda s: element_at(setup, (balance.value,), run.draw, s)[0]
-    from freebody.questions.energy import Energy
-
-    if isinstance(quantity, Energy) and quantity.what != "kinetic":
-
-        def energy(s: Snapshot) -> float:
-            total = (
-                0.0 if quantity.what == "potential" else float(Energy("kinetic", quantity.body).value(setup.system, s))
-            )
-            for push in balance.storing:
-                if quantity.body is not None and quantity.body not in set(push.measure.bodies()):
-                    continue
-                if push in balance.unwritten:
-                    first = run.snapshots[0].value(push.measure)  # type: ignore[arg-type]
-                    total -= work_between(s.reference, push, first, s.value(push.measure))  # type: ignore[arg-type]
-                else:
-                    total += s.potential(push)
-            return total
-
-        return energy
     return lambda s: float(quantity.value(setup.system, s))
+
+
+@_reader_of.register(Energy)
+def _reader_of_energy(quantity: Energy, setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
+    """With the work of loads whose potential is not written down."""
+    if not quantity.is_up_to_constant:
+        return lambda s: float(quantity.value(setup.system, s))
+
+    def energy(s: Snapshot) -> float:
+        total = 0.0 if quantity.what == "potential" else float(Energy("kinetic", quantity.body).value(setup.system, s))
+        for push in balance.storing:
+            if quantity.body is not None and quantity.body not in set(push.measure.bodies()):
+                continue
+            if push in balance.unwritten:
+                first = run.snapshots[0].value(push.measure)  # type: ignore[arg-type]
+                total -= work_between(s.reference, push, first, s.value(push.measure))  # type: ignore[arg-type]
+            else:
+                total += s.potential(push)
+        return total
+
+    return energy

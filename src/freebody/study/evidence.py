@@ -17,8 +17,7 @@ from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, When
-from freebody.questions.loads import Power, Work
+from freebody.questions.loads import Power
 from freebody.questions.reading import Event
 from freebody.questions.small_motion import Small
 from freebody.study.answer import Evidence
@@ -27,6 +26,7 @@ from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.magnitude import magnitude
+from freebody.study.passage import NumericPassage
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.study.simulate import Simulator
 from freebody.symbolic.conditions import Condition, merged
@@ -186,16 +186,11 @@ def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unt
     from freebody.study.witness import motion_to
 
     found = motion_to(draw.reference, start, until, event)
-    if isinstance(quantity, When):
-        return found.time
-    if isinstance(quantity, Change):
-        return found.event.value(quantity.measure) - start.value(quantity.measure)
-    if isinstance(quantity, Work):
-        return work_until(setup, quantity, draw, event, found.time)
-    return quantity.value(setup.system, found.event)
+    work = partial(work_until, setup, draw=draw, event=event, end=found.time)
+    return quantity.counted(NumericPassage(setup, start, found.event, found.time, work))
 
 
-def work_until(setup: Setup, quantity: Work, draw: Draw, event: Event, end: float) -> float:
+def work_until(setup: Setup, load: str, draw: Draw, event: Event, end: float) -> float:
     """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
     from freebody.study.witness import motion_to
 
@@ -205,7 +200,7 @@ def work_until(setup: Setup, quantity: Work, draw: Draw, event: Event, end: floa
     centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)
     times = (centers[:, None] + half * nodes).ravel()
     found = motion_to(draw.reference, start, end + half, event, times)
-    power = [float(Power(quantity.of).value(setup.system, s)) for s in found.links[: len(times)]]
+    power = [float(Power(load).value(setup.system, s)) for s in found.links[: len(times)]]
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 

@@ -27,7 +27,6 @@ from freebody.numeric.mobility.kinds import Dependence, dependences
 from freebody.numeric.mobility.rank import Rank, rank_at
 from freebody.numeric.mobility.reachable import reachable_dimensions
 from freebody.numeric.reference import Reference
-from freebody.questions.freedom import Freedom
 from freebody.questions.reading import Question
 from freebody.study.conflicts import Conflict, conflict
 from freebody.study.draws import SEED, draws
@@ -335,7 +334,7 @@ def _nearby(reference: Reference, q: Array, rank: Rank) -> int:
 
 # -- answers and advice -----------------------------------------------------------------------
 def _asked(system: System) -> list[Question]:
-    return [q for q in system.questions if isinstance(q.quantity, Freedom)]
+    return [q for q in system.questions if q.quantity.scope == "structure"]
 
 
 def _answered(found: Mobility) -> Mobility:

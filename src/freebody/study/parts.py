@@ -14,19 +14,9 @@ from typing import Any, cast
 
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Held
-from freebody.questions.conservation import JacobiIntegral
-from freebody.questions.course import EnergyLost
-from freebody.questions.energy import Energy
-from freebody.questions.freedom import Freedom
-from freebody.questions.momentum import Momentum, Spin
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest
-from freebody.questions.small_motion import Small
-from freebody.questions.steady import Steady
 from freebody.system.system import System
-
-_OF_ALL = (Freedom, Small, JacobiIntegral, AtRest, Steady, EnergyLost)
-_OF_ALL_OR_ONE = (Energy, Momentum, Spin)
 
 
 def part_for(system: System, groups: Sequence[set[str]], question: Question) -> System | None:
@@ -49,7 +39,7 @@ def part_for(system: System, groups: Sequence[set[str]], question: Question) -> 
 
 
 def _is_of_all(item: Any) -> bool:
-    return isinstance(item, _OF_ALL) or (isinstance(item, _OF_ALL_OR_ONE) and item.body is None)
+    return isinstance(item, Quantity) and item.is_of_whole
 
 
 # -- which bodies belong together -------------------------------------------------------------

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import singledispatchmethod
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -13,38 +14,27 @@ from freebody.assess.options import judge
 from freebody.errors import BudgetExhausted, CannotAnswer, ModelError, NeverHappens, Problem, RoutesDisagree
 from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
-from freebody.language.units import DIMENSIONLESS, TIME, Dimension
-from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.progress import busy_with
 from freebody.questions.base import Quantity
-from freebody.questions.centres import InstantCentre
-from freebody.questions.conservation import Conserved
-from freebody.questions.course import Change, EnergyLost, Transition, Turns, When
-from freebody.questions.energy import Energy
+from freebody.questions.course import Transition
 from freebody.questions.freedom import Freedom
-from freebody.questions.loads import Work
-from freebody.questions.motion import OfMeasure, OfPoint, Turning
-from freebody.questions.ratio import RatioOf
-from freebody.questions.reactions import Wrench
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest
 from freebody.questions.small_motion import Equilibrium, Small
-from freebody.questions.steady import Extremes, Steady, SteadyValue
 from freebody.study import evidence as proof
 from freebody.study.answer import NOT_VALID, Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
 from freebody.study.parts import groups_of, part_for
+from freebody.study.passage import FormulaPassage
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import Rest, find_equilibrium, small_oscillations
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import Reached
-from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
 from freebody.symbolic.written import HasNoValue, has_values
@@ -150,7 +140,7 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
-    if questions and all(isinstance(q.quantity, AtRest) for q in questions):
+    if questions and all(q.quantity.scope == "rest" for q in questions):
         return _at_rest(system, questions)
     if system.bounds or system.rubs:
         return _in_phases(system, questions)
@@ -190,7 +180,7 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
 def _without_contacts(q: Question, transition: Transition) -> Answer:
     """A change of a contact, of a system in which nothing can touch or rub."""
     reason = f"'{transition.text}' is a change of a contact or of dry friction, and the model has neither"
-    return Answer(q.id, q.text, None, unit_text(q.quantity), None, reason=reason, never=True)
+    return Answer(q.id, q.text, None, q.quantity.unit, None, reason=reason, never=True)
 
 
 def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Solution:
@@ -202,14 +192,14 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
         if q.transition is not None:
             answers.append(_without_contacts(q, q.transition))
             continue
-        if isinstance(q.quantity, Freedom):
+        if q.quantity.scope == "structure":
             evidence = proof.freedom(setup, q.text, dof)
             answers.append(Answer(q.id, q.text, number(dof), "1", float(dof), evidence=evidence))
             continue
         value: float | tuple[float, ...] | None = None
         with suppress(CannotAnswer, ArithmeticError, ValueError):
             value = proof.number(setup, q.quantity, q.event) if setup.has_values else None
-        answers.append(Answer(q.id, q.text, None, unit_text(q.quantity), value, reason=reason))
+        answers.append(Answer(q.id, q.text, None, q.quantity.unit, value, reason=reason))
     return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 
@@ -243,7 +233,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
             start_mode(system)  # refuses bodies that are inside others
         tree = tree_of(system)
     except CannotAnswer as error:
-        rests = [q for q in questions if isinstance(q.quantity, AtRest)]
+        rests = [q for q in questions if q.quantity.scope == "rest"]
         if not rests:
             raise ModelError([Problem((), str(error))], system.file) from error
         found = {a.id: a for a in _at_rest(system, rests).answers}  # rest asks for no motion
@@ -251,7 +241,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         return replace(_at_rest(system, ()), answers=tuple(answers))
     phases = phases_of(tree)
     model = phases.first_model
-    answers = tuple(at_rest(system, q) if isinstance(q.quantity, AtRest) else answer(tree, q) for q in questions)
+    answers = tuple(at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions)
     return Solution(
         system,
         model.degrees_of_freedom,
@@ -266,7 +256,7 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
 
 def _without_form(question: Question, reason: str) -> Answer:
     """The answer to a question that nothing can be said to but why."""
-    return Answer(question.id, question.text, None, unit_text(question.quantity), None, reason=reason)
+    return Answer(question.id, question.text, None, question.quantity.unit, None, reason=reason)
 
 
 def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
@@ -309,9 +299,9 @@ class _Solver:
     def answer(self) -> Answer:
         q = self.question
         busy_with(f"answering {q.id}: {q.text}")
-        if isinstance(q.quantity, Conserved):
+        if q.quantity.scope == "every motion":
             return self._conserved()
-        if isinstance(q.quantity, AtRest):
+        if q.quantity.scope == "rest":
             from freebody.study.friction.answers import answer
 
             return answer(self.system, q)
@@ -342,7 +332,7 @@ class _Solver:
             q.id,
             q.text,
             found.rate,
-            unit_text(q.quantity),
+            q.quantity.unit,
             0.0 if found.rate == number(0) else None,
             conditions=() if found.reason else (answer,),
             notes=("this is its rate", *found.notes) if found.rate is not None else found.notes,
@@ -358,7 +348,7 @@ class _Solver:
         """The value of the numeric route where there is no closed form, at the start or at the event; and what is to be
         said where a budget was exhausted on the way."""
         q = self.question
-        if not self.setup.has_values or isinstance(q.quantity, Steady):
+        if not self.setup.has_values or q.quantity.scope == "steady motion":
             return None, ()
         try:
             return proof.number(self.setup, q.quantity, q.event), ()
@@ -371,36 +361,31 @@ class _Solver:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
-        if isinstance(q, Steady):
+        if q.scope == "steady motion":
             return self._steady()
         if self.question.event is not None:
             return self._at_event(q)
-        match q:
-            case Freedom():
-                dof = self.model.degrees_of_freedom
-                return _Found(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
-            case Small():
-                return self._small(q)
-            case Equilibrium():
-                return self._equilibrium(q)
-            case _:
-                return self._at_instant(q)
+        return self._found(q)
 
     # -- one instant --------------------------------------------------------------------------
-    def _at_instant(self, q: Quantity) -> _Found:
+    @singledispatchmethod
+    def _found(self, q: Quantity) -> _Found:
+        """By the kind of question: what has no finder of its own is a property of an instant."""
         at_start = self.question.at_start
         x = self._elements(q, self._start_of(q) if at_start else self.setup.state)
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
-        notes: list[str] = []
-        if isinstance(q, Wrench):
-            body = q.body(self.system)
-            what = "moment" if q.moment else "force"
-            notes.append(f"the {what} that {q.connection} exerts on {body}")
-        return _Found(x, evidence, notes=notes, up_to_constant=_has_potential(q), at_start=at_start)
+        remark = q.remark(self.system)
+        notes = [remark] if remark else []
+        return _Found(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant, at_start=at_start)
+
+    @_found.register(Freedom)
+    def _freedom(self, q: Freedom) -> _Found:
+        dof = self.model.degrees_of_freedom
+        return _Found(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
 
     def _start_of(self, q: Quantity) -> SymbolicState:
         """The start; for an instant centre with one freedom, whose speed cancels, the pose at the start."""
-        if not isinstance(q, InstantCentre) or self.model.degrees_of_freedom != 1:
+        if not q.is_of_pose_in_motion or self.model.degrees_of_freedom != 1:
             return self.setup.start_instant
         speeds = {c.speed for c in (*self.model.coordinates, *self.model.dependent)}
         values = self.setup.start.values
@@ -425,14 +410,7 @@ class _Solver:
                 raise NeverHappens(f"{event.text} is never reached after the start")
             if condition is not None:
                 conditions.append(condition)
-        if isinstance(q, When):
-            if reached.time is None:
-                raise CannotAnswer(reached.why_no_time)
-            x = reached.time
-        elif isinstance(q, Work):
-            x = self._work(q, reached)
-        else:
-            x = self._there(q, reached)
+        x: Ratio = q.counted(FormulaPassage(self.setup, reached, self._elements))
         self._check_is_told(x)
         evidence = proof.along_motion(
             self.setup,
@@ -456,35 +434,8 @@ class _Solver:
                 "closed form was found"
             )
 
-    def _there(self, q: Quantity, reached: Reached) -> Ratio:
-        """The quantity in the state at the event; a change is that since the start."""
-        if isinstance(q, Change):
-            before = self.setup.start_instant.value(q.measure)
-            after = SymbolicState(self.model, self.setup.motion.known_at(reached)).value(q.measure)
-            return self.model.field.lowest_terms(after - before)
-        if isinstance(q, (Turns, EnergyLost)):
-            what = "change of angle" if isinstance(q, Turns) else "work of a load"
-            raise CannotAnswer(f"that is counted where contacts or dry friction are; here ask for the {what}")
-        x = self._elements(q, SymbolicState(self.model, self.setup.motion.known_at(reached)))
-        if isinstance(x, tuple):
-            raise CannotAnswer("ask for one component of the vector at an event")
-        return x
-
-    def _work(self, q: Work, reached: Reached) -> Ratio:
-        """Work of a load that is a function of its own measure: minus the change of its potential."""
-        f = self.model.field
-        before = self.setup.start_instant
-        after = SymbolicState(self.model, self.setup.motion.known_at(reached))
-        total = f.zero
-        pushes = [p for p in self.system.pushes if p.load == q.of]
-        if not pushes:
-            raise CannotAnswer(f"{q.of} is no load; the work of a constraint is asked as power")
-        for push in pushes:
-            law_polynomial(push)
-            total = total + before.potential(push) - after.potential(push)
-        return f.lowest_terms(total)
-
     # -- small oscillations and equilibrium ---------------------------------------------------
+    @_found.register(Small)
     def _small(self, q: Small) -> _Found:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
@@ -510,6 +461,7 @@ class _Solver:
         )
         return _Found(element, evidence, conditions, list(found.notes), at_start=True)
 
+    @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> _Found:
         rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
@@ -598,7 +550,7 @@ class _Solver:
             conditions += self._root_conditions(element)
         at_start = self.question.at_start
         state = self.setup.start_instant if at_start else self.setup.state
-        if not isinstance(q, (Freedom, Small, Equilibrium, Steady)):
+        if q.is_of_state:
             judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
             conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
@@ -610,11 +562,11 @@ class _Solver:
         """Where the file's own expressions have values: in the state that is asked for, and where an event is asked
         for at the start."""
         measures = [m for m in (getattr(q, "measure", None),) if isinstance(m, Composed)]
-        rests = isinstance(q, (Small, Equilibrium))
-        if isinstance(q, (Freedom, Steady)):
+        rests = q.scope == "small motion"
+        if not (rests or q.is_of_state):
             return []
         if rests:
-            values = find_equilibrium(self.model, self.setup.start, stable_first=isinstance(q, Small)).values
+            values = find_equilibrium(self.model, self.setup.start, stable_first=q.is_about_stable).values
             state = SymbolicState(self.model, values)
         elif self.question.event is not None:
             state = self.setup.start_instant
@@ -622,9 +574,8 @@ class _Solver:
 
     def _is_kinematic(self, q: Quantity) -> bool:
         """Whether the quantity follows from geometry alone."""
-        if isinstance(q, (OfMeasure, OfPoint, Turning)):
-            return q.order < 2 or self.model.degrees_of_freedom == 0
-        return isinstance(q, (InstantCentre, RatioOf, Freedom))
+        order = q.kinematic_order
+        return order is not None and (order < 2 or self.model.degrees_of_freedom == 0)
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""
@@ -641,7 +592,7 @@ class _Solver:
 
     def _judge(self, found: _Found) -> Any:
         element: Any = found.element
-        if isinstance(self.question.quantity, Freedom):
+        if self.question.quantity.scope == "structure":
             with suppress(CannotAnswer):
                 from freebody.study.mobility import judged
 
@@ -671,7 +622,7 @@ class _Solver:
         return values if isinstance(element, tuple) else values[0]
 
     def _unit(self) -> str:
-        return unit_text(self.question.quantity)
+        return self.question.quantity.unit
 
 
 def for_all(system: System, elements: Sequence[Ratio] | None = None) -> str:
@@ -690,28 +641,3 @@ def for_all(system: System, elements: Sequence[Ratio] | None = None) -> str:
     acute = [p.name for p in shown if p.acute]
     ranges = [Stated(f"0 < {to_text(Symbol(a))} < 90°", f"(0 < {a}) & ({a} < pi/2)") for a in acute]
     return reworded(", ".join([scope, *ranges]), joined(ranges))
-
-
-def _has_potential(q: Quantity) -> bool:
-    return isinstance(q, Energy) and q.what != "kinetic"
-
-
-def unit_text(q: Quantity) -> str:
-    """The SI unit of a quantity; angles and their rates in radians."""
-    if isinstance(q, (SteadyValue, Extremes)):
-        return unit_text(q.of)
-    dimension: Dimension = q.dimension
-    measure: Measure | None = getattr(q, "measure", None)
-    is_angular = (measure is not None and measure.dimension == DIMENSIONLESS) or isinstance(q, (Small, Turning))
-    if isinstance(q, (OfMeasure, Equilibrium, Small, Change, Turning)) and is_angular:
-        table = {
-            DIMENSIONLESS: "rad",
-            DIMENSIONLESS / TIME: "rad/s",
-            DIMENSIONLESS / TIME**2: "rad/s^2",
-        }
-        return table.get(dimension, str(dimension))
-    if isinstance(q, (Energy, Work, EnergyLost)):
-        return "J"
-    if isinstance(q, (RatioOf, Freedom, Turns)) and dimension == DIMENSIONLESS:
-        return "1"
-    return str(dimension)

@@ -22,16 +22,7 @@ from freebody.api import System
 from freebody.errors import FreebodyError
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.shapes import Shape
-from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
-from freebody.questions.course import EnergyLost
-from freebody.questions.energy import Energy
-from freebody.questions.freedom import Freedom
-from freebody.questions.momentum import Momentum, Spin
-from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest
-from freebody.questions.small_motion import Equilibrium, Small
-from freebody.questions.steady import Steady
 from freebody.testing import documents
 from freebody.testing.documents import Data, section
 from freebody.testing.observing import Observed, Reading, differences, observed
@@ -238,11 +229,7 @@ def _says_all_units(data: Data) -> bool:
 def of_the_whole(question: Question) -> bool:
     """True for what is asked of all bodies together."""
     q = question.quantity
-    parts = (q.top, q.bottom) if isinstance(q, RatioOf) else (q.of,) if isinstance(q, Conserved) else (q,)
-    whole = (Freedom, Small, JacobiIntegral, AtRest, Steady, EnergyLost, GeneralizedMomentum, Equilibrium)
-    return any(
-        isinstance(part, whole) or (isinstance(part, (Energy, Momentum, Spin)) and part.body is None) for part in parts
-    )
+    return any(part.is_of_whole or part.is_of_coordinates or part.scope == "small motion" for part in (q, *q.inner))
 
 
 @_relation("unrelated measure")
@@ -304,7 +291,7 @@ def with_frame(system: System, rng: random.Random) -> list[Changed]:
     return [
         Changed(
             data,
-            Reading(concerns=lambda q: not of_the_whole(q) or isinstance(q.quantity, Freedom), same_coordinates=False),
+            Reading(concerns=lambda q: not of_the_whole(q) or q.quantity.scope == "structure", same_coordinates=False),
         )
     ]
 
@@ -341,7 +328,7 @@ def in_halves(system: System, rng: random.Random) -> list[Changed]:
         **section(data, "connections"),
         _STRANGER: {"weld": [f"{name}.{point}", f"{_STRANGER}.{point}"]},
     }
-    return [Changed(data, Reading(concerns=lambda q: not isinstance(q.quantity, AtRest), same_coordinates=False))]
+    return [Changed(data, Reading(concerns=lambda q: q.quantity.scope != "rest", same_coordinates=False))]
 
 
 def _halved(value: Any) -> str | float | None:

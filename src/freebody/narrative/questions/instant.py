@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from freebody.language.expression import Expr, Symbol
 from freebody.narrative.context import Context, Method, refuse
@@ -13,11 +14,10 @@ from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.state import Parts, parts_of_state
-from freebody.questions.course import When
-from freebody.questions.loads import Work
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.evidence import work_until
+from freebody.study.passage import NumericPassage
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
@@ -108,16 +108,14 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
     def part(k: int) -> Callable[[World], float]:
         return lambda world: float(quantity.value(system, world.snapshot)[k])
 
-    def time(world: World) -> float:
-        return world.snapshot.t
-
-    def work(world: World) -> float:
-        assert isinstance(quantity, Work)
+    def counted(world: World) -> float:
         assert question.event is not None
-        return work_until(context.setup, quantity, world.draw, question.event, world.snapshot.t)
+        setup, end = context.setup, world.snapshot.t
+        work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
+        return float(quantity.counted(NumericPassage(setup, world.draw.start(), world.snapshot, end, work)))
 
     if symbol.name not in context.glossary.meanings:
-        read = time if isinstance(quantity, When) else work if isinstance(quantity, Work) else quantity
+        read = counted if quantity.scope == "course" else quantity
         context.glossary.introduce(Meaning(symbol, what, read))
     for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
         context.glossary.introduce(Meaning(name, what, part(k)))

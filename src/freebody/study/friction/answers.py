@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, singledispatchmethod
 
 from freebody.assess.options import Judgement, judge
 from freebody.errors import CannotAnswer, RoutesDisagree
@@ -13,8 +13,9 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.numeric.friction_limits import ROUND_OFF
 from freebody.progress import busy_with
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest, FirstFailure, Holds, ReactionRange, RestLimit
+from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.evidence import MIN_DRAWS, Witness
 from freebody.study.friction.cases import Case, Compared, Ends, Limit
@@ -30,7 +31,6 @@ from freebody.system.system import System
 TOLERANCE = 1e-8
 ROUTE = "the linear programs of all reactions that rest allows"
 _ENDS = {1: "at most", -1: "at least"}
-_UNIT_OF_ANGLE = "rad"
 
 
 @lru_cache(maxsize=8)
@@ -43,12 +43,11 @@ def prepared(system: System) -> tuple[Touching, Setup]:
 def answer(system: System, question: Question) -> Answer:
     """The answer to a question about rest; without a closed form, its numbers and the reason."""
     q = question.quantity
-    assert isinstance(q, AtRest)
     busy_with(f"answering {question.id}: {question.text}")
     try:
         return _Answerer(system, question).answer(q)
     except (CannotAnswer, RoutesDisagree) as error:
-        return Answer(question.id, question.text, None, _unit(system, q), None, reason=str(error))
+        return Answer(question.id, question.text, None, q.unit, None, reason=str(error))
 
 
 class _Answerer:
@@ -59,22 +58,29 @@ class _Answerer:
         self.question = question
         self.touching, self.setup = prepared(system)
 
-    def answer(self, q: AtRest) -> Answer:
-        match q:
-            case RestLimit(name, which):
-                ends = ParameterEnds(self.touching, self.setup, name)
-                signs = {"range": (-1, 1), "least": (-1,), "largest": (1,)}[which]
-                return self._ends(ends, name, signs)
-            case FirstFailure(name):
-                return self._first(ParameterEnds(self.touching, self.setup, name), name)
-            case ReactionRange():
-                return self._ends(ReactionEnds(self.touching, self.setup, self._row(q)), "it", (-1, 1))
-            case Holds():
-                from freebody.study.friction.holding import holds
+    @singledispatchmethod
+    def answer(self, q: Quantity) -> Answer:
+        """By the kind of question."""
+        raise CannotAnswer("this is no question about rest")
 
-                return holds(self.touching, self.setup, self.question)
-            case _:
-                raise CannotAnswer("this is no question about rest")
+    @answer.register(RestLimit)
+    def _limit(self, q: RestLimit) -> Answer:
+        ends = ParameterEnds(self.touching, self.setup, q.parameter)
+        return self._ends(ends, q.parameter, q.ends)
+
+    @answer.register(FirstFailure)
+    def _failure(self, q: FirstFailure) -> Answer:
+        return self._first(ParameterEnds(self.touching, self.setup, q.parameter), q.parameter)
+
+    @answer.register(ReactionRange)
+    def _reaction(self, q: ReactionRange) -> Answer:
+        return self._ends(ReactionEnds(self.touching, self.setup, self._row(q)), "it", (-1, 1))
+
+    @answer.register(Holds)
+    def _holds(self, q: Holds) -> Answer:
+        from freebody.study.friction.holding import holds
+
+        return holds(self.touching, self.setup, self.question)
 
     def _row(self, q: ReactionRange) -> str:
         """The row that is asked for: of those that could be meant the one that touches."""
@@ -230,7 +236,7 @@ class _Answerer:
             q.id,
             q.text,
             expression,  # type: ignore[arg-type]
-            _unit(self.system, q.quantity),
+            q.quantity.unit,
             value,  # type: ignore[arg-type]
             conditions,
             tuple(notes),
@@ -287,11 +293,3 @@ def scope(system: System) -> str:
     from freebody.study.solve import for_all
 
     return for_all(system)
-
-
-def _unit(system: System, q: object) -> str:
-    if isinstance(q, (RestLimit, FirstFailure)):
-        if system.parameters[q.parameter].is_angle:
-            return _UNIT_OF_ANGLE
-        return str(q.dimension)
-    return str(getattr(q, "dimension", "1"))

@@ -13,14 +13,7 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
 from freebody.progress import busy_with
-from freebody.questions.base import Quantity
-from freebody.questions.conservation import Conserved
-from freebody.questions.energy import Energy
-from freebody.questions.freedom import Freedom
-from freebody.questions.loads import Power
-from freebody.questions.reactions import Multiplier, Wrench
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium, Small
 from freebody.study.answer import NOT_VALID, Answer, AnswerCase, Evidence
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
@@ -33,17 +26,14 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import Relation, readable
 
 _ROUND_OFF = 1e-12
-NOT_HERE = (Conserved, Equilibrium, Freedom, Small)
 
 
 def answer(tree: Tree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
-    from freebody.study.solve import unit_text
-
-    unit = unit_text(question.quantity)
+    unit = question.quantity.unit
     busy_with(f"answering {question.id}: {question.text}")
     try:
-        if isinstance(question.quantity, NOT_HERE):
+        if question.quantity.scope not in ("instant", "course"):
             raise CannotAnswer("the system changes its contacts; ask for a motion, a force, or an energy")
         found = pieces(tree, question)
         parts = _merged(found)
@@ -53,11 +43,6 @@ def answer(tree: Tree, question: Question) -> Answer:
     except RoutesDisagree as error:
         return Answer(question.id, question.text, None, unit, None, reason=str(error))
     return _answer(tree, question, parts, evidence, unit)
-
-
-def _may_jump(quantity: Quantity) -> bool:
-    """Whether a change of the contacts can change a value at once: that of forces and accelerations."""
-    return isinstance(quantity, Multiplier | Wrench | Power) or getattr(quantity, "order", 0) == 2
 
 
 def _merged(found: list[Piece]) -> list[list[Piece]]:
@@ -85,7 +70,7 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
     notes = list(main.notes)
     if main.first is None:
         notes.append(f"while the system {summary(main.phase)}")
-    elif main.after is None and _may_jump(question.quantity):
+    elif main.after is None and question.quantity.may_jump:
         notes.append(f"just before {happening(main.first.watch, None)}, while the system {summary(main.phase)}")
     if tree.system.has_values and 0 not in own.sets:
         broken = _broken(tree, own)
@@ -97,7 +82,6 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
         is_home = main.is_home
         model = tree.home.model if is_home else main.phase.model
         system = tree.system if is_home else main.phase.system
-        has_potential = isinstance(question.quantity, Energy) and question.quantity.what != "kinetic"
         region = [c.element for c in main.conditions if c.relation != "!="] if is_home else []
         judgement = judge(
             question,
@@ -105,7 +89,7 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
             question.quantity.dimension,
             model,
             system,
-            up_to_constant=has_potential,
+            up_to_constant=question.quantity.is_up_to_constant,
             region=region,
         )
     return Answer(

@@ -6,6 +6,7 @@ The numbers come from `witness`: the one place where another simulation could be
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -13,10 +14,9 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, EnergyLost, Turns, When
 from freebody.questions.energy import Energy
-from freebody.questions.loads import Work
 from freebody.questions.reading import Event, Question
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
@@ -35,9 +35,9 @@ _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are
 
 def compare(tree: Tree, question: Question, piece: Piece) -> Evidence:
     """Raises RoutesDisagree on a difference, CannotAnswer if too little could be compared."""
-    if piece.at_start and isinstance(question.quantity, When):
+    if piece.at_start and question.quantity.is_of_event:
         return _at_once(tree, question, piece)
-    if piece.at_start and isinstance(question.quantity, EnergyLost | Change | Work | Turns):
+    if piece.at_start and question.quantity.scope == "course":
         return _since_the_start(tree, question, piece)
     if piece.first is None:
         return _at_instants(tree, question, piece)
@@ -110,12 +110,38 @@ def _since_the_start(tree: Tree, question: Question, piece: Piece) -> Evidence:
     for k in piece.sets[:N_CHECKED]:
         values = tree.sets.one(int(k))
         mode, q, v = begun(tree.system, stage(tree, node), values)
-        lost = 0.0
-        if node.impact is not None and isinstance(question.quantity, EnergyLost):
+        taken = 0.0
+        if node.impact is not None:
             before, _q, _v = before_impact(tree.system, node.impact.before.kept, values)
-            lost = _energy(before, mode.system) - _energy(mode.snapshot(q, v, 0.0), mode.system)
-        witness.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, int(k)), lost)
+            taken = _energy(before, mode.system) - _energy(mode.snapshot(q, v, 0.0), mode.system)
+        counted = question.quantity.counted(_Nothing(taken))
+        witness.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, int(k)), counted)
     return witness.evidence()
+
+
+@dataclass(frozen=True)
+class _Nothing:
+    """A motion that is over as it begins; taken: the energy that an impact takes then [J]."""
+
+    taken: float
+
+    def time(self) -> float:
+        return 0.0
+
+    def change(self, measure: Measure) -> float:
+        return 0.0
+
+    def work(self, load: str) -> float:
+        return 0.0
+
+    def heat(self) -> float:
+        return self.taken
+
+    def revolutions(self, body: str) -> float:
+        return 0.0
+
+    def there(self, quantity: Quantity) -> Any:
+        raise CannotAnswer("nothing has moved yet")
 
 
 def _home_numbers(tree: Tree, piece: Piece, k: int) -> tuple[float, ...]:
@@ -178,23 +204,41 @@ def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> A
     begin = seen[0].begin
     if first.impact is not None:
         begin, _q, _v = before_impact(tree.system, first.impact.before.kept, values)
-    match quantity:
-        case When():
-            return last.time
-        case Change(measure, _name):
-            return now.value(measure) - begin.value(measure)
-        case EnergyLost():
-            if all(only_friction_takes_energy(s.mode.system) for s in seen):
-                return _energy(begin, mode.system) - _energy(now, mode.system)
-            return sum(map(_heat, seen)) + _taken_by_impacts(seen, begin, now)
-        case Work(of):
-            pushes = [p for p in tree.system.pushes if p.load == of]
-            return sum(begin.potential(p) - now.potential(p) for p in pushes)
-        case Turns(body):
-            marks = [begin.value(Angle(body)), *(s.snapshot().value(Angle(body)) for s in seen)]
-            return float(np.abs(np.diff(marks)).sum()) / (2 * np.pi)
-        case _:
-            return value_in_mode(quantity, tree.system, mode.system, now)
+    return quantity.counted(_Passage(tree.system, seen, mode.system, begin, now))
+
+
+@dataclass(frozen=True)
+class _Passage:
+    """What was seen of a motion in phases. begin, now: before all impacts, and where it is asked for, in `mode`."""
+
+    base: System
+    seen: Sequence[Seen]
+    mode: System
+    begin: Any
+    now: Any
+
+    def time(self) -> float:
+        return self.seen[-1].time
+
+    def change(self, measure: Measure) -> float:
+        return self.now.value(measure) - self.begin.value(measure)
+
+    def work(self, load: str) -> float:
+        pushes = [p for p in self.base.pushes if p.load == load]
+        return sum(self.begin.potential(p) - self.now.potential(p) for p in pushes)
+
+    def heat(self) -> float:
+        if all(only_friction_takes_energy(s.mode.system) for s in self.seen):
+            return _energy(self.begin, self.mode) - _energy(self.now, self.mode)
+        return sum(map(_heat, self.seen)) + _taken_by_impacts(self.seen, self.begin, self.now)
+
+    def revolutions(self, body: str) -> float:
+        angle = Angle(body)
+        marks = [self.begin.value(angle), *(s.snapshot().value(angle) for s in self.seen)]
+        return float(np.abs(np.diff(marks)).sum()) / (2 * np.pi)
+
+    def there(self, quantity: Quantity) -> Any:
+        return value_in_mode(quantity, self.base, self.mode, self.now)
 
 
 def _taken_by_impacts(seen: Sequence[Seen], begin: Any, now: Any) -> float:

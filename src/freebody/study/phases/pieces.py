@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any, cast
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, EnergyLost, Transition, Turns, When
+from freebody.questions.course import Transition
 from freebody.questions.energy import Energy as EnergyOf
-from freebody.questions.loads import Work
-from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Event, Question
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
@@ -197,12 +197,16 @@ def _at_once(tree: Tree, asked: Transition, node: Node) -> str:
 def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> Piece:
     phase, zero = way.last.phase, tree.home.model.field.zero
     notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
-    if way.last.impact is None and isinstance(question.quantity, OfMeasure) and question.quantity.order < 2:
-        state = tree.home.start_instant  # places and velocities are those of the start, as it is written there
-        x = state.rate(question.quantity.measure) if question.quantity.order else state.value(question.quantity.measure)
-        value: Elements = tree.home.model.field.lowest_terms(x)
+    if way.last.impact is None and question.quantity.kinematic_order in (0, 1):
+        # places and velocities are those of the start, as it is written there
+        given: Any = question.quantity.value(tree.home.system, tree.home.start_instant)
+        f = tree.home.model.field
+        if isinstance(given, tuple):
+            value: Elements = tuple(f.lowest_terms(f.element(x)) for x in cast("tuple[Any, ...]", given))
+        else:
+            value = f.lowest_terms(f.element(given))
     else:
-        value = _value(tree, question.quantity, way, phase, phase.start_instant, zero, notes)
+        value = _value(tree, question.quantity, way, phase, phase.start_instant, zero)
     return Piece(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
 
 
@@ -296,7 +300,7 @@ def _piece(
         notes.append(_just_after(after))
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
         notes.append(f"just before the impact of {label(hits[0].name)}, which comes at the same instant")
-    value = _value(tree, question.quantity, way, phase, there, time, notes, first, after)
+    value = _value(tree, question.quantity, way, phase, there, time, first, after)
     return Piece(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
 
@@ -317,43 +321,65 @@ def _value(
     phase: Phase,
     there: SymbolicState,
     time: Ratio | None,
-    notes: list[str],
     first: First | None = None,
     after: Node | None = None,
 ) -> Elements:
     """The quantity at an instant of a phase, by the parameters alone; `first` ends the last phase of the way there."""
-    begin = way.nodes[0].phase
-    match quantity:
-        case When():
-            if time is None:
-                raise CannotAnswer(
-                    "the time is the integral of the coordinate over its speed, which has no elementary closed form "
-                    "here; simulate the motion for a number"
-                )
-            return time
-        case Change(measure, _name):
-            last, earlier = there.value(measure), begin.start_instant.value(measure)
-            return tree.to_home(phase, last) - tree.to_home(begin, earlier)
-        case EnergyLost():
-            collisions = (_taken_by_impact(tree, node) for node in (*way.nodes, *(() if after is None else (after,))))
-            return sum(collisions, _heat(tree, way, first))
-        case Turns(body):
-            return _turns(tree, body, way, first, notes)
-        case Work(of):
-            pushes = [p for p in plain(phase.system).pushes if p.load == of]
-            if not pushes:
-                raise CannotAnswer(f"{of} is no load; ask for the energy lost, or for power")
-            total = tree.home.model.field.zero
-            for push in pushes:
-                law_polynomial(push)
-                before = tree.to_home(begin, begin.start_instant.potential(push))
-                total = total + before - tree.to_home(phase, there.potential(push))
-            return total
-        case _:
-            value = _elements(tree, phase, quantity, there)
-            if isinstance(value, tuple):
-                return tuple(tree.to_home(phase, v) for v in value)
-            return tree.to_home(phase, value)
+    return quantity.counted(_Passage(tree, way, phase, there, time, first, after))
+
+
+@dataclass(frozen=True)
+class _Passage:
+    """The way to an instant of a phase, in formulas of the parameters alone."""
+
+    tree: Tree
+    way: _Way
+    phase: Phase
+    state: SymbolicState
+    elapsed: Ratio | None
+    first: First | None
+    after: Node | None
+
+    def time(self) -> Ratio:
+        if self.elapsed is None:
+            raise CannotAnswer(
+                "the time is the integral of the coordinate over its speed, which has no elementary closed form "
+                "here; simulate the motion for a number"
+            )
+        return self.elapsed
+
+    def change(self, measure: Measure) -> Ratio:
+        begin = self._begin
+        last, earlier = self.state.value(measure), begin.start_instant.value(measure)
+        return self.tree.to_home(self.phase, last) - self.tree.to_home(begin, earlier)
+
+    def heat(self) -> Ratio:
+        nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
+        return sum((_taken_by_impact(self.tree, node) for node in nodes), _heat(self.tree, self.way, self.first))
+
+    def revolutions(self, body: str) -> Ratio:
+        return _revolutions(self.tree, body, self.way, self.first)
+
+    def work(self, load: str) -> Ratio:
+        pushes = [p for p in plain(self.phase.system).pushes if p.load == load]
+        if not pushes:
+            raise CannotAnswer(f"{load} is no load; ask for the energy lost, or for power")
+        total = self.tree.home.model.field.zero
+        for push in pushes:
+            law_polynomial(push)
+            before = self.tree.to_home(self._begin, self._begin.start_instant.potential(push))
+            total = total + before - self.tree.to_home(self.phase, self.state.potential(push))
+        return total
+
+    def there(self, quantity: Quantity) -> Elements:
+        value = _elements(self.tree, self.phase, quantity, self.state)
+        if isinstance(value, tuple):
+            return tuple(self.tree.to_home(self.phase, v) for v in value)
+        return self.tree.to_home(self.phase, value)
+
+    @property
+    def _begin(self) -> Phase:
+        return self.way.nodes[0].phase
 
 
 def _heat(tree: Tree, way: _Way, first: First | None) -> Ratio:
@@ -404,7 +430,7 @@ def _taken_by_impact(tree: Tree, node: Node) -> Ratio:
     return tree.to_home(setup, before) - tree.to_home(phase, after)
 
 
-def _turns(tree: Tree, body: str, way: _Way, first: First | None, notes: list[str]) -> Ratio:
+def _revolutions(tree: Tree, body: str, way: _Way, first: First | None) -> Ratio:
     """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
     from freebody.measures.angle import Angle
 

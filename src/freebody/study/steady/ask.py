@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import singledispatch
+
 from freebody.errors import CannotAnswer
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.setup import Setup
@@ -13,22 +16,37 @@ def find(setup: Setup, question: Question) -> Finding:
     """The closed form with its evidence. Raises CannotAnswer with the reason where there is none."""
     if question.event is not None:
         raise CannotAnswer("what goes on evenly has no event; leave out 'when'")
-    match question.quantity:
-        case SteadyValue():
-            from freebody.study.steady.motion import steady_value
+    return _find(question.quantity, setup, question)
 
-            return steady_value(setup, question, question.quantity)
-        case Extremes():
-            from freebody.study.steady.extremes import extremes
 
-            return extremes(setup, question, question.quantity)
-        case SpinStability():
-            from freebody.study.steady.spin import spin_stability
+@singledispatch
+def _find(q: Quantity, setup: Setup, question: Question) -> Finding:
+    raise CannotAnswer("this is no question about steady motion")
 
-            return spin_stability(setup, question, question.quantity)
-        case SteadyStability():
-            from freebody.study.steady.stability import steady_stability
 
-            return steady_stability(setup, question)
-        case _:
-            raise CannotAnswer("this is no question about steady motion")
+@_find.register(SteadyValue)
+def _value(q: SteadyValue, setup: Setup, question: Question) -> Finding:
+    from freebody.study.steady.motion import steady_value
+
+    return steady_value(setup, question, q)
+
+
+@_find.register(Extremes)
+def _extremes(q: Extremes, setup: Setup, question: Question) -> Finding:
+    from freebody.study.steady.extremes import extremes
+
+    return extremes(setup, question, q)
+
+
+@_find.register(SpinStability)
+def _spin(q: SpinStability, setup: Setup, question: Question) -> Finding:
+    from freebody.study.steady.spin import spin_stability
+
+    return spin_stability(setup, question, q)
+
+
+@_find.register(SteadyStability)
+def _stability(q: SteadyStability, setup: Setup, question: Question) -> Finding:
+    from freebody.study.steady.stability import steady_stability
+
+    return steady_stability(setup, question)

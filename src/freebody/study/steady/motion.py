@@ -17,7 +17,6 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text
-from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
@@ -278,14 +277,15 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
 
 def unknown_of(steady: Steady, q: SteadyValue) -> Coordinate | None:
     """The coordinate whose rate or, if it stays constant, whose value is asked for."""
-    if not isinstance(q.of, OfMeasure) or q.of.order > 1:
+    measure, order = q.of.watched or (None, 2)
+    if order > 1:
         return None
-    among = steady.others if q.of.order == 0 else steady.cyclic
-    return next((c for c in among if steady.model.measure_of(c) == q.of.measure), None)
+    among = steady.cyclic if order else steady.others
+    return next((c for c in among if steady.model.measure_of(c) == measure), None)
 
 
 def _is_place(q: SteadyValue) -> bool:
-    return isinstance(q.of, OfMeasure) and q.of.order == 0
+    return q.of.watched is not None and q.of.watched[1] == 0
 
 
 def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:
