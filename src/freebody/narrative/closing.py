@@ -15,10 +15,7 @@ from freebody.narrative.lines.script import Listing, Script, Sentence, Sheet, St
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
-from freebody.questions.conservation import Conserved
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest
-from freebody.questions.steady import SpinStability, SteadyStability
 from freebody.study.answer import Answer
 
 
@@ -35,15 +32,14 @@ def closing(context: Context, question: Question, answer: Answer) -> list[Stage]
 
 
 def _result(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    if answer.expression is not None and not isinstance(question.quantity, AtRest):
+    if answer.expression is not None and question.quantity.scope != "rest":
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         name = asked_symbol(context, question, n)
         sides: tuple[Expr | tuple[Expr, ...], ...] = (side_of(name, n), answer.expression)
         with suppress(CannotAnswer, ExpressionError):
             script.line(*sides, when=_when(question))
-    if answer.conditions and not isinstance(question.quantity, Conserved):  # that is what was derived
-        is_verdict = isinstance(question.quantity, (SpinStability, SteadyStability))
-        key = "steady.verdict" if is_verdict else "result.holds"
+    if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
+        key = "steady.verdict" if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(f"@{c}" for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):

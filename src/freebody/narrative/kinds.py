@@ -8,12 +8,8 @@ from typing import cast
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
-from freebody.questions.conservation import Conserved
-from freebody.questions.freedom import Freedom
+from freebody.questions.base import Scope
 from freebody.questions.reading import Question
-from freebody.questions.rest import AtRest
-from freebody.questions.small_motion import Equilibrium, Small
-from freebody.questions.steady import Steady
 from freebody.system.system import System
 
 
@@ -23,21 +19,23 @@ def derivation_of(system: System, question: Question) -> Derive:
     return or_in_numbers(cast("Derive", module.derive))
 
 
+_PLACES: dict[Scope, str] = {
+    "structure": "questions.freedom",
+    "every motion": "questions.conserving",
+    "small motion": "questions.small",
+    "steady motion": "steady.steady",
+}
+
+
 def _place(system: System, question: Question) -> str:
-    """The module that derives a kind of question."""
-    q = question.quantity
-    if isinstance(q, AtRest):
+    """The module that derives the answer, by what part of mechanics the question belongs to."""
+    scope = question.quantity.scope
+    if scope == "rest":
         return "contact.rest"
-    if question.transition is not None or (has_phases(system) and not isinstance(q, (Freedom, Conserved))):
+    if question.transition is not None or (has_phases(system) and scope not in ("structure", "every motion")):
         return "contact.phases"
-    if isinstance(q, Freedom):
-        return "questions.freedom"
-    if isinstance(q, Conserved):
-        return "questions.conserving"
-    if isinstance(q, (Small, Equilibrium)):
-        return "questions.small"
-    if isinstance(q, Steady):
-        return "steady.steady"
+    if scope in _PLACES:
+        return _PLACES[scope]
     if question.event is not None:
         return "questions.course"
     return "space.spatial" if system.space else "questions.instant"

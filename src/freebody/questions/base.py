@@ -115,6 +115,10 @@ class Quantity:
 
     # whether the event itself is asked for, and nothing of the state there
     is_of_event: ClassVar[bool] = False
+    # whether it is a force or moment that a connection transmits
+    is_reaction: ClassVar[bool] = False
+    # whether the conditions are the answer: a verdict
+    is_verdict: ClassVar[bool] = False
     # whether the equilibrium that is meant is a stable one, where there are several
     is_about_stable: ClassVar[bool] = False
 
@@ -153,6 +157,25 @@ class Quantity:
     @property
     def watched(self) -> tuple[Measure, int] | None:
         """The measure whose value, rate or acceleration it is, and which of these."""
+        return None
+
+    @property
+    def principle(self) -> str:
+        """Which principle governs its change: the part of the catalogues with the sentences about its conservation."""
+        return "other"
+
+    @property
+    def letter(self) -> str:
+        """The symbol that formulas have for it."""
+        return "Q"
+
+    @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        """Bodies whose velocities it reads, where it is read off them alone."""
+        return ()
+
+    def share(self, body: str) -> Quantity | None:
+        """Of a sum over bodies: what one of them adds to it."""
         return None
 
     def components(self, system: Described) -> tuple[tuple[str, Quantity], ...]:

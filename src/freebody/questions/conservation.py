@@ -24,6 +24,14 @@ class GeneralizedMomentum(Quantity, kind="generalized momentum"):
     is_of_coordinates = True
 
     @property
+    def principle(self) -> str:
+        return "generalized"
+
+    @property
+    def letter(self) -> str:
+        return f"p_{self.coordinate}"
+
+    @property
     def dimension(self) -> Dimension:
         return ENERGY * TIME / self.conjugate_to
 
@@ -35,6 +43,14 @@ class JacobiIntegral(Quantity, kind="jacobi integral"):
     measured_in = ENERGY
     may_be_conserved = True
     is_of_coordinates = True
+
+    @property
+    def principle(self) -> str:
+        return "jacobi"
+
+    @property
+    def letter(self) -> str:
+        return "h"
 
     @property
     def is_of_whole(self) -> bool:

@@ -33,6 +33,14 @@ class Energy(Quantity, kind="energy"):
         return "J"
 
     @property
+    def principle(self) -> str:
+        return "energy" if self.what == "total" and self.body is None else "other"
+
+    @property
+    def letter(self) -> str:
+        return {"kinetic": "T", "potential": "V", "total": "E"}[self.what]
+
+    @property
     def is_of_whole(self) -> bool:
         return self.body is None
 

@@ -50,6 +50,17 @@ class Momentum(Quantity, kind="linear momentum"):
     may_be_conserved = True
 
     @property
+    def principle(self) -> str:
+        return "linear"
+
+    @property
+    def letter(self) -> str:
+        return "P"
+
+    def share(self, body: str) -> Momentum | None:
+        return replace(self, body=body) if is_among(body, self.body) else None
+
+    @property
     def is_of_whole(self) -> bool:
         return self.body is None
 
@@ -81,6 +92,22 @@ class Spin(Quantity, kind="angular momentum"):
 
     measured_in = ANGULAR_MOMENTUM
     may_be_conserved = True
+
+    @property
+    def principle(self) -> str:
+        return "angular"
+
+    @property
+    def letter(self) -> str:
+        return "H"
+
+    def share(self, body: str) -> Spin | None:
+        """About the same point; None where that is the mass centre of several bodies, or not said."""
+        if not is_among(body, self.body):
+            return None
+        if isinstance(self.about, Point) or isinstance(self.body, str):
+            return replace(self, body=body)
+        return replace(self, body=body, about=ORIGIN) if self.about is None and self.body is not None else None
 
     @property
     def is_of_whole(self) -> bool:

@@ -56,6 +56,10 @@ questions: {it: acceleration of x}
         return self.order == 2
 
     @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(self.measure.bodies())) if self.order else ()
+
+    @property
     def watched(self) -> tuple[Measure, int]:
         return self.measure, self.order
 
@@ -86,6 +90,10 @@ class OfPoint(Quantity, kind="point"):
     @property
     def may_jump(self) -> bool:
         return self.order == 2
+
+    @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        return (self.point.body,) if self.order else ()
 
     def value(self, system: Described, state: State[Any]) -> Any:
         return component(place(system, state, self.point, self.order), self.along, self.size, state, self.basis)

@@ -41,6 +41,10 @@ class RatioOf(Quantity, kind="ratio"):
         return max(known) if len(known) == len(orders) else None
 
     @property
+    def bodies_in_motion(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((*self.top.bodies_in_motion, *self.bottom.bodies_in_motion)))
+
+    @property
     def may_jump(self) -> bool:
         return any(q.may_jump for q in self.inner)
 

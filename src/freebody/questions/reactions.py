@@ -60,6 +60,8 @@ class Multiplier(Quantity, kind="reaction component"):
     def dimension(self) -> Dimension:
         return self.transmits
 
+    is_reaction = True
+
     @property
     def may_jump(self) -> bool:
         return True
@@ -89,6 +91,8 @@ class Wrench(Quantity, kind="reaction"):
     @property
     def dimension(self) -> Dimension:
         return TORQUE if self.moment else FORCE
+
+    is_reaction = True
 
     @property
     def may_jump(self) -> bool:

@@ -79,6 +79,7 @@ class SpinStability(Steady, kind="stability of a spin"):
     axis: Axis
 
     measured_in = PER_TIME_SQUARED
+    is_verdict = True
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,7 @@ class SteadyStability(Steady, kind="stability of steady motion"):
     """Whether a small disturbance of the steady motion at the start grows: the squares of its exponents."""
 
     measured_in = PER_TIME_SQUARED
+    is_verdict = True
 
 
 # -- the grammar ------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import partial, singledispatch
 
 import numpy as np
 
@@ -207,9 +207,11 @@ def work_until(setup: Setup, load: str, draw: Draw, event: Event, end: float) ->
 def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tuple[float, ...]:
     """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
     Raises CannotAnswer if the event does not happen within a minute."""
-    draw = setup.draws[0]
-    if isinstance(quantity, Small):
-        return _small_number(setup, quantity, draw)
+    return _number(quantity, setup, event, setup.draws[0])
+
+
+@singledispatch
+def _number(quantity: Quantity, setup: Setup, event: Event | None, draw: Draw) -> float | tuple[float, ...]:
     start = draw.start()
     if event is None:
         values = _tuple(quantity.value(setup.system, draw.seen(moving_for(quantity, start))))
@@ -220,7 +222,8 @@ def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tup
     return values[0] if len(values) == 1 else values
 
 
-def _small_number(setup: Setup, quantity: Small, draw: Draw) -> float | tuple[float, ...]:
+@_number.register(Small)
+def _small_number(quantity: Small, setup: Setup, event: Event | None, draw: Draw) -> float | tuple[float, ...]:
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
     try:

@@ -21,7 +21,6 @@ from freebody.language.units import DIMENSIONLESS, Dimension, parse_unit
 from freebody.questions.momentum import Spin
 from freebody.questions.reactions import Wrench
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Small
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution
 from freebody.testing.facts import OF_THE_WHOLE, Fact, fact
@@ -140,7 +139,7 @@ def _of_facts(first: Fact, second: Fact, reading: Reading) -> list[str]:
 
 def _between(question: Question, system: System, first: Answer, second: Answer, reading: Reading) -> list[str]:
     """The differences of two answers to one question."""
-    is_turned = reading.turned and not isinstance(question.quantity, Small)  # several frequencies are no vector
+    is_turned = reading.turned and question.quantity.scope != "small motion"  # several frequencies are no vector
     parts_1, parts_2 = _parts(first), _parts(second)
     if first.is_answered != second.is_answered:
         return [f"one is answered, the other not: {first.reason or second.reason}"]

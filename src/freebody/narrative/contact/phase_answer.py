@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import singledispatchmethod
 from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, add
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
 from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.questions.instant import names_of, side_of
+from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Turns, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
@@ -28,6 +33,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
 
 
 def asked_side(context: Context, way: Way, leg: Leg, script: Script, question: Question) -> Expr | tuple[Expr, ...]:
@@ -49,33 +55,48 @@ def asked_side(context: Context, way: Way, leg: Leg, script: Script, question: Q
 
 def _number(way: Way, question: Question, world: World) -> Any:
     """What is asked, by the numeric route."""
-    base, now = way.system, world.snapshot
-    system = now.reference.system
-    match question.quantity:
-        case When():
-            return now.t
-        case Change(measure, _name):
-            return now.value(measure) - _begin(world).value(measure)
-        case EnergyLost():
-            begin = _begin(world)
-            before = value_in_mode(EnergyOf("total"), base, plain(begin.reference.system), begin)
-            return before - value_in_mode(EnergyOf("total"), base, plain(system), now)
-        case Work(of):
-            begin = _begin(world)
-            return sum(begin.potential(p) - now.potential(p) for p in base.pushes if p.load == of)
-        case Turns(body):
-            assert isinstance(world, CourseWorld)
-            angle = Angle(body)
-            marks = [_begin(world).value(angle), *(s.snapshot().value(angle) for s in world.run.seen)]
-            return sum(abs(b - a) for a, b in pairwise(marks)) / (2 * math.pi)
-        case _:
-            return value_in_mode(question.quantity, base, system, now)
+    return question.quantity.counted(_Passage(way.system, world))
 
 
-def _begin(world: World) -> Any:
-    assert isinstance(world, CourseWorld)
-    first = world.run.seen[0]
-    return first.begin
+@dataclass(frozen=True)
+class _Passage:
+    """The motion that a world has gone through; friction alone takes its energy. base: the system with its contacts."""
+
+    base: System
+    world: World
+
+    def time(self) -> float:
+        return self.world.snapshot.t
+
+    def change(self, measure: Measure) -> float:
+        return self.world.snapshot.value(measure) - self._begin.value(measure)
+
+    def heat(self) -> float:
+        states = (self._begin, self.world.snapshot)
+        before, after = (value_in_mode(EnergyOf("total"), self.base, plain(s.reference.system), s) for s in states)
+        return before - after
+
+    def work(self, load: str) -> float:
+        begin, now = self._begin, self.world.snapshot
+        return sum(begin.potential(p) - now.potential(p) for p in self.base.pushes if p.load == load)
+
+    def revolutions(self, body: str) -> float:
+        angle = Angle(body)
+        marks = [self._begin.value(angle), *(s.snapshot().value(angle) for s in self._course.run.seen)]
+        return sum(abs(b - a) for a, b in pairwise(marks)) / (2 * math.pi)
+
+    def there(self, quantity: Quantity) -> Any:
+        now = self.world.snapshot
+        return value_in_mode(quantity, self.base, now.reference.system, now)
+
+    @property
+    def _course(self) -> CourseWorld:
+        assert isinstance(self.world, CourseWorld)
+        return self.world
+
+    @property
+    def _begin(self) -> Any:
+        return self._course.run.seen[0].begin
 
 
 # -- the last stage ---------------------------------------------------------------------------
@@ -89,35 +110,73 @@ def tell_answer(
     forces: dict[int, tuple[Ratio, int]],
 ) -> None:
     """What is asked, from the lines at the events; ends in the solver's answer."""
-    leg = way.legs[-1]
     assert answer.expression is not None
-    lines = tuple(dict.fromkeys(n for end in ends for n in end.values()))
-    q = question.quantity
-    if isinstance(q, EnergyLost) and not all(only_friction_takes_energy(leg.phase.system) for leg in way.legs):
-        raise CannotAnswer("other loads do work as well, and the heat of friction is derived from no line here")
-    uses = _energies(script, way, ends) if isinstance(q, EnergyLost) else ()
-    with script.stage("stage.value", "hint.value"), on_the_way(script, leg.course):
-        left = asked_side(context, way, leg, script, question)
-        match q:
-            case When():
-                _time(script, way, left, answer, ends)
-            case EnergyLost():
-                script.line(left, answer.expression, why="answer.lost", args={"lines": uses}, uses=uses, when="event")
-            case Turns(body):
-                _difference(script, way, left, answer, Angle(body), "answer.turns", lines, body)
-            case Change(measure, _name):
-                _difference(script, way, left, answer, measure, "answer.change", lines, "")
-            case Work(of):
-                script.line(
-                    left,
-                    answer.expression,
-                    why="answer.work",
-                    args={"lines": lines, "load": of},
-                    uses=lines,
-                    when="event",
-                )
-            case _:
-                _instant(script, way, left, answer, lines, forces)
+    tell = _Tell(context, script, way, question, answer, ends, forces)
+    tell.answer(question.quantity)
+
+
+@dataclass(frozen=True)
+class _Tell:
+    """The last stage, by the kind of question."""
+
+    context: Context
+    script: Script
+    way: Way
+    question: Question
+    given: Answer
+    ends: list[dict[str, int]]
+    forces: dict[int, tuple[Ratio, int]]
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        return tuple(dict.fromkeys(n for end in self.ends for n in end.values()))
+
+    @contextmanager
+    def stage(self) -> Generator[Expr | tuple[Expr, ...]]:
+        """The stage in which it is told, with the symbol of what is asked."""
+        leg = self.way.legs[-1]
+        with self.script.stage("stage.value", "hint.value"), on_the_way(self.script, leg.course):
+            yield asked_side(self.context, self.way, leg, self.script, self.question)
+
+    def line(self, left: Expr | tuple[Expr, ...], key: str, uses: tuple[int, ...], **args: Argument) -> None:
+        assert self.given.expression is not None
+        said: dict[str, Argument] = {"lines": uses, **args}
+        self.script.line(left, self.given.expression, why=key, args=said, uses=uses, when="event")
+
+    @singledispatchmethod
+    def answer(self, q: Quantity) -> None:
+        if q.scope == "course":
+            raise CannotAnswer("what is counted on the way is derived from no line here")
+        with self.stage() as left:
+            _instant(self.script, self.way, left, self.given, self.lines, self.forces)
+
+    @answer.register(When)
+    def _time(self, q: When) -> None:
+        with self.stage() as left:
+            _time(self.script, self.way, left, self.given, self.ends)
+
+    @answer.register(EnergyLost)
+    def _lost(self, q: EnergyLost) -> None:
+        if not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
+            raise CannotAnswer("other loads do work as well, and the heat of friction is derived from no line here")
+        uses = _energies(self.script, self.way, self.ends)
+        with self.stage() as left:
+            self.line(left, "answer.lost", uses)
+
+    @answer.register(Turns)
+    def _turns(self, q: Turns) -> None:
+        with self.stage() as left:
+            _difference(self.script, self.way, left, self.given, Angle(q.body), "answer.turns", self.lines, q.body)
+
+    @answer.register(Change)
+    def _change(self, q: Change) -> None:
+        with self.stage() as left:
+            _difference(self.script, self.way, left, self.given, q.measure, "answer.change", self.lines, "")
+
+    @answer.register(Work)
+    def _work(self, q: Work) -> None:
+        with self.stage() as left:
+            self.line(left, "answer.work", self.lines, load=q.of)
 
 
 def _time(script: Script, way: Way, left: Any, answer: Answer, ends: list[dict[str, int]]) -> None:

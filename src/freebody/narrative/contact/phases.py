@@ -15,8 +15,6 @@ from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import Leg, Way
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Script, Sentence, Sheet, Stage
-from freebody.questions.course import Change, EnergyLost, Turns, When
-from freebody.questions.loads import Work
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.words import summary
@@ -25,7 +23,6 @@ from freebody.symbolic.model import Coordinate
 from freebody.symbolic.phases.course import Uniform
 
 Values = dict[int, tuple[Ratio, int]]
-WITHOUT_FORCES = (When, Change, EnergyLost, Turns, Work)
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
@@ -121,19 +118,17 @@ def _needed(way: Way, leg: Leg) -> tuple[set[str], set[str]]:
         return names, names
     element = model.in_independent_speeds(assert_first.watch.element)
     used = f.ingredients(f.follow(element, leg.phase.course.still))
-    match way.question.quantity:
-        case When():
-            pass
-        case EnergyLost() | Turns() | Change() | Work():
-            used |= {k for c in model.coordinates for k in (c.index, c.speed)}
-        case q:
-            for part in leg.newton.asked(q):
-                used |= f.ingredients(part)
-                used |= {
-                    g
-                    for a in f.ingredients(part) & set(model.accelerations)
-                    for g in f.ingredients(model.solved_accelerations[a])
-                }
+    q = way.question.quantity
+    if q.scope == "course" and not q.is_of_event:
+        used |= {k for c in model.coordinates for k in (c.index, c.speed)}
+    elif q.scope != "course":
+        for part in leg.newton.asked(q):
+            used |= f.ingredients(part)
+            used |= {
+                g
+                for a in f.ingredients(part) & set(model.accelerations)
+                for g in f.ingredients(model.solved_accelerations[a])
+            }
     moving = {c.name for c in model.coordinates if used & {c.index, c.speed} and _moves(leg, c)}
     places = {c.name for c in model.coordinates if c.index in used and c.name in moving}
     return moving, places
@@ -156,7 +151,7 @@ def _wanted(way: Way, leg: Leg, moving: set[str]) -> list[int]:
         found.append(newton.reaction(watch.name))
     if watch.kind == "slips":
         found += [newton.reaction(n) for n in leg.phase.rubs[watch.name].load]
-    if leg is way.legs[-1] and not isinstance(way.question.quantity, WITHOUT_FORCES):
+    if leg is way.legs[-1] and way.question.quantity.scope != "course":
         found += newton.unknowns_in(newton.asked(way.question.quantity))
     return list(dict.fromkeys(found))
 
@@ -182,7 +177,7 @@ def _at_instant(context: Context, way: Way, script: Script, answer: Answer) -> l
         _slips, signs = tell_contacts(script, way, leg, ())
     f, newton = leg.phase.model.field, leg.newton
     sticks = tuple(tell_sticking(script, way, leg))
-    parts: tuple[Ratio, ...] = () if isinstance(question.quantity, When) else newton.asked(question.quantity)
+    parts: tuple[Ratio, ...] = () if question.quantity.is_of_event else newton.asked(question.quantity)
     unknowns = newton.unknowns_in(parts)
     plan = newton.plan(unknowns)
     values = newton.write(script, plan, unknowns) if unknowns else {}

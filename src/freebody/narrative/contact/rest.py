@@ -8,6 +8,7 @@ that comes first is the one of the study (`study/friction`), whose motion decide
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
@@ -21,6 +22,7 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Listing, Script, Sentence, Stage
 from freebody.narrative.principles.places import place_of
 from freebody.present.report.blocks import Relation
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer
@@ -59,27 +61,30 @@ class _Telling:
         self.script = Script(context.glossary, context.next_number)
 
     def tell(self) -> None:
-        touching, setup = self.touching, self.setup
-        q = self.question.quantity
-        match q:
-            case RestLimit(name, which):
-                ends = ParameterEnds(touching, setup, name)
-                self._contacts(ends)
-                signs = {"range": (-1, 1), "least": (-1,), "largest": (1,)}[which]
-                self._ends(ends, Symbol(name), name, signs)
-            case ReactionRange():
-                row = next(r.name for r in touching.rows if r.name in q.rows)
-                ends = ReactionEnds(touching, setup, row)
-                self._contacts(ends)
-                self._ends(ends, Symbol(reaction_symbols(touching.system)[row].name), "", (-1, 1), row)
-            case FirstFailure(name):
-                ends = ParameterEnds(touching, setup, name)
-                self._contacts(ends)
-                self._first(ends, name)
-            case Holds():
-                self._holds()
-            case _:
-                raise CannotAnswer("this is no question about rest")
+        self._tell(self.question.quantity)
+
+    @singledispatchmethod
+    def _tell(self, q: Quantity) -> None:
+        raise CannotAnswer("this is no question about rest")
+
+    @_tell.register(RestLimit)
+    def _limit(self, q: RestLimit) -> None:
+        ends = ParameterEnds(self.touching, self.setup, q.parameter)
+        self._contacts(ends)
+        self._ends(ends, Symbol(q.parameter), q.parameter, q.ends)
+
+    @_tell.register(ReactionRange)
+    def _reaction(self, q: ReactionRange) -> None:
+        row = next(r.name for r in self.touching.rows if r.name in q.rows)
+        ends = ReactionEnds(self.touching, self.setup, row)
+        self._contacts(ends)
+        self._ends(ends, Symbol(reaction_symbols(self.touching.system)[row].name), "", (-1, 1), row)
+
+    @_tell.register(FirstFailure)
+    def _failure(self, q: FirstFailure) -> None:
+        ends = ParameterEnds(self.touching, self.setup, q.parameter)
+        self._contacts(ends)
+        self._first(ends, q.parameter)
 
     # -- what touches -------------------------------------------------------------------------
     def _contacts(self, ends: Ends) -> None:
@@ -250,7 +255,8 @@ class _Telling:
             self.script.line(symbol, tidy(main.element), why="rest.first", args={"line": line}, uses=(line,))
         self.context.glossary = glossary
 
-    def _holds(self) -> None:
+    @_tell.register(Holds)
+    def _holds(self, q: Holds) -> None:
         """The reserve vanishes at the limit of a coefficient of friction: with more friction it is positive."""
         answer = self.answer.expression
         assert answer is not None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from freebody.questions.rest import AtRest
 from freebody.study.setup import Setup
 from freebody.study.solve import MOST_PLACES
 from freebody.system.system import System
@@ -12,7 +11,7 @@ def setup_of(system: System) -> Setup:
     """Questions about rest look at the start pose with all that touches held there; motions in phases begin with the
     first phase."""
     asked = system.questions
-    if asked and all(isinstance(q.quantity, AtRest) for q in asked):
+    if asked and all(q.quantity.scope == "rest" for q in asked):
         from freebody.study.friction.answers import prepared
 
         return prepared(system)[1]

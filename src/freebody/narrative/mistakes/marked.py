@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass, replace
+from functools import singledispatchmethod
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import Push, RigidBody
-from freebody.questions.course import When
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, Small
 from freebody.study.setup import Setup
@@ -141,23 +142,32 @@ class Marked:
                 raise CannotAnswer("the event involves several coordinates")
             k = model.coordinates.index(reached.coordinate)
             is_uniform = model.solved_accelerations[model.accelerations[k]].is_constant()
-            if isinstance(q, When):
+            if q.is_of_event:
                 if reached.time is None:
                     raise CannotAnswer(reached.why_no_time)
                 return (self._plain(reached.time),), is_uniform
             values = motion.known_at(reached)
             return self._value(question, SymbolicState(model, values)), is_uniform
-        if isinstance(q, Small):
-            squares = small_oscillations(model, start).squares
-            roots = [model.field.sqrt(s, model.is_negative) for s in squares]
-            if q.what == "period":
-                return (self._plain(2 * model.field.pi / roots[0]),), False
-            return tuple(map(self._plain, roots)), False
-        if isinstance(q, Equilibrium):
-            values = find_equilibrium(model, start, stable_first=False).values
-            return (self._plain(SymbolicState(model, values).value(q.measure)),), False
-        state = SymbolicState(model, start.values) if question.at_start else SymbolicState(model)
-        return self._value(question, state), False
+        return self._form(q, question, start), False
+
+    @singledispatchmethod
+    def _form(self, q: Quantity, question: Question, start: StartState) -> Elements:
+        """By the kind of question: what has no way of its own is a property of an instant."""
+        state = SymbolicState(self.model, start.values) if question.at_start else SymbolicState(self.model)
+        return self._value(question, state)
+
+    @_form.register(Small)
+    def _frequencies(self, q: Small, question: Question, start: StartState) -> Elements:
+        model = self.model
+        roots = [model.field.sqrt(s, model.is_negative) for s in small_oscillations(model, start).squares]
+        if q.what == "period":
+            return (self._plain(2 * model.field.pi / roots[0]),)
+        return tuple(map(self._plain, roots))
+
+    @_form.register(Equilibrium)
+    def _rest(self, q: Equilibrium, question: Question, start: StartState) -> Elements:
+        values = find_equilibrium(self.model, start, stable_first=False).values
+        return (self._plain(SymbolicState(self.model, values).value(q.measure)),)
 
     def _started(self) -> dict[int, Ratio]:
         speeds = {c.speed for c in self.model.coordinates}

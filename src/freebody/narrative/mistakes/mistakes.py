@@ -22,8 +22,6 @@ from freebody.narrative.mistakes.miswritten import BodyEquations
 from freebody.narrative.mistakes.omissions import marked_omissions
 from freebody.narrative.mistakes.slips import Mistake, Numbers, slips
 from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, Wanted, WrongOptions, near
-from freebody.questions.freedom import Freedom
-from freebody.questions.reactions import Multiplier, Wrench
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
@@ -37,7 +35,7 @@ def found_mistakes(context: Context, question: Question, answer: Answer) -> Mapp
     wrong = [k for k, v in answer.options.items() if v.verdict == "wrong"]
     if not wrong or answer.expression is None:
         return {}
-    if isinstance(question.quantity, Freedom):
+    if question.quantity.scope == "structure":
         return miscounted(context.system, question, wrong)
     try:
         with working_precision():
@@ -83,8 +81,8 @@ class _Search:
         return options.answer, more
 
     def _marked(self) -> tuple[Elements, list[Mistake]]:
-        system, q = self.context.system, self.question.quantity
-        is_reaction = isinstance(q, (Multiplier, Wrench))
+        system = self.context.system
+        is_reaction = self.question.quantity.is_reaction
         if system.space or system.bounds or system.rubs or self.question.transition is not None:
             raise CannotAnswer("factors are for systems in the plane that do not change")
         if is_reaction and len(system.held) > MOST_ROWS:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.model.elements import Push, RigidBody
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Factor, Marked
 from freebody.narrative.mistakes.slips import Mistake
-from freebody.questions.course import When
+from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
-from freebody.questions.motion import OfMeasure, OfPoint
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -62,8 +62,7 @@ class Omissions:
     ) -> Iterator[Mistake]:
         values = self._put(value, *factors)
         if values:
-            group = "mistake_energy" if isinstance(self.question.quantity, Energy) and key in OF_ENERGY else "mistake"
-            yield Mistake(Sentence(f"{group}.{key}", said), values, is_common=is_common)
+            yield Mistake(Sentence(f"{_section(self.question.quantity, key)}.{key}", said), values, is_common=is_common)
 
     # -- bodies -------------------------------------------------------------------------------
     def _body(self, body: RigidBody) -> Iterator[Mistake]:
@@ -157,18 +156,26 @@ class Omissions:
         if event is not None:
             yield from self._mistake("start", 0, Factor("start"))
             yield from self._mistake("start_turned", -1, Factor("start"))
-            if event.order == 0 and self.is_uniform and isinstance(q, When):
+            if event.order == 0 and self.is_uniform and q.is_of_event:
                 yield from self._mistake("half_of_time", 2, *loads)
-            elif event.order == 0 and isinstance(q, (OfMeasure, OfPoint)) and q.order == 1:
+            elif event.order == 0 and q.kinematic_order == 1:
                 yield from self._mistake("half_of_speed" if self.is_uniform else "half_of_energy", half, *loads)
             yield from self._event()
-        if isinstance(q, Energy):
-            moving = [Factor(what, b.name) for b in self.system.moving for what in ("mass", "inertia")]
-            yield from self._mistake("half_of_energy", 2, *moving)
-            yield from self._mistake("kinetic", 0, *moving)
-            names = tuple(b.name for b in self.system.moving)
-            for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
-                yield from self._mistake(key, 0, *(Factor(what, name) for name in names), bodies=names)
+        yield from self._of_kind(q)
+
+    @singledispatchmethod
+    def _of_kind(self, q: Quantity) -> Iterator[Mistake]:
+        """What is mistaken in one kind of question only."""
+        yield from ()
+
+    @_of_kind.register(Energy)
+    def _of_energy(self, q: Energy) -> Iterator[Mistake]:
+        moving = [Factor(what, b.name) for b in self.system.moving for what in ("mass", "inertia")]
+        yield from self._mistake("half_of_energy", 2, *moving)
+        yield from self._mistake("kinetic", 0, *moving)
+        names = tuple(b.name for b in self.system.moving)
+        for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
+            yield from self._mistake(key, 0, *(Factor(what, name) for name in names), bodies=names)
 
     def _event(self) -> Iterator[Mistake]:
         """A drop taken for a way along an incline, or the other way round."""
@@ -207,3 +214,14 @@ def marked_omissions(
     if not answers:
         raise CannotAnswer("nothing is asked")
     return answers, Omissions(marked, question, is_uniform=is_uniform, groups=groups)
+
+
+@singledispatch
+def _section(q: Quantity, key: str) -> str:
+    """The part of the catalogue with the sentence about a mistake."""
+    return "mistake"
+
+
+@_section.register(Energy)
+def _section_of_energy(q: Energy, key: str) -> str:
+    return "mistake_energy" if key in OF_ENERGY else "mistake"

@@ -9,12 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import singledispatch
 from typing import Any
 
 from freebody.assess.setting import Setting
 from freebody.language.expression import Symbol
 from freebody.language.units import DIMENSIONLESS, INERTIA, LENGTH, MASS
 from freebody.narrative.lines.script import Sentence
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Small
 from freebody.symbolic.field import Field, Ratio
@@ -135,15 +137,25 @@ def slips(question: Question, setting: Setting, answers: Sequence[Ratio], *, bre
         yield Mistake(Sentence("mistake.root"), turns_root=True)
     if setting.dimension == DIMENSIONLESS and len(answers) == 1:
         yield Mistake(Sentence("mistake.inverted"), power=-1)
-    if isinstance(question.quantity, Small):
-        turn = 2 * f.pi
-        is_period = question.quantity.what == "period"
-        yield Mistake(Sentence("mistake.turn" if is_period else "mistake.hertz"), factor=1 / turn)
+    yield from _of_kind(question.quantity, f)
     yield from _special(setting, used)
     for p in _parameters(model, setting, used):
         yield from _of_parameter(setting, p)
     if breaks_units:
         yield from _with_other_units(model, setting, used)
+
+
+@singledispatch
+def _of_kind(q: Quantity, f: Field) -> Iterator[Mistake]:
+    """What is mistaken in one kind of question only."""
+    yield from ()
+
+
+@_of_kind.register(Small)
+def _of_frequencies(q: Small, f: Field) -> Iterator[Mistake]:
+    """Revolutions taken for radians, or the other way round."""
+    key = "mistake.turn" if q.what == "period" else "mistake.hertz"
+    yield Mistake(Sentence(key), factor=1 / (2 * f.pi))
 
 
 def _exchanged(f: Field, answers: Sequence[Ratio]) -> Iterator[Mistake]:

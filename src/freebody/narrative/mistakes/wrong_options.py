@@ -18,7 +18,6 @@ from freebody.language.units import dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.slips import Mistake, Numbers
-from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.draws import SEED
@@ -61,7 +60,7 @@ class WrongOptions:
         self.question = question
         self.model = context.setup.model
         self.letters = letters
-        self.up_to_constant = isinstance(q, Energy) and q.what != "kinetic"
+        self.up_to_constant = q.is_up_to_constant
         self.setting = Setting(None, q.dimension, self.model, context.system, self.up_to_constant)
         given = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
         self.answer = self._elements([e for e in given if e is not None])

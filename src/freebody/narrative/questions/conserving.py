@@ -7,7 +7,8 @@ coefficient does with which products of these stand in it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, n_operations, number
@@ -23,11 +24,9 @@ from freebody.narrative.principles.table import Table
 from freebody.narrative.sheets.asking import what
 from freebody.numeric.jets import Array
 from freebody.questions.base import Quantity
-from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
-from freebody.questions.energy import Energy
-from freebody.questions.momentum import Momentum, Spin, is_among
+from freebody.questions.conservation import Conserved, GeneralizedMomentum
+from freebody.questions.momentum import Group, Momentum, Spin, is_among
 from freebody.questions.reading import Question
-from freebody.questions.vectors import axes_of
 from freebody.study.answer import Answer
 from freebody.study.balance import Balance, Principle
 from freebody.study.conserved import Finding, Judge
@@ -86,18 +85,15 @@ class _Telling:
         self.parts = self._parts(asked)
 
     def _parts(self, asked: Conserved) -> list[_Part]:
-        letter = _letter(asked.of)
-        of = asked.of
-        is_vector = isinstance(of, Momentum) or (isinstance(of, Spin) and self.system.space and not of.size)
-        if not (is_vector and isinstance(of, (Momentum, Spin)) and of.along is None):
+        letter = asked.of.letter
+        of, components = asked.of, asked.of.components(self.system)
+        if not components:
             symbol = Symbol(fresh(self.context, letter, f"{letter}_c"))
             return [_Part(of, asked.name, symbol, self.judge.finding(of, asked.name))]
-        plain = replace(of, basis=None) if isinstance(of, Spin) else of
         found: list[_Part] = []
-        for axis in getattr(of, "basis", None) or axes_of(self.system):
-            q = replace(plain, along=axis)
-            symbol = Symbol(fresh(self.context, f"{letter}_{axis.name}", f"{letter}_{axis.name}_c"))
-            found.append(_Part(q, f"{asked.name} along {axis.name}", symbol, self.judge.finding(q, asked.name)))
+        for axis, q in components:
+            symbol = Symbol(fresh(self.context, f"{letter}_{axis}", f"{letter}_{axis}_c"))
+            found.append(_Part(q, f"{asked.name} along {axis}", symbol, self.judge.finding(q, asked.name)))
         return found
 
     # -- in order -----------------------------------------------------------------------------
@@ -148,35 +144,37 @@ class _Telling:
         part.lines.append(self.script.line(*sides, shown, why=_key(part.quantity, "value")))
 
     def _by_bodies(self, part: _Part) -> Expr | None:
-        q, f = part.quantity, self.model.field
-        if not isinstance(q, (Momentum, Spin)) or (isinstance(q, Spin) and q.about is None and q.body is None):
-            return None
-        bodies = [b.name for b in self.system.moving if is_among(b.name, q.body)]
+        f = self.model.field
         terms: list[Expr] = []
-        for body in bodies:
-            own = replace(q, body=body).value(self.system, self.context.setup.state)
-            x = f.lowest_terms(f.element(own))
+        for body in self.system.moving:
+            share = part.quantity.share(body.name)
+            if share is None:
+                continue
+            x = f.lowest_terms(f.element(share.value(self.system, self.context.setup.state)))
             if not x.is_zero():
                 terms.append(tidy(x))
         return add(*terms) if len(terms) > 1 else None
 
     # -- the principle ------------------------------------------------------------------------
     def _state_principle(self, part: _Part) -> None:
-        q = part.quantity
+        self._say_principle(part.quantity, part.finding.principle)
         principle = part.finding.principle
-        key = _key(q, "principle")
-        if isinstance(q, Spin):
-            moves = principle is not None and any("v × P" in name for name, _x in principle.parts)
-            own_centre = q.about is None and isinstance(q.body, str)
-            key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
-            about = "" if own_centre or q.about is None else str(q.about)
-            self.script.say(key, point=f"@{about or 'the origin'}")
-            if moves:
-                self.script.say("conserved.why_moving", point=f"@{about or 'the origin'}")
-        else:
-            self.script.say(key)
         if principle is not None and any("de/dt" in name for name, _x in principle.parts):
             self.script.say("conserved.turning_direction")
+
+    @singledispatchmethod
+    def _say_principle(self, q: Quantity, principle: Principle | None) -> None:
+        self.script.say(_key(q, "principle"))
+
+    @_say_principle.register(Spin)
+    def _say_of_moments(self, q: Spin, principle: Principle | None) -> None:
+        moves = principle is not None and any("v × P" in name for name, _x in principle.parts)
+        own_centre = q.about is None and isinstance(q.body, str)
+        key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
+        about = "" if own_centre or q.about is None else str(q.about)
+        self.script.say(key, point=f"@{about or 'the origin'}")
+        if moves:
+            self.script.say("conserved.why_moving", point=f"@{about or 'the origin'}")
 
     def _by_principle(self, part: _Part) -> None:
         """The rate as a sum over what acts, reactions as symbols."""
@@ -217,31 +215,30 @@ class _Telling:
         q = part.quantity
         if not principle.total(self.model.field.zero).generators():
             self.script.say(_key(q, "nothing"))
-        if not isinstance(q, (Momentum, Spin)):
+        acts = _acting_on(q)
+        if acts is None:
             return
+        key, group = acts
         heard = " ".join(name for name, _x in principle.parts)
         acting = [
             name
             for name in (*self.system.connections, *self.system.loads)
-            if self._touches(name, q, part.finding.balance) and f"{name}" not in heard.split()
+            if self._touches(name, group, part.finding.balance) and f"{name}" not in heard.split()
         ]
         if acting:
-            key = "conserved.no_force" if isinstance(q, Momentum) else "conserved.no_moment"
-            if key == "conserved.no_moment" and q.along is not None:
-                key = "conserved.no_moment_along"
             self.script.say(key, names=tuple(acting))
 
-    def _touches(self, name: str, q: Momentum | Spin, balance: Balance) -> bool:
+    def _touches(self, name: str, group: Group, balance: Balance) -> bool:
         """Whether a connection or load acts on the bodies that are meant, from outside."""
         moving = {b.name for b in self.system.moving}
         rows = [row for row in self.system.held if row.connection == name]
         for push in (p for p in self.system.pushes if p.load == name):
             touched = {b for b in push.measure.bodies() if b in moving}
-            if any(is_among(b, q.body) for b in touched) and (
-                len(touched) == 1 or not all(is_among(b, q.body) for b in touched)
+            if any(is_among(b, group) for b in touched) and (
+                len(touched) == 1 or not all(is_among(b, group) for b in touched)
             ):
                 return True
-        return any(balance.reaches_outside(row, q.body) for row in rows)
+        return any(balance.reaches_outside(row, group) for row in rows)
 
     # -- along the motion ---------------------------------------------------------------------
     def _needs_motion(self, part: _Part) -> bool:
@@ -334,52 +331,50 @@ def _either(cases: Sequence[str]) -> Sentence:
     return Sentence("conserved.or", {"first": f"@{first}", "rest": _either(rest)})
 
 
-def _letter(q: Quantity) -> str:
-    match q:
-        case Momentum():
-            return "P"
-        case Spin():
-            return "H"
-        case GeneralizedMomentum(coordinate):
-            return f"p_{coordinate}"
-        case JacobiIntegral():
-            return "h"
-        case Energy(what):
-            return {"kinetic": "T", "potential": "V"}.get(what, "E")
-        case _:
-            return "Q"
+@singledispatch
+def _acting_on(q: Quantity) -> tuple[str, Group] | None:
+    """What changes a momentum from outside: the sentence that there is none, and the bodies that are meant."""
+    return None
+
+
+@_acting_on.register(Momentum)
+def _forces_on(q: Momentum) -> tuple[str, Group]:
+    return "conserved.no_force", q.body
+
+
+@_acting_on.register(Spin)
+def _moments_on(q: Spin) -> tuple[str, Group]:
+    return "conserved.no_moment" if q.along is None else "conserved.no_moment_along", q.body
 
 
 def _key(q: Quantity, what: str) -> str:
-    match q:
-        case Momentum():
-            return f"conserved.linear_{what}"
-        case Spin():
-            return f"conserved.angular_{what}"
-        case GeneralizedMomentum():
-            return f"conserved.generalized_{what}"
-        case JacobiIntegral():
-            return f"conserved.jacobi_{what}"
-        case Energy("total", None):
-            return f"conserved.energy_{what}"
-        case _:
-            return f"conserved.other_{what}"
+    return f"conserved.{q.principle}_{what}"
 
 
 def reader_of(context: Context, q: Quantity, balance: Balance) -> Callable[[World], float]:
     """How the numeric route reads a quantity that may be conserved."""
-    setup = context.setup
+    return _reader(q, context, balance)
 
-    def formula(world: World) -> float:
-        return element_at(setup, (balance.value,), world.draw, world.snapshot)[0]
+
+@singledispatch
+def _reader(q: Quantity, context: Context, balance: Balance) -> Callable[[World], float]:
+    """Over the numbers; by its formula where it is one of coordinates or potentials."""
+    setup = context.setup
+    if q.is_of_coordinates or q.is_up_to_constant:
+        return lambda world: element_at(setup, (balance.value,), world.draw, world.snapshot)[0]
+    return lambda world: float(q.value(setup.system, world.snapshot))
+
+
+@_reader.register(GeneralizedMomentum)
+def _reader_of_conjugate(q: GeneralizedMomentum, context: Context, balance: Balance) -> Callable[[World], float]:
+    """p = sum of m v . dv/du, the slopes by velocities that the numeric route finds."""
+    setup, model = context.setup, context.setup.model
+    measures = {c.name: model.measure_of(c) for c in model.coordinates}
+    if any(m is None for m in measures.values()):
+        return lambda world: element_at(setup, (balance.value,), world.draw, world.snapshot)[0]
 
     def conjugate(world: World) -> float:
-        """p = sum of m v . dv/du, the slopes by velocities that the numeric route finds."""
-        assert isinstance(q, GeneralizedMomentum)
-        model, here = setup.model, world.snapshot
-        measures = {c.name: model.measure_of(c) for c in model.coordinates}
-        if any(m is None for m in measures.values()):
-            return formula(world)
+        here = world.snapshot
         reference = here.reference
 
         def velocity(of: str) -> Array:
@@ -389,11 +384,4 @@ def reader_of(context: Context, q: Quantity, balance: Balance) -> Callable[[Worl
         slope = velocity(q.coordinate) - velocity("")
         return float((reference.masses * here.v) @ slope)
 
-    def plain(world: World) -> float:
-        return float(q.value(setup.system, world.snapshot))
-
-    if isinstance(q, GeneralizedMomentum):
-        return conjugate
-    if isinstance(q, JacobiIntegral) or (isinstance(q, Energy) and q.what != "kinetic"):
-        return formula
-    return plain
+    return conjugate

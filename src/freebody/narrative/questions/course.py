@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
@@ -18,7 +19,7 @@ from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.instant import asked_symbol
-from freebody.questions.course import When
+from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -58,7 +59,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     acceleration = setup.model.field.lowest_terms(setup.model.solved_accelerations[setup.model.accelerations[k]])
     script = context.script()
     by_energy = reached.time is None or method == "energy"
-    if by_energy and reached.time is not None and isinstance(question.quantity, When):
+    if by_energy and reached.time is not None and question.quantity.is_of_event:
         raise CannotAnswer("energy tells the speed, not the time; there is: auto, newton, lagrange")
     line = 0
     if not by_energy:
@@ -277,13 +278,17 @@ def _energy(way: _Way) -> list[int]:
 # -- what is asked ----------------------------------------------------------------------------
 def _asked(way: _Way, lines: Sequence[int]) -> None:
     """The quantity in the state at the event."""
+    _tell_asked(way.question.quantity, way, lines)
+
+
+@singledispatch
+def _tell_asked(q: Quantity, way: _Way, lines: Sequence[int]) -> None:
     context, question, reached, script = way.context, way.question, way.reached, way.script
-    if isinstance(question.quantity, When):
+    if q.is_of_event:
         return
+    if q.scope == "course":
+        raise CannotAnswer("what is counted on the way is derived from no line here")
     model, f = context.setup.model, context.setup.model.field
-    if isinstance(question.quantity, Work):
-        _work(way, question.quantity, lines)
-        return
     parts, unknowns = parts_of(context, question.quantity)
     found = by_momentum(context, script, unknowns) if unknowns else {}
     general = [f.follow(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
@@ -308,7 +313,8 @@ def _asked(way: _Way, lines: Sequence[int]) -> None:
     _ends_in_answer(way, there[0])
 
 
-def _work(way: _Way, quantity: Work, lines: Sequence[int]) -> None:
+@_tell_asked.register(Work)
+def _work(quantity: Work, way: _Way, lines: Sequence[int]) -> None:
     """The work of a load that has a potential: what the potential is less than at the start."""
     context, script, f = way.context, way.script, way.context.setup.model.field
     setup, uses = context.setup, tuple(lines)

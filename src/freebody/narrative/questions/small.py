@@ -13,6 +13,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
@@ -25,6 +26,7 @@ from freebody.narrative.principles.elimination import Row
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.small_readers import SmallMotions
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium
 from freebody.questions.small_motion import Small as SmallQuantity
@@ -45,10 +47,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     telling = _Telling(context, question, answer, method)
     telling.equations()
     telling.equilibrium()
-    if isinstance(question.quantity, Equilibrium):
-        telling.place()
-    else:
-        telling.frequencies()
+    telling.asked(question.quantity)
     return telling.script.stages
 
 
@@ -67,7 +66,7 @@ class _Telling:
         self.context, self.question, self.answer, self.method = context, question, answer, method
         self.model, self.field = context.setup.model, context.setup.model.field
         self.script: Script = context.script()
-        is_small = isinstance(question.quantity, SmallQuantity)
+        is_small = question.quantity.is_about_stable
         self.values: Mapping[int, Ratio]
         self.squares: tuple[Ratio, ...] = ()
         if is_small:
@@ -127,10 +126,15 @@ class _Telling:
                 symbol = meanings[k].symbol
                 self.places.append(script.line(symbol, value, why=key, args=given, uses=tuple(lines), when="never"))
 
-    def place(self) -> None:
+    @singledispatchmethod
+    def asked(self, q: Quantity) -> None:
+        """By the kind of question."""
+        raise CannotAnswer("this is no question about small motion")
+
+    @asked.register(Equilibrium)
+    def _place(self, q: Equilibrium) -> None:
         """What was asked of the equilibrium."""
-        script, q = self.script, self.question.quantity
-        assert isinstance(q, Equilibrium)
+        script = self.script
         c = next((c for c in self.model.coordinates if self.model.measure_of(c) == q.measure), None)
         if c is not None:
             k = self.model.coordinates.index(c)
@@ -237,11 +241,11 @@ class _Telling:
         return add(*reversed(terms))
 
     # -- what is asked ------------------------------------------------------------------------
-    def frequencies(self) -> None:
+    @asked.register(SmallQuantity)
+    def _frequencies(self, q: SmallQuantity) -> None:
         """Frequency, frequencies or period from their squares."""
         symbols, roots = self.beside()
-        script, q = self.script, self.question.quantity
-        assert isinstance(q, SmallQuantity)
+        script = self.script
         expression = self.answer.expression
         assert expression is not None
         args: dict[str, Argument] = {"lines": roots}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import singledispatch
 
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power
 from freebody.measures.geometry import Point
@@ -17,8 +18,6 @@ from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy
 from freebody.questions.momentum import SYSTEM_CENTER, Momentum, Spin, is_among, point_about
-from freebody.questions.motion import OfMeasure, OfPoint
-from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
 from freebody.questions.vectors import ORIGIN, place
 from freebody.symbolic.tidy import tidy
@@ -34,37 +33,18 @@ class Parts:
 
 def parts_of_state(context: Context, script: Script, question: Question) -> Parts:
     """What a quantity is made of."""
-    q = question.quantity
     uses = loop_lines(context, script)
-    match q:
-        case Energy():
-            lines, symbols = _energy(context, script, q)
-            return Parts((*uses, *lines), add(*symbols) if symbols else None)
-        case Momentum():
-            return Parts((*uses, *_momentum(context, script, q)))
-        case Spin():
-            lines, symbols = _spin(context, script, q)
-            return Parts((*uses, *lines), add(*symbols) if symbols else None)
-        case InstantCentre():
-            return Parts((*uses, *_centre(context, script, q)))
-        case _:
-            bodies = [b for b in _bodies(q) if b in context.setup.model.velocities]
-            with script.stage("stage.kinematics", "hint.velocities"):
-                found = [line for b in bodies for line in context.newton.constraints_of(script, b)]
-            return Parts(tuple(dict.fromkeys((*uses, *found))))
+    lines, symbols = _told(question.quantity, context, script)
+    return Parts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
 
 
-def _bodies(q: Quantity) -> list[str]:
-    """Bodies whose motion a quantity reads."""
-    match q:
-        case RatioOf(top, bottom):
-            return list(dict.fromkeys((*_bodies(top), *_bodies(bottom))))
-        case OfMeasure(measure, order, _) if order:
-            return list(dict.fromkeys(measure.bodies()))
-        case OfPoint(point, order) if order:
-            return [point.body]
-        case _:
-            return []
+@singledispatch
+def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
+    """Lines, and the symbols of the parts whose sum it is: by default the constraints of the bodies that it reads."""
+    bodies = [b for b in q.bodies_in_motion if b in context.setup.model.velocities]
+    with script.stage("stage.kinematics", "hint.velocities"):
+        return [line for b in bodies for line in context.newton.constraints_of(script, b)], []
+    return [], []
 
 
 # -- velocities -------------------------------------------------------------------------------
@@ -97,7 +77,8 @@ def _name(context: Context, letter: str, of: str) -> Symbol:
 
 
 # -- energy -----------------------------------------------------------------------------------
-def _energy(context: Context, script: Script, q: Energy) -> tuple[list[int], list[Expr]]:
+@_told.register(Energy)
+def _energy(q: Energy, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """Lines, and the symbols of the parts."""
     system = context.system
     lines: list[int] = []
@@ -159,7 +140,8 @@ def _potential_of(context: Context, script: Script, load: str, body: str | None)
 
 
 # -- momentum ---------------------------------------------------------------------------------
-def _momentum(context: Context, script: Script, q: Momentum) -> list[int]:
+@_told.register(Momentum)
+def _momentum(q: Momentum, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """The velocities of the mass centres that are meant."""
     lines: list[int] = []
     with script.stage("stage.parts", "hint.parts"):
@@ -168,10 +150,11 @@ def _momentum(context: Context, script: Script, q: Momentum) -> list[int]:
                 x, y = _velocity(context, body.name)
                 context.newton.introduce_terms(script, [*x, *y])
                 lines += context.newton.explain_velocities(script, [*x, *y])
-    return lines
+    return lines, []
 
 
-def _spin(context: Context, script: Script, q: Spin) -> tuple[list[int], list[Expr]]:
+@_told.register(Spin)
+def _spin(q: Spin, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """H = I w + r x m v of every body that is meant, and the symbols of these parts."""
     if q.about == SYSTEM_CENTER:
         return [], []
@@ -212,7 +195,8 @@ def _spin_of(context: Context, script: Script, q: Spin, body: RigidBody) -> list
 
 
 # -- instant centres --------------------------------------------------------------------------
-def _centre(context: Context, script: Script, q: InstantCentre) -> list[int]:
+@_told.register(InstantCentre)
+def _centre(q: InstantCentre, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """The velocity of the point of each body at the origin, and its angular velocity."""
     lines: list[int] = []
     with script.stage("stage.parts", "hint.centre"):
@@ -222,7 +206,7 @@ def _centre(context: Context, script: Script, q: InstantCentre) -> list[int]:
                 continue
             for k, (letter, key) in enumerate((("u", "x"), ("u", "y"), ("omega", ""))):
                 lines.append(_of_body(context, script, body, k, f"{letter}_{body}{f'_{key}' if key else ''}"))
-    return lines
+    return lines, []
 
 
 def _of_body(context: Context, script: Script, body: str, k: int, name: str) -> int:

@@ -12,6 +12,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND, Direction
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.principles.kinematics import rates_of
+from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre
 from freebody.questions.conservation import Conserved, GeneralizedMomentum, JacobiIntegral
 from freebody.questions.course import Change, EnergyLost, Turns, When
@@ -31,30 +32,34 @@ NOTHING: Argument = ""
 
 def asking(system: System, question: Question) -> Sentence:
     """What is to be found, in a sentence. What has no words of its own is quoted from the model."""
-    q = question.quantity
-    if isinstance(q, Conserved):
-        of = what(q.of, system)
-        return Sentence("ask.conserved", {"what": of} if of is not None else {"what": q.name})
+    return _asking(question.quantity, system, question)
+
+
+@singledispatch
+def _asking(q: Quantity, system: System, question: Question) -> Sentence:
     of = what(q, system)
     if of is None:
         return Sentence("ask.any", {"text": question.text})
-    until = isinstance(q, (EnergyLost, Turns, Change))
-    return Sentence("ask.find", {"what": of, "when": _when(question, until=until)})
+    return Sentence("ask.find", {"what": of, "when": _when(question)})
+
+
+@_asking.register(Conserved)
+def _asking_conserved(q: Conserved, system: System, question: Question) -> Sentence:
+    return Sentence("ask.conserved", {"what": what(q.of, system) or q.name})
 
 
 def headline(system: System, question: Question) -> Sentence:
     """What is asked for, as a title has it."""
-    q = question.quantity
-    of = None if isinstance(q, Conserved) else what(q, system)
+    of = what(question.quantity, system)
     if of is None:
         return Sentence("ask.quoted", {"text": question.text})
-    until = isinstance(q, (EnergyLost, Turns, Change))
-    return Sentence("ask.headline", {"what": of, "when": _when(question, until=until)})
+    return Sentence("ask.headline", {"what": of, "when": _when(question)})
 
 
-def _when(question: Question, *, until: bool) -> Argument:
+def _when(question: Question) -> Argument:
     """At which instant it is meant."""
-    word = "until" if until else "time" if isinstance(question.quantity, When) else "when"
+    q = question.quantity
+    word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
     if question.at_start:
         return Sentence("ask.at_start")
     if question.transition is not None:

@@ -4,6 +4,7 @@ reactions by momentum and angular momentum."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import singledispatch, singledispatchmethod
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
@@ -40,12 +41,10 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     telling = SpatialTelling(context, script, at_start=question.at_start)
     found: dict[int, tuple[Ratio, int]] = {}
     before = Parts(())
-    if unknowns and isinstance(question.quantity, Turning) and turns_freely(context, question.quantity):
-        refuse(method, ("newton",), "the turning of a free body")
-        by_euler(context, script, telling.kinematics, question, question.quantity)
+    if unknowns and _turns_by_itself(question.quantity, telling, question, method):
         return script.stages
     if unknowns:
-        if isinstance(question.quantity, (Turning, OfPoint)):
+        if question.quantity.kinematic_order is not None and question.quantity.watched is None:
             before = telling.parts(question.quantity)
         found = _unknowns(context, script, telling.kinematics, table, unknowns, method)
     else:
@@ -113,30 +112,41 @@ class SpatialTelling:
 
     def parts(self, q: Quantity) -> Parts:
         """Lines, and the sum that the quantity is. Written inside stages of their own."""
-        match q:
-            case Turning():
-                return self._turning(q)
-            case OfPoint():
-                return self._point(q)
-            case OfMeasure():
-                with self.script.stage("space.velocities", "space.velocities_hint"):
-                    return Parts(self._measure(q))
-                return Parts(())
-            case RatioOf(top, bottom):
-                over, under = self.parts(top), self.parts(bottom)
-                lines = tuple(dict.fromkeys((*over.lines, *under.lines)))
-                return Parts(lines, None)
-            case Energy("kinetic", _) if self.at_start and free_bodies(self.context, q.body):
-                self.is_formal = True
-                return kinetic_energy_of_free(self.context, self.script, self.kinematics, q)
-            case Energy() | Momentum() | Spin():
-                from freebody.narrative.space.spatial_momentum import parts_of_momentum
+        return self._told(q)
 
-                return parts_of_momentum(self.context, self.script, self.kinematics, q)
-            case _:
-                return Parts(())
+    @singledispatchmethod
+    def _told(self, q: Quantity) -> Parts:
+        return Parts(())
+
+    @_told.register(RatioOf)
+    def _ratio(self, q: RatioOf) -> Parts:
+        over, under = self.parts(q.top), self.parts(q.bottom)
+        return Parts(tuple(dict.fromkeys((*over.lines, *under.lines))), None)
+
+    # -- energies and momenta -----------------------------------------------------------------
+    @_told.register(Energy)
+    def _energy(self, q: Energy) -> Parts:
+        from freebody.narrative.space.spatial_momentum import Momenta
+
+        if q.what == "kinetic" and self.at_start and free_bodies(self.context, q.body):
+            self.is_formal = True
+            return kinetic_energy_of_free(self.context, self.script, self.kinematics, q)
+        return Momenta(self.context, self.script, self.kinematics).energies(q)
+
+    @_told.register(Momentum)
+    def _momentum(self, q: Momentum) -> Parts:
+        from freebody.narrative.space.spatial_momentum import Momenta
+
+        return Momenta(self.context, self.script, self.kinematics).momenta(q)
+
+    @_told.register(Spin)
+    def _spin(self, q: Spin) -> Parts:
+        from freebody.narrative.space.spatial_momentum import Momenta
+
+        return Momenta(self.context, self.script, self.kinematics).spins(q)
 
     # -- turning ------------------------------------------------------------------------------
+    @_told.register(Turning)
     def _turning(self, q: Turning) -> Parts:
         kinematics, axes = self.kinematics, axes_of(q.basis)
         bodies = [b for b in (q.body, q.relative_to) if not self.context.system.bodies[b].fixed]
@@ -171,6 +181,7 @@ class SpatialTelling:
             self.script.say("space.axes_turn", body=body)
 
     # -- points and measures ------------------------------------------------------------------
+    @_told.register(OfPoint)
     def _point(self, q: OfPoint) -> Parts:
         with self.script.stage("space.places", "space.places_hint"):
             line = self.kinematics.place(q.point, str(q.point))
@@ -180,8 +191,11 @@ class SpatialTelling:
             return Parts((line, *bound))
         return Parts(())
 
-    def _measure(self, q: OfMeasure) -> tuple[int, ...]:
-        return self._bound_by(q)
+    @_told.register(OfMeasure)
+    def _measure(self, q: OfMeasure) -> Parts:
+        with self.script.stage("space.velocities", "space.velocities_hint"):
+            return Parts(self._bound_by(q))
+        return Parts(())
 
     def _bound_by(self, q: OfMeasure | OfPoint) -> tuple[int, ...]:
         """Lines that tell the bound rates in a quantity."""
@@ -189,16 +203,29 @@ class SpatialTelling:
         if q.order == 0:
             return ()
         names: list[str] = []
-        for body in self._bodies(q):
+        for body in q.bodies_in_motion:
+            if self.context.system.bodies[body].fixed:
+                continue
             names += [name for name, _axis in self.kinematics.model.turning_axes(body)]
         lines = self.kinematics.angles.explain(dict.fromkeys(names))
         bound = {c.speed for c in model.dependent} | {c.index for c in model.dependent}
         state = self.context.setup.state
-        raw = [state.raw_rate(q.measure)] if isinstance(q, OfMeasure) else []
+        raw = [] if q.watched is None else [state.raw_rate(q.watched[0])]
         if any(f.ingredients(x) & bound for x in raw):
             lines = (*lines, *self.kinematics.velocities_bound())
         return lines
 
-    def _bodies(self, q: OfMeasure | OfPoint) -> list[str]:
-        bodies = q.measure.bodies() if isinstance(q, OfMeasure) else {q.point.body}
-        return [b for b in dict.fromkeys(bodies) if not self.context.system.bodies[b].fixed]
+
+@singledispatch
+def _turns_by_itself(q: Quantity, telling: SpatialTelling, question: Question, method: Method) -> bool:
+    """Tells the turning of a body that nothing holds, by Euler's equations; False for everything else."""
+    return False
+
+
+@_turns_by_itself.register(Turning)
+def _told_by_euler(q: Turning, telling: SpatialTelling, question: Question, method: Method) -> bool:
+    if not turns_freely(telling.context, q):
+        return False
+    refuse(method, ("newton",), "the turning of a free body")
+    by_euler(telling.context, telling.script, telling.kinematics, question, q)
+    return True

@@ -23,19 +23,9 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 
-def parts_of_momentum(
-    context: Context, script: Script, kinematics: SpatialKinematics, q: Energy | Momentum | Spin
-) -> Parts:
+class Momenta:
     """Lines for every body that is meant, and their sum."""
-    telling = _Momenta(context, script, kinematics)
-    if isinstance(q, Energy):
-        return telling.energies(q)
-    if isinstance(q, Spin):
-        return telling.spins(q)
-    return telling.momenta(q)
 
-
-class _Momenta:
     def __init__(self, context: Context, script: Script, kinematics: SpatialKinematics) -> None:
         self.context, self.script, self.kinematics = context, script, kinematics
         self.model, self.field = kinematics.model, kinematics.field

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import singledispatch
+
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Stage
+from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.answer import Answer
@@ -15,22 +18,37 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     refuse(method, (), "steady motion")
     if answer.expression is None:
         raise CannotAnswer(answer.reason or "there is no closed form")
-    match question.quantity:
-        case SteadyValue():
-            from freebody.narrative.steady.steady_motion import tell_steady
+    return _told(question.quantity, context, question, answer)
 
-            return tell_steady(context, question, answer, question.quantity)
-        case Extremes():
-            from freebody.narrative.steady.extremes import tell_extremes
 
-            return tell_extremes(context, question, answer, question.quantity)
-        case SpinStability():
-            from freebody.narrative.steady.stability import tell_spin
+@singledispatch
+def _told(q: Quantity, context: Context, question: Question, answer: Answer) -> list[Stage]:
+    raise CannotAnswer("this is no question about steady motion")
 
-            return tell_spin(context, question, answer, question.quantity)
-        case SteadyStability():
-            from freebody.narrative.steady.stability import tell_stability
 
-            return tell_stability(context, question, answer)
-        case _:
-            raise CannotAnswer("this is no question about steady motion")
+@_told.register(SteadyValue)
+def _value(q: SteadyValue, context: Context, question: Question, answer: Answer) -> list[Stage]:
+    from freebody.narrative.steady.steady_motion import tell_steady
+
+    return tell_steady(context, question, answer, q)
+
+
+@_told.register(Extremes)
+def _extremes(q: Extremes, context: Context, question: Question, answer: Answer) -> list[Stage]:
+    from freebody.narrative.steady.extremes import tell_extremes
+
+    return tell_extremes(context, question, answer, q)
+
+
+@_told.register(SpinStability)
+def _spin(q: SpinStability, context: Context, question: Question, answer: Answer) -> list[Stage]:
+    from freebody.narrative.steady.stability import tell_spin
+
+    return tell_spin(context, question, answer, q)
+
+
+@_told.register(SteadyStability)
+def _stability(q: SteadyStability, context: Context, question: Question, answer: Answer) -> list[Stage]:
+    from freebody.narrative.steady.stability import tell_stability
+
+    return tell_stability(context, question, answer)

@@ -22,7 +22,6 @@ from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, 
 from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
-from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
 from freebody.study.answer import Answer
@@ -73,7 +72,7 @@ def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyV
     """The equations of motion, what they become, the roots, and the quantity that is asked for."""
     steady = Steady(context.setup.model)
     unknown = unknown_of(steady, q)
-    is_place = isinstance(q.of, OfMeasure) and q.of.order == 0
+    is_place = q.of.watched is not None and q.of.watched[1] == 0
     solutions: Solutions | None
     if unknown is None:
         solutions = steady.any_solution()

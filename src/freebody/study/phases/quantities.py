@@ -6,7 +6,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import reduce
+from functools import reduce, singledispatch
 from typing import Any
 
 from freebody.errors import CannotAnswer
@@ -23,17 +23,36 @@ from freebody.system.system import System
 
 def value_in_mode(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
     """The quantity at an instant of a mode; `base` is the system with its contacts, `system` the mode."""
-    match quantity:
-        case RatioOf(top, bottom):
-            return quotient(*(value_in_mode(q, base, system, state) for q in (top, bottom)))
-        case Multiplier():
-            return reaction(quantity.row, quantity.less, base, system, state)
-        case Wrench() if _is_contact(quantity.connection, base):
-            return _force(quantity, base, system, state)
-        case Power(of) if _is_contact(of, base):
-            return sum((state.law(p) * state.rate(p.measure) for p in _frictions(of, system)), _zero(state))
-        case _:
-            return quantity.value(plain(system), state)
+    return _value(quantity, base, system, state)
+
+
+@singledispatch
+def _value(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
+    return quantity.value(plain(system), state)
+
+
+@_value.register(RatioOf)
+def _ratio(quantity: RatioOf, base: System, system: System, state: State[Any]) -> Any:
+    return quotient(*(_value(q, base, system, state) for q in quantity.inner))
+
+
+@_value.register(Multiplier)
+def _component(quantity: Multiplier, base: System, system: System, state: State[Any]) -> Any:
+    return reaction(quantity.row, quantity.less, base, system, state)
+
+
+@_value.register(Wrench)
+def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
+    if _is_contact(quantity.connection, base):
+        return _force(quantity, base, system, state)
+    return quantity.value(plain(system), state)
+
+
+@_value.register(Power)
+def _power(quantity: Power, base: System, system: System, state: State[Any]) -> Any:
+    if _is_contact(quantity.of, base):
+        return sum((state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)), _zero(state))
+    return quantity.value(plain(system), state)
 
 
 def plain(system: System) -> System:
