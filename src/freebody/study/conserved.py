@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, singledispatchmethod
 from itertools import combinations
 from typing import Any
 
@@ -348,7 +348,7 @@ class Judge:
         conditions = texts_of(found.cases) if is_conserved is None else ()
         if is_conserved is None:
             notes += self._edges(found.cases)
-            notes += self._in_words(balance, found.cases)
+            notes += self._in_words(balance.quantity, found.cases)
         confirmation, counter = confirm(self.runs, balance, found.cases, is_conserved)
         if is_conserved is not True and counter is None:
             notes.append("no simulated motion with the numbers of the file showed a change")
@@ -427,10 +427,15 @@ class Judge:
             listed = ", ".join(names)
             yield f"the file declares {listed} positive: the condition is the edge of what it allows"
 
-    def _in_words(self, balance: Balance, cases: Sequence[Case]) -> Iterator[str]:
+    @singledispatchmethod
+    def _in_words(self, q: Quantity, cases: Sequence[Case]) -> Iterator[str]:
+        """What the conditions mean for one kind of quantity."""
+        yield from ()
+
+    @_in_words.register(Spin)
+    def _of_moments(self, q: Spin, cases: Sequence[Case]) -> Iterator[str]:
         """Where a condition brings the mass centre to the point about which the moment is taken."""
-        q = balance.quantity
-        if not isinstance(q, Spin) or not isinstance(q.body, str | None) or not isinstance(q.about, Point):
+        if not isinstance(q.body, str | None) or not isinstance(q.about, Point):
             return
         bodies = [b for b in self.system.moving if q.body is None or b.name == q.body]
         if len(bodies) != 1 or bodies[0].mass_center == q.about:
