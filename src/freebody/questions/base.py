@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import Held, Push, RigidBody
@@ -51,6 +52,8 @@ class Described(Protocol):
     def bodies(self) -> Mapping[str, RigidBody]: ...
     @property
     def moving(self) -> tuple[RigidBody, ...]: ...
+    @property
+    def measures(self) -> Mapping[str, Measure]: ...
     @property
     def held(self) -> tuple[Held, ...]: ...
     @property
@@ -201,6 +204,10 @@ class Quantity:
     def kinematic_order(self) -> int | None:
         """The order of derivatives from which geometry alone gives it: 0 pose, 1 velocities, 2 accelerations; None for
         what needs masses or forces."""
+        return None
+
+    def sentence(self, system: Described) -> Sentence | None:
+        """What it is called, for the catalogues of every language; None where the words of the question are quoted."""
         return None
 
     def remark(self, system: Described) -> str:

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Sentence
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
-from freebody.questions.vectors import place, turning_rate
+from freebody.questions.vectors import place, said_relative, turning_rate
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -46,6 +47,9 @@ class InstantCentre(Quantity, kind="instant centre"):
                 )
             raise CannotAnswer(f"{pair} is in translation: the centre is at infinity along {_normal(dx, dy)}")
         return -dy / w, dx / w
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.centre", {"body": self.body, "relative": said_relative(self.relative_to)})
 
 
 def relative_motion(body: str, other: str, system: Described, state: State[Any]) -> tuple[Any, Any, Any]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
@@ -35,6 +37,9 @@ class GeneralizedMomentum(Quantity, kind="generalized momentum"):
     def dimension(self) -> Dimension:
         return ENERGY * TIME / self.conjugate_to
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.generalized_momentum", {"of": Symbol(self.coordinate)})
+
 
 @dataclass(frozen=True)
 class JacobiIntegral(Quantity, kind="jacobi integral"):
@@ -55,6 +60,9 @@ class JacobiIntegral(Quantity, kind="jacobi integral"):
     @property
     def is_of_whole(self) -> bool:
         return True
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.jacobi")
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,13 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
 from freebody.model.phrases import read_measure
-from freebody.questions.base import Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Found, Passage, Path, Quantity, angular_unit, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -50,6 +52,9 @@ class When(Counted, kind="time"):
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.time()
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.time")
+
 
 @dataclass(frozen=True)
 class EnergyLost(Counted, kind="energy lost"):
@@ -68,6 +73,9 @@ class EnergyLost(Counted, kind="energy lost"):
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.heat()
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.lost")
+
 
 @dataclass(frozen=True)
 class Turns(Counted, kind="turns"):
@@ -81,6 +89,9 @@ class Turns(Counted, kind="turns"):
 
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.revolutions(self.body)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.turns", {"body": self.body})
 
 
 @dataclass(frozen=True)
@@ -101,6 +112,9 @@ class Change(Counted, kind="change"):
 
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.change(self.measure)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.change", {"of": Symbol(self.name) if self.name in system.measures else self.name})
 
 
 # -- events -----------------------------------------------------------------------------------

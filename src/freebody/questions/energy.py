@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
+from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
@@ -12,7 +13,7 @@ from freebody.model.spins import body_axes
 from freebody.model.state import State
 from freebody.model.tensors import entries
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
-from freebody.questions.vectors import Vector, angular_velocity, dot, place, turning_rate
+from freebody.questions.vectors import Vector, angular_velocity, dot, place, said_of, turning_rate
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -61,6 +62,9 @@ class Energy(Quantity, kind="energy"):
                 if own and system.loads[push.load].stores_energy:
                     total = total + state.potential(push)
         return total
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence(f"what.{self.what}_energy", {"of": said_of(self.body)})
 
 
 def kinetic_energy(system: Described, state: State[Any], b: RigidBody) -> Any:

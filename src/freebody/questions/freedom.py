@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.questions.base import Found, Path, Quantity, asked
+from freebody.language.sentences import Sentence
+from freebody.questions.base import Described, Found, Path, Quantity, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -28,6 +29,9 @@ class Freedom(Quantity, kind="degrees of freedom"):
     @property
     def kinematic_order(self) -> int:
         return 0
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.freedom")
 
 
 @asked("degrees of freedom", r"(?:number of )?degrees of freedom|mobility", rank=80)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY, POWER, Dimension
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
@@ -33,6 +34,9 @@ class LoadForce(Quantity, kind="load"):
             raise CannotAnswer(f"{self.load} acts on several bodies; ask for one body's part")
         return system.loads[self.load].pulling_sign * state.law(pushes[0])
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.load", {"load": self.load})
+
 
 @dataclass(frozen=True)
 class Power(Quantity, kind="power"):
@@ -56,6 +60,9 @@ class Power(Quantity, kind="power"):
                 total = total + state.multiplier(row) * state.rate(row.measure)
         return total
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.power", {"of": self.of})
+
 
 @dataclass(frozen=True)
 class Work(Counted, kind="work"):
@@ -72,6 +79,9 @@ class Work(Counted, kind="work"):
 
     def counted(self, passage: Passage[Any]) -> Any:
         return passage.work(self.of)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.work", {"of": self.of})
 
 
 # -- words ------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RigidBody
@@ -18,6 +19,7 @@ from freebody.questions.vectors import (
     IN_BASIS,
     ORIGIN,
     Basis,
+    Group,
     Vector,
     added,
     angular_velocity,
@@ -25,16 +27,17 @@ from freebody.questions.vectors import (
     component,
     components_of,
     cross,
+    has_name,
     place,
     read_basis,
+    said_along,
+    said_of,
     turning_rate,
 )
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-# Of which bodies: None means all of them.
-Group = str | tuple[str, ...] | None
 SYSTEM_CENTER = "mass center"
 _GROUP = rf"{NAME}(?:(?:, | and ){NAME})*"
 
@@ -77,6 +80,11 @@ class Momentum(Quantity, kind="linear momentum"):
                 m, v = state.scalar(b.mass), place(system, state, b.mass_center, 1)
                 total = tuple(t + m * c for t, c in zip(total, v, strict=True))
         return component(total, self.along, False, state)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along):
+            return None
+        return Sentence("what.momentum", {"of": said_of(self.body), "along": said_along(self.along)})
 
 
 @dataclass(frozen=True)
@@ -132,6 +140,13 @@ class Spin(Quantity, kind="angular momentum"):
         if not system.space:
             return total[0]
         return component(total, self.along, self.size, state, self.basis)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along, self.basis):
+            return None
+        about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
+        args: dict[str, Argument] = {"of": said_of(self.body), "about": about, "along": said_along(self.along)}
+        return Sentence("what.spin", args)
 
 
 def is_among(name: str, group: Group) -> bool:

@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -15,7 +17,18 @@ from freebody.model.phrases import read_measure
 from freebody.model.spins import spin
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, angular_unit, asked
-from freebody.questions.vectors import AXES, IN_BASIS, Basis, Vector, component, place, read_basis
+from freebody.questions.vectors import (
+    AXES,
+    IN_BASIS,
+    Basis,
+    Vector,
+    component,
+    has_name,
+    place,
+    read_basis,
+    said_along,
+    said_relative,
+)
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -66,6 +79,17 @@ questions: {it: acceleration of x}
     def value(self, system: Described, state: State[Any]) -> Any:
         return (state.value, state.rate, state.acceleration)[self.order](self.measure)
 
+    def sentence(self, system: Described) -> Sentence:
+        is_named = self.name in system.measures
+        if isinstance(self.measure, Angle) and self.order and not is_named:
+            relative = said_relative(self.measure.origin)
+            args: dict[str, Argument] = {"body": self.measure.of, "relative": relative, "along": NOTHING}
+            return Sentence(f"what.turning_{self.order}", args)
+        if is_named:
+            what = "angle" if self.measure.dimension == DIMENSIONLESS else "measure"
+            return Sentence(f"what.{what}_{self.order}", {"symbol": rates_of(self.name, self.order)})
+        return Sentence(f"what.phrase_{self.order}", {"phrase": self.name})
+
 
 @dataclass(frozen=True)
 class OfPoint(Quantity, kind="point"):
@@ -97,6 +121,13 @@ class OfPoint(Quantity, kind="point"):
 
     def value(self, system: Described, state: State[Any]) -> Any:
         return component(place(system, state, self.point, self.order), self.along, self.size, state, self.basis)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along, self.basis):
+            return None
+        size = "size_" if self.size else ""
+        args: dict[str, Argument] = {"point": str(self.point), "along": said_along(self.along)}
+        return Sentence(f"what.{size}point_{self.order}", args)
 
 
 @dataclass(frozen=True)
@@ -134,6 +165,21 @@ class Turning(Quantity, kind="turning"):
             if not system.bodies[name].fixed:
                 total = tuple(t + sign * read(spin(name, axis)) for t, axis in zip(total, AXES, strict=True))
         return component(total, self.along, self.size, state, self.basis)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along, self.basis):
+            return None
+        size, relative = "size_" if self.size else "", said_relative(self.relative_to)
+        args: dict[str, Argument] = {"body": self.body, "relative": relative, "along": said_along(self.along)}
+        return Sentence(f"what.{size}turning_{self.order}", args)
+
+
+def rates_of(name: str, order: int) -> Expr:
+    """x, x', x''"""
+    shown: Expr = Symbol(name)
+    for _k in range(order):
+        shown = Call("rate", shown)
+    return shown
 
 
 # -- words ------------------------------------------------------------------------------------

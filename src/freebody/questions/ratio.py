@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.state import State
 from freebody.questions.base import Described, Found, Path, Quantity, asked
@@ -50,6 +51,10 @@ class RatioOf(Quantity, kind="ratio"):
 
     def value(self, system: Described, state: State[Any]) -> Any:
         return quotient(self.top.value(system, state), self.bottom.value(system, state))
+
+    def sentence(self, system: Described) -> Sentence | None:
+        top, bottom = self.top.sentence(system), self.bottom.sentence(system)
+        return None if top is None or bottom is None else Sentence("what.ratio", {"top": top, "bottom": bottom})
 
 
 def quotient(top: Any, bottom: Any) -> Any:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import Held, Stretch
@@ -14,7 +15,19 @@ from freebody.model.names import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce
-from freebody.questions.vectors import IN_BASIS, Basis, Vector, added, axes_of, component, cross, place, read_basis
+from freebody.questions.vectors import (
+    IN_BASIS,
+    Basis,
+    Vector,
+    added,
+    axes_of,
+    component,
+    cross,
+    has_name,
+    place,
+    read_basis,
+    said_along,
+)
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -73,6 +86,11 @@ class Multiplier(Quantity, kind="reaction component"):
         for name in self.less:
             total = total - rows[name].sign * state.multiplier(rows[name])
         return total
+
+    def sentence(self, system: Described) -> Sentence:
+        at = Sentence("what.at", {"places": self.at}) if self.at else NOTHING
+        args: dict[str, Argument] = {"reaction": f"@reaction.{self.reaction}", "connection": self.connection, "at": at}
+        return Sentence("what.reaction", args)
 
 
 @dataclass(frozen=True)
@@ -143,6 +161,16 @@ class Wrench(Quantity, kind="reaction"):
         if not system.space:
             return moment[0]
         return component(moment, self.along, self.size, state, self.basis)
+
+    def sentence(self, system: Described) -> Sentence | None:
+        if not has_name(self.along, self.basis):
+            return None
+        what, size = "moment" if self.moment else "force", "size_" if self.size else ""
+        on = NOTHING if self.on is None else Sentence("what.on", {"body": self.on})
+        about = NOTHING if self.about is None else Sentence("what.about", {"point": str(self.about)})
+        along = said_along(self.along)
+        args: dict[str, Argument] = {"connection": self.connection, "on": on, "along": along, "about": about}
+        return Sentence(f"what.{size}{what}", args)
 
 
 # -- words ------------------------------------------------------------------------------------

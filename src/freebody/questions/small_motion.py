@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
-from freebody.questions.base import Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -34,6 +36,9 @@ class Small(Quantity, kind="small oscillations"):
     def is_of_whole(self) -> bool:
         return True
 
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence(f"what.{self.what}")
+
 
 @dataclass(frozen=True)
 class Equilibrium(Quantity, kind="equilibrium"):
@@ -52,6 +57,9 @@ class Equilibrium(Quantity, kind="equilibrium"):
     def unit(self) -> str:
         is_angle = self.dimension == DIMENSIONLESS
         return angular_unit(self.dimension) if is_angle else str(self.dimension)
+
+    def sentence(self, system: Described) -> Sentence:
+        return Sentence("what.equilibrium", {"of": Symbol(self.name) if self.name in system.measures else self.name})
 
 
 # -- words ------------------------------------------------------------------------------------

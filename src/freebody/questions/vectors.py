@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 Vector = tuple[Any, ...]
+# Of which bodies: None means all of them.
+Group = str | tuple[str, ...] | None
 Basis = tuple[Direction, Direction, Direction]  # the axes along which a vector of space is wanted
 AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 ORIGIN = Point(GROUND, (ZERO, ZERO), "ground.origin")
@@ -39,6 +42,32 @@ def read_basis(names: Names, name: str | None, path: Path) -> Basis | None:
         return None
     x, y, z = (names.fixed_in(name, along, f"{name}.{axis}") for along, axis in zip(UNIT, "xyz", strict=True))
     return x, y, z
+
+
+def has_name(along: Direction | None, basis: Basis | None = None) -> bool:
+    """Whether sentences can say along what a vector is asked for."""
+    return basis is None and (along is None or bool(along.name))
+
+
+def said_along(direction: Direction | None) -> Argument:
+    """'along up'; nothing where none is asked for."""
+    if direction is None:
+        return NOTHING
+    if direction.name in ("right", "up", "left", "down"):
+        return Sentence(f"what.along_{direction.name}")
+    return Sentence("what.along", {"direction": direction.name}) if direction.name else NOTHING
+
+
+def said_relative(other: str) -> Argument:
+    """'relative to crank'; nothing for the ground."""
+    return NOTHING if other == GROUND else Sentence("what.relative", {"body": other})
+
+
+def said_of(group: Group) -> Sentence:
+    """'of cart and bob', 'of the system'"""
+    if group is None:
+        return Sentence("what.of_system")
+    return Sentence("what.of", {"bodies": group if isinstance(group, tuple) else (group,)})
 
 
 def axes_of(system: Described) -> tuple[Direction, ...]:

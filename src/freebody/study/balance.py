@@ -26,8 +26,8 @@ from freebody.model.elements import Held, Push, RateMeasure
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import Group, Momentum, Spin, is_among, point_about
-from freebody.questions.vectors import components_of, cross, dot, place
+from freebody.questions.momentum import Momentum, Spin, is_among, point_about
+from freebody.questions.vectors import Group, components_of, cross, dot, place
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.state import SymbolicState, law_polynomial

@@ -10,13 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_text
+from freebody.language.sentences import Argument, Sentence
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
 
 if TYPE_CHECKING:
@@ -26,18 +27,6 @@ When = Literal["always", "start", "event", "never"]  # "never": an identity of p
 ROUND_OFF = 1e-6  # of a line, by the size of its terms
 BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
 FEWEST = 2  # random motions at which a line must have been looked at
-
-
-@dataclass(frozen=True)
-class Sentence:
-    """What is said: a key of the catalogue and what it names. A text argument is a name of the model; one that begins
-    with '@' is a word of the catalogue."""
-
-    key: str
-    args: Mapping[str, Argument] = field(default_factory=dict[str, "Argument"])
-
-
-Argument = str | int | Expr | Sentence | tuple["Argument", ...]
 
 
 @dataclass(frozen=True)

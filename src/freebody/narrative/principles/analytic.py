@@ -16,10 +16,10 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.narrative.principles.elimination import Row, Solver, Unknowns
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
+from freebody.questions.motion import rates_of
 from freebody.study.gruebler import is_driven
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel

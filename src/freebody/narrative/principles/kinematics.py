@@ -11,13 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from freebody.language.expression import Call, Expr, Symbol, multiply
+from freebody.language.expression import Expr, Symbol, multiply
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.table import Pair, Slot, Table
-from freebody.questions.motion import OfMeasure, OfPoint
+from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.tidy import tidy
@@ -235,14 +235,6 @@ class Kinematics:
 
 def _is_axis(own: _Own, axis: str) -> bool:
     return (own.y if axis == "x" else own.x).is_zero()
-
-
-def rates_of(name: str, order: int) -> Expr:
-    """x, x', x''."""
-    shown: Expr = Symbol(name)
-    for _k in range(order):
-        shown = Call("rate", shown)
-    return shown
 
 
 def total(terms: Sequence[Term], zero: Ratio) -> Ratio:

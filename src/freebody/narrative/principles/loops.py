@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from freebody.language.expression import number
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
-from freebody.narrative.principles.kinematics import rates_of
+from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

@@ -16,7 +16,8 @@ from freebody.model.elements import RateMeasure
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import Row
-from freebody.narrative.principles.kinematics import rates_of, scaled
+from freebody.narrative.principles.kinematics import scaled
+from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

@@ -21,12 +21,12 @@ from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.narrative.principles.reactions import introduce_reactions
 from freebody.narrative.principles.table import Table
-from freebody.narrative.sheets.asking import what
 from freebody.numeric.jets import Array
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
-from freebody.questions.momentum import Group, Momentum, Spin, is_among
+from freebody.questions.momentum import Momentum, Spin, is_among
 from freebody.questions.reading import Question
+from freebody.questions.vectors import Group
 from freebody.study.answer import Answer
 from freebody.study.balance import Balance, Principle
 from freebody.study.conserved import Finding, Judge
@@ -69,7 +69,7 @@ class _Part:
 
     def words(self, system: System) -> Argument:
         """What it is called."""
-        return what(self.quantity, system) or f"@{self.name}"
+        return self.quantity.sentence(system) or f"@{self.name}"
 
 
 class _Telling:
@@ -81,7 +81,7 @@ class _Telling:
         self.script: Script = context.script()
         self.judge = Judge(context.setup)
         self.known: set[str] = set()
-        self.words: Argument = what(asked.of, self.system) or f"@{asked.name}"
+        self.words: Argument = asked.of.sentence(self.system) or f"@{asked.name}"
         self.parts = self._parts(asked)
 
     def _parts(self, asked: Conserved) -> list[_Part]:

@@ -15,12 +15,12 @@ from freebody.language.expression import Call, Expr, Symbol, add, multiply, numb
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage
 from freebody.narrative.principles.analytic import energy_terms
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.instant import asked_symbol
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio

@@ -23,10 +23,10 @@ from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, Script, Sentence, Stage
 from freebody.narrative.principles.analytic import by_lagrange
 from freebody.narrative.principles.elimination import Row
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.questions.base import Quantity
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium
 from freebody.questions.small_motion import Small as SmallQuantity

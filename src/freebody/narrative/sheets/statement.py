@@ -14,11 +14,11 @@ from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import raised
 from freebody.present.report.blocks import Block, Bullets, Emphasis, Figure, Formula, Paragraph, Table, Text
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.gruebler import gruebler
 from freebody.system.system import System

@@ -9,10 +9,9 @@ from freebody.language.expression import Call, Expr, Symbol
 from freebody.model.elements import Held, RateMeasure
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Argument, Legend, Sentence
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, readable
 from freebody.narrative.space.spatial_frames import Frames
-from freebody.questions.motion import OfMeasure
+from freebody.questions.motion import OfMeasure, rates_of
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

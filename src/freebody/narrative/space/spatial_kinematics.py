@@ -21,11 +21,11 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.narrative.principles.kinematics import rates_of, scaled
+from freebody.narrative.principles.kinematics import scaled
 from freebody.narrative.principles.motion_equations import balanced, readable
 from freebody.narrative.space.spatial_angles import Angles
 from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
-from freebody.questions.motion import OfPoint, Turning
+from freebody.questions.motion import OfPoint, Turning, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio

@@ -19,9 +19,9 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage, When
-from freebody.narrative.principles.kinematics import rates_of
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
 from freebody.study.answer import Answer
