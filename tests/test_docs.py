@@ -100,7 +100,7 @@ def test_every_kind_is_in_the_readme() -> None:
 def test_the_connection_of_contributing_works_as_written() -> None:
     from freebody.connections.base import Connection
 
-    (code,) = blocks(CONTRIBUTING, "python")
+    code, _question = blocks(CONTRIBUTING, "python")
     module = types.ModuleType("freebody.connections.midpoint")
     try:
         exec(compile(code, "CONTRIBUTING.md", "exec"), module.__dict__)

@@ -27,6 +27,12 @@ class InstantCentre(Quantity, kind="instant centre"):
     body: str
     relative_to: str = GROUND
 
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
+connections: {rolls: {rolling: {body: wheel, on: floor}}}
+questions: {it: instant centre of wheel}
+"""
     measured_in = LENGTH
     is_of_pose_in_motion = True
 

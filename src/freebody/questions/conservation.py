@@ -22,6 +22,11 @@ class GeneralizedMomentum(Quantity, kind="generalized momentum"):
     coordinate: str
     conjugate_to: Dimension  # that of the coordinate
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+measures: {x: x of ball, y: y of ball}
+questions: {it: is generalized momentum of x conserved}
+"""
     may_be_conserved = True
     is_of_coordinates = True
 
@@ -45,6 +50,11 @@ class GeneralizedMomentum(Quantity, kind="generalized momentum"):
 class JacobiIntegral(Quantity, kind="jacobi integral"):
     """sum of u dL/du, minus L: the energy where nothing is driven."""
 
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {spring: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
+questions: {it: is Jacobi integral conserved}
+"""
     measured_in = ENERGY
     may_be_conserved = True
     is_of_coordinates = True
@@ -72,6 +82,11 @@ class Conserved(Quantity, kind="conserved"):
     of: Quantity
     name: str
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: is linear momentum along right conserved}
+"""
     scope = "every motion"
 
     @property

@@ -46,6 +46,12 @@ class Counted(Quantity):
 class When(Counted, kind="time"):
     """The time of the event."""
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+questions: {it: time when y = -5 m}
+"""
     measured_in = TIME
     is_of_event = True
 
@@ -60,6 +66,15 @@ class When(Counted, kind="time"):
 class EnergyLost(Counted, kind="energy lost"):
     """What dry friction has turned into heat since the start."""
 
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
+connections: {touch: {contact: {between: [ball, floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): 2 m/s}
+questions: {it: energy lost until rolling begins}
+"""
     measured_in = ENERGY
 
     @property
@@ -83,6 +98,16 @@ class Turns(Counted, kind="turns"):
 
     body: str
 
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
+connections: {touch: {contact: {between: [ball, floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): 2 m/s}
+questions: {it: turns of ball until rolling begins}
+"""
+
     @property
     def unit(self) -> str:
         return "1"
@@ -100,6 +125,16 @@ class Change(Counted, kind="change"):
 
     measure: Measure
     name: str
+
+    example = """
+ground: {lines: {floor: {along: right}}}
+bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
+connections: {touch: {contact: {between: [ball, floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {x: {travel of ball along floor}}
+start: {x: 0, rate(x): 2 m/s}
+questions: {it: change of x until rolling begins}
+"""
 
     @property
     def dimension(self) -> Dimension:

@@ -26,6 +26,11 @@ class Energy(Quantity, kind="energy"):
     what: Literal["kinetic", "potential", "total"]
     body: str | None = None
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: kinetic energy}
+"""
     measured_in = ENERGY
     may_be_conserved = True
 

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 class Freedom(Quantity, kind="degrees of freedom"):
     """Degrees of freedom."""
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+questions: {it: degrees of freedom}
+"""
     scope = "structure"
 
     @property

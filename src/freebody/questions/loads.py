@@ -24,6 +24,12 @@ class LoadForce(Quantity, kind="load"):
     load: str
     pushes_with: Dimension
 
+    example = """
+bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
+loads: {spring: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
+questions: {it: force in spring}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.pushes_with
@@ -44,6 +50,11 @@ class Power(Quantity, kind="power"):
 
     of: str
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: power of weight}
+"""
     measured_in = POWER
 
     @property
@@ -70,6 +81,12 @@ class Work(Counted, kind="work"):
 
     of: str
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {y: y of ball}
+questions: {it: work of weight until y = -5 m}
+"""
     measured_in = ENERGY
     until = "x = h"
 

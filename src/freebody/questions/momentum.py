@@ -49,6 +49,10 @@ class Momentum(Quantity, kind="linear momentum"):
     body: Group = None
     along: Direction | None = None
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+questions: {it: linear momentum of ball}
+"""
     measured_in = MOMENTUM
     may_be_conserved = True
 
@@ -98,6 +102,10 @@ class Spin(Quantity, kind="angular momentum"):
     size: bool = False
     basis: Basis | None = None
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+questions: {it: angular momentum of ball about ground.origin}
+"""
     measured_in = ANGULAR_MOMENTUM
     may_be_conserved = True
 

@@ -46,7 +46,9 @@ class OfMeasure(Quantity, kind="measure"):
     name: str
 
     example = """
-bodies: {a: {particle: {mass: m, at: [x, 0]}}}
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {push: {force: {at: ball, along: right, magnitude: 6 N}}}
+measures: {x: x of ball}
 questions: {it: acceleration of x}
 """
     may_be_conserved = True
@@ -101,6 +103,11 @@ class OfPoint(Quantity, kind="point"):
     size: bool = False
     basis: Basis | None = None
 
+    example = """
+bodies: {ball: {particle: {mass: 2 kg}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: acceleration of ball}
+"""
     may_be_conserved = True
 
     @property
@@ -140,6 +147,12 @@ class Turning(Quantity, kind="turning"):
     along: Direction | None = None
     size: bool = False
     basis: Basis | None = None
+
+    example = """
+space: true
+bodies: {wheel: {body: {mass: 1 kg, inertia: [1 kg m^2, 1 kg m^2, 2 kg m^2]}, angular_velocity: [0, 0, 3 rad/s]}}
+questions: {it: angular velocity of wheel at start}
+"""
 
     @property
     def dimension(self) -> Dimension:

@@ -23,6 +23,13 @@ class RatioOf(Quantity, kind="ratio"):
     top: Quantity
     bottom: Quantity
 
+    example = """
+ground: {points: {B: [3 m, 0]}}
+bodies: {big: {disk: {mass: 1 kg, radius: 2 m}}, small: {disk: {mass: 1 kg, radius: 1 m}, at: [3 m, 0]}}
+connections: {a: {pin: [ground.origin, big]}, b: {pin: [ground.B, small]}, belt: {gear_mesh: [big, small]}}
+questions: {it: ratio of angular velocity of small to angular velocity of big}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.top.dimension / self.bottom.dimension

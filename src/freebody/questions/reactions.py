@@ -69,6 +69,15 @@ class Multiplier(Quantity, kind="reaction component"):
     less: tuple[str, ...] = ()  # rows whose reactions are subtracted: the tension before a drum with friction
     transmits: Dimension = FORCE
 
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+questions: {it: tension of rod}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.transmits
@@ -105,6 +114,15 @@ class Wrench(Quantity, kind="reaction"):
     moment: bool = False
     about: Point | None = None
     basis: Basis | None = None
+
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+questions: {it: reaction of rod on bob}
+"""
 
     @property
     def dimension(self) -> Dimension:

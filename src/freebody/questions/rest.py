@@ -40,6 +40,15 @@ class RestLimit(AtRest, kind="limit of rest"):
     of_parameter: Dimension
     is_angle: bool = False
 
+    example = """
+parameters: {F: 20 N}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {rectangle: {mass: 20 kg, width: 0.6 m, height: 1 m}}}
+connections: {touch: {contact: {between: [block, floor], friction: 0.35}}}
+loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: right, magnitude: F}}}
+questions: {it: range of F that keeps it at rest}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.of_parameter
@@ -62,6 +71,15 @@ class FirstFailure(AtRest, kind="first failure"):
     of_parameter: Dimension
     is_angle: bool = False
 
+    example = """
+parameters: {F: 20 N}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {rectangle: {mass: 20 kg, width: 0.6 m, height: 1 m}}}
+connections: {touch: {contact: {between: [block, floor], friction: 0.35}}}
+loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: right, magnitude: F}}}
+questions: {it: does it tip or slide as F grows}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.of_parameter
@@ -75,6 +93,15 @@ class FirstFailure(AtRest, kind="first failure"):
 class Holds(AtRest, kind="holds"):
     """Whether the system stays at rest."""
 
+    example = """
+parameters: {F: 20 N}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {rectangle: {mass: 20 kg, width: 0.6 m, height: 1 m}}}
+connections: {touch: {contact: {between: [block, floor], friction: 0.35}}}
+loads: {weight: {gravity: 9.81 m/s^2}, pull: {force: {at: block, along: right, magnitude: F}}}
+questions: {it: does it hold}
+"""
+
 
 @dataclass(frozen=True)
 class ReactionRange(AtRest, kind="range of a reaction"):
@@ -84,6 +111,16 @@ class ReactionRange(AtRest, kind="range of a reaction"):
     rows: tuple[str, ...]
     reaction: str
     transmits: Dimension
+
+    example = """
+ground: {lines: {floor: {along: right}, wall: {along: up, through: [0, 0]}}}
+bodies: {ladder: {rod: {mass: 12 kg, length: 4 m}, angle: 65 deg}}
+connections:
+  floor: {contact: {between: [ladder, ground.floor], friction: 0.4}}
+  wall: {contact: {between: [ladder, ground.wall], friction: 0.4}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: {it: range of normal force of wall}
+"""
 
     @property
     def dimension(self) -> Dimension:

@@ -21,6 +21,14 @@ class Small(Quantity, kind="small oscillations"):
 
     what: Literal["frequencies", "frequency", "period"]
 
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+questions: {it: period of small oscillations}
+"""
     scope = "small motion"
     is_about_stable = True
 
@@ -47,6 +55,14 @@ class Equilibrium(Quantity, kind="equilibrium"):
     measure: Measure
     name: str
 
+    example = """
+bodies: {bob: {particle: {mass: 1 kg}}}
+connections: {rod: {link: [ground.O, bob, 1 m]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+measures: {theta: {angle of line from ground.O to bob from down}}
+start: {theta: 60 deg}
+questions: {it: equilibrium of theta}
+"""
     scope = "small motion"
 
     @property

@@ -38,6 +38,19 @@ class SteadyValue(Steady, kind="steady value"):
 
     of: Quantity
 
+    example = """
+space: {up: z}
+bodies:
+  top:
+    body: {mass: 0.5 kg, inertia: [8e-4 kg m^2, 8e-4 kg m^2, 5e-4 kg m^2]}
+    points: {tip: [0, 0, -0.06 m]}
+    turned: [psi about z, theta about x, phi about z]
+connections: {tip: {spherical: [ground.O, top.tip]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+start: {psi: 0, theta: 30 deg, phi: 0, rate(psi): 0, rate(theta): 0, rate(phi): 200 rad/s}
+questions: {it: rate of psi in steady motion}
+"""
+
     @property
     def dimension(self) -> Dimension:
         return self.of.dimension
@@ -57,6 +70,13 @@ class Extremes(Steady, kind="extremes"):
 
     of: Quantity
     over: str | None
+
+    example = """
+bodies: {crank: {rod: {mass: 1 kg, length: 1 m}}}
+connections: {a: {pin: [ground.origin, crank.start]}}
+measures: {theta: angle of crank, y: y of crank.end}
+questions: {it: extremes of y over a turn of theta}
+"""
 
     @property
     def dimension(self) -> Dimension:
@@ -78,6 +98,11 @@ class SpinStability(Steady, kind="stability of a spin"):
     body: str
     axis: Axis
 
+    example = """
+space: true
+bodies: {brick: {body: {mass: 1 kg, inertia: [1 kg m^2, 2 kg m^2, 3 kg m^2]}}}
+questions: {it: stability of the spin of brick about y}
+"""
     measured_in = PER_TIME_SQUARED
     is_verdict = True
 
@@ -86,6 +111,18 @@ class SpinStability(Steady, kind="stability of a spin"):
 class SteadyStability(Steady, kind="stability of steady motion"):
     """Whether a small disturbance of the steady motion at the start grows: the squares of its exponents."""
 
+    example = """
+space: {up: z}
+bodies:
+  top:
+    body: {mass: 0.5 kg, inertia: [8e-4 kg m^2, 8e-4 kg m^2, 5e-4 kg m^2]}
+    points: {tip: [0, 0, -0.06 m]}
+    turned: [alpha about x, beta about y, phi about z]
+connections: {tip: {spherical: [ground.O, top.tip]}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+start: {alpha: 0, beta: 0, phi: 0, rate(alpha): 0, rate(beta): 0, rate(phi): 200 rad/s}
+questions: {it: stability of steady motion}
+"""
     measured_in = PER_TIME_SQUARED
     is_verdict = True
 

@@ -94,9 +94,10 @@ SpecT = TypeVar("SpecT", bound=Spec)
 
 
 def register_kinds() -> None:
-    """Imports every file of connections, loads and shapes, each of which registers its kind."""
+    """Imports every file of connections, loads, questions and shapes, each of which registers its kind."""
     import_module("freebody.connections")
     import_module("freebody.loads")
+    import_module("freebody.questions")
     import_module("freebody.model.composite")
 
 

@@ -120,7 +120,7 @@ def _moved(s: Snapshot, h: float) -> Snapshot:
     return s.reference.snapshot(q, s.v + h * s.accelerations, s.t + h, near=s)
 
 
-def _equal(found: float, expected: float, what: str, *, relative: float, absolute: float) -> None:
+def equal(found: float, expected: float, what: str, *, relative: float, absolute: float) -> None:
     gap = abs(found - expected)
     assert gap <= max(relative * abs(expected), absolute), f"seed {SEED}: {what} is {found!r}, expected {expected!r}"
 
@@ -175,7 +175,7 @@ def gradient_is_the_finite_difference_of_the_measure(kind: str) -> None:
                     for h in (STEP, -STEP)
                 )
                 difference = (ahead - behind) / (2 * STEP)
-            _equal(exact[k], difference, f"slope of {row.name} along {k}", relative=1e-7, absolute=1e-8)
+            equal(exact[k], difference, f"slope of {row.name} along {k}", relative=1e-7, absolute=1e-8)
 
 
 @_of_connections
@@ -185,7 +185,7 @@ def acceleration_is_the_finite_difference_of_the_rate_along_the_motion(kind: str
     for row in own_rows(s.reference.system):
         ahead, behind = (_moved(s, h).rate(row.measure) for h in (STEP, -STEP))
         difference = (ahead - behind) / (2 * STEP)
-        _equal(s.acceleration(row.measure), difference, f"acceleration of {row.name}", relative=1e-6, absolute=1e-5)
+        equal(s.acceleration(row.measure), difference, f"acceleration of {row.name}", relative=1e-6, absolute=1e-5)
 
 
 @_of_connections
@@ -225,7 +225,7 @@ def both_routes_give_the_same_reactions(kind: str) -> None:
         form = setup.state.multiplier(row)
         for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
             (value,) = element_at(setup, form, draw, snapshot)
-            _equal(value, snapshot.multiplier(row), f"reaction of {row.name}", relative=1e-8, absolute=1e-8)
+            equal(value, snapshot.multiplier(row), f"reaction of {row.name}", relative=1e-8, absolute=1e-8)
 
 
 @_of_connections
@@ -275,8 +275,8 @@ def load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
         for k in range(len(s.q)):
             moved = (s.q + h * np.eye(len(s.q))[k] for h in (STEP, -STEP))
             ahead, behind = (s.reference.snapshot(q, s.v, s.t, near=s).value(push.measure) for q in moved)  # type: ignore[arg-type]
-            _equal(row[k], (ahead - behind) / (2 * STEP), f"slope of {push.name}", relative=1e-7, absolute=1e-8)
-        _equal(s.rate(push.measure), float(row @ s.v), f"rate of {push.name}", relative=1e-12, absolute=1e-12)
+            equal(row[k], (ahead - behind) / (2 * STEP), f"slope of {push.name}", relative=1e-7, absolute=1e-8)
+        equal(s.rate(push.measure), float(row @ s.v), f"rate of {push.name}", relative=1e-12, absolute=1e-12)
 
 
 def _gradient(s: Snapshot, measure: Any) -> Array:
@@ -305,7 +305,7 @@ def both_routes_give_the_same_force(kind: str) -> None:
         form = setup.state.law(push)
         for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
             (value,) = element_at(setup, form, draw, snapshot)
-            _equal(value, snapshot.law(push), f"force of {push.name}", relative=1e-10, absolute=1e-10)
+            equal(value, snapshot.law(push), f"force of {push.name}", relative=1e-10, absolute=1e-10)
 
 
 @_of_loads
@@ -317,7 +317,7 @@ def power_is_minus_the_rate_of_the_stored_energy(kind: str) -> None:
     behind, ahead = (s.reference.snapshot(s.q + h * s.v, s.v, s.t + h, near=s) for h in (-STEP, STEP))
     for push in s.reference.system.pushes:
         fall = (behind.potential(push) - ahead.potential(push)) / (2 * STEP)
-        _equal(s.law(push) * s.rate(push.measure), fall, f"power of {push.name}", relative=1e-6, absolute=1e-7)
+        equal(s.law(push) * s.rate(push.measure), fall, f"power of {push.name}", relative=1e-6, absolute=1e-7)
 
 
 @_of_loads
@@ -331,7 +331,7 @@ def total_energy_is_constant_along_the_motion(kind: str) -> None:
         return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.pushes)
 
     end = s.reference.integrate(s, s.t + 1.0).snapshots[-1]
-    _equal(energy(end), energy(s), "total energy after a second", relative=1e-9, absolute=0.0)
+    equal(energy(end), energy(s), "total energy after a second", relative=1e-9, absolute=0.0)
 
 
 # -- integrators ------------------------------------------------------------------------------

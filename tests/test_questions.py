@@ -1,0 +1,144 @@
+"""Kinds of questions: what all of them pass, and that nobody else keeps a list of them."""
+
+from __future__ import annotations
+
+import ast
+import json
+import sys
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+import freebody.questions
+from freebody.questions.base import FORMS, Quantity
+from freebody.system.reader import register_kinds
+from freebody.testing.questions import QUESTION_CHECKS, check_question
+from test_docs import CONTRIBUTING, blocks
+
+register_kinds()
+
+
+@pytest.mark.parametrize("kind", sorted(Quantity.kinds))
+@pytest.mark.parametrize("check", QUESTION_CHECKS)
+def test_question(check: str, kind: str) -> None:
+    QUESTION_CHECKS[check](kind)
+
+
+# -- a kind of one's own ----------------------------------------------------------------------
+@pytest.fixture
+def closing_speed(tmp_path: Path) -> Iterator[str]:
+    """The kind of question that CONTRIBUTING.md adds, from a folder that stands beside the package's own."""
+    _connection, code = blocks(CONTRIBUTING, "python")
+    (tmp_path / "closing_speed.py").write_text(code, encoding="utf-8")
+    forms = list(FORMS)
+    freebody.questions.__path__.append(str(tmp_path))
+    try:
+        import_module("freebody.questions.closing_speed")
+        yield "closing speed"
+    finally:
+        freebody.questions.__path__.remove(str(tmp_path))
+        sys.modules.pop("freebody.questions.closing_speed", None)
+        Quantity.kinds.pop("closing speed", None)
+        FORMS[:] = forms
+
+
+def test_the_question_of_contributing_works_everywhere_as_written(closing_speed: str, tmp_path: Path) -> None:
+    check_question(closing_speed)
+    # r = (3, 4) m and v = (1, 0) m/s: the distance grows with r.v/|r| = 3/5 m/s
+    system = fb.System.from_text(Quantity.kinds[closing_speed].example)
+    answer = system.solve()["it"]
+    assert answer.value == pytest.approx(-0.6)
+    assert answer.unit == "m/s"
+    assert json.loads(json.dumps(answer.to_plain()))["value"] == pytest.approx(-0.6)
+    german = system.explain(language="de")
+    assert german.is_complete
+    assert "closing speed of ground.origin and ball" in german.to_text()
+    (page,) = german.write(tmp_path / "page.html")
+    assert page.is_file()
+    # a ratio, and an event: what is made of quantities takes it as any other
+    assert system.solve("ratio of closing speed of ground.origin and ball to speed of ball at start")["q1"].value == (
+        pytest.approx(-0.6)
+    )
+    with pytest.raises(fb.ModelError, match="Did you mean: closing speed of POINT and POINT"):
+        system.solve("closng speed of ball and ball")
+
+
+# -- no list of kinds -------------------------------------------------------------------------
+QUANTITIES = {"q", "quantity", "asked", "of"}  # what quantities are called
+# Assertions that tell the type checker what the scope "every motion" means: the one kind that has this scope
+ASSERTED = {"narrative/questions/conserving.py": 1, "study/conserved.py": 1}
+
+
+def names_in(node: ast.AST) -> set[str]:
+    return {
+        n.id if isinstance(n, ast.Name) else n.attr for n in ast.walk(node) if isinstance(n, (ast.Name, ast.Attribute))
+    }
+
+
+def n_tests_on_kinds(tree: ast.Module) -> int:
+    """How often a module asks what kind a question is: by isinstance, by a class pattern, by the type, by a table of
+    classes, or by the name of the kind."""
+    kinds = {cls.__name__ for cls in Quantity.kinds.values()}
+    known = {
+        alias.asname or alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and str(node.module).startswith("freebody.questions.")
+        for alias in node.names
+        if alias.name in kinds
+    }
+    for node in ast.walk(tree):  # a tuple of kinds under a name
+        if (
+            isinstance(node, ast.Assign)
+            and isinstance(node.value, (ast.Tuple, ast.BinOp))
+            and names_in(node.value) & known
+        ):
+            known |= {t.id for t in node.targets if isinstance(t, ast.Name)}
+
+    def asks(node: ast.AST) -> bool:
+        if (
+            isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Name)
+            and node.func.id in ("isinstance", "issubclass")
+        ):
+            return bool(names_in(node.args[1]) & known)
+        if isinstance(node, ast.MatchClass):
+            return bool(names_in(node.cls) & known)
+        if isinstance(node, ast.Dict):
+            return any(names_in(key) & known for key in node.keys if key is not None and not isinstance(key, ast.Call))
+        if isinstance(node, ast.Compare):
+            sides = (node.left, *node.comparators)
+            if any(isinstance(s, ast.Attribute) and s.attr == "kind" and names_in(s) & QUANTITIES for s in sides):
+                return True
+            return any(isinstance(s, ast.Name) and s.id in known for s in sides)
+        return False
+
+    return sum(map(asks, ast.walk(tree)))
+
+
+def test_only_the_room_of_questions_knows_their_kinds() -> None:
+    root = Path(fb.__file__).parent
+    found: dict[str, int] = {}
+    for path in sorted(root.rglob("*.py")):
+        place = path.relative_to(root).as_posix()
+        n = 0 if place.startswith("questions/") else n_tests_on_kinds(ast.parse(path.read_text(encoding="utf-8")))
+        if n:
+            found[place] = n
+    assert found == ASSERTED
+
+
+def test_the_count_sees_every_way_to_test_on_a_kind() -> None:
+    source = """
+from freebody.questions.energy import Energy as E
+from freebody.questions.course import When
+BOTH = (E, When)
+def f(q):
+    if isinstance(q, E) or isinstance(q, BOTH) or type(q) is When or q.kind == "energy":
+        return {E: 1}[type(q)]
+    match q:
+        case When():
+            return 2
+"""
+    assert n_tests_on_kinds(ast.parse(source)) == 6
