@@ -201,6 +201,11 @@ class Quantity:
         return False
 
     @property
+    def is_moment(self) -> bool:
+        """Whether it has an axis and a sense about it: in the plane its one number changes sign in a mirror."""
+        return False
+
+    @property
     def kinematic_order(self) -> int | None:
         """The order of derivatives from which geometry alone gives it: 0 pose, 1 velocities, 2 accelerations; None for
         what needs masses or forces."""

@@ -114,6 +114,10 @@ questions: {it: angular momentum of ball about ground.origin}
         return "angular"
 
     @property
+    def is_moment(self) -> bool:
+        return True
+
+    @property
     def letter(self) -> str:
         return "H"
 

@@ -134,6 +134,10 @@ questions: {it: reaction of rod on bob}
     def may_jump(self) -> bool:
         return True
 
+    @property
+    def is_moment(self) -> bool:
+        return self.moment
+
     def remark(self, system: Described) -> str:
         what = "moment" if self.moment else "force"
         return f"the {what} that {self.connection} exerts on {self.body(system)}"

@@ -18,8 +18,6 @@ from freebody.errors import FreebodyError
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_unit
-from freebody.questions.momentum import Spin
-from freebody.questions.reactions import Wrench
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.solve import Solution
@@ -178,10 +176,9 @@ def _sense(question: Question, values: Sequence[Any], reading: Reading) -> tuple
     if not reading.mirrored:
         return (1,) * len(values)
     q = question.quantity
-    turns = isinstance(q, Spin) or (isinstance(q, Wrench) and q.moment)
     if len(values) == 1:
-        return (-1 if turns else 1,)
-    is_vector = len(values) == 2 and not isinstance(question.quantity, Small)
+        return (-1 if q.is_moment else 1,)
+    is_vector = len(values) == 2 and q.scope != "small motion"
     return (1, -1) if is_vector else (1,) * len(values)
 
 
