@@ -111,8 +111,9 @@ def _centre(pair: tuple[str, str], motion: Array, size: float) -> Centre:
         return Centre(pair, (-dy / w + 0.0, dx / w + 0.0))
     if speed <= STILL * size:
         return Centre(pair, is_undetermined=True)
-    sign = -1.0 if (dy, dx) > (0.0, 0.0) else 1.0
-    return Centre(pair, direction=(-sign * dy / speed + 0.0, sign * dx / speed + 0.0))
+    x, y = (0.0 if abs(e) <= STILL else e for e in (-dy / speed, dx / speed))
+    sign = -1.0 if (x, y) < (0.0, 0.0) else 1.0  # either end of the line across the motion is as far away: the right one
+    return Centre(pair, direction=(sign * x + 0.0, sign * y + 0.0))
 
 
 def velocity_ratios(system: System, snapshot: Snapshot, input: str | Measure) -> dict[str, VelocityRatio]:
