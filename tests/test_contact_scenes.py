@@ -75,6 +75,7 @@ def test_four_things_thrown_at_each_other(seed: int) -> None:
         (3, 559, "a particle against a corner"),
         (3, 1042, "a slip rate of round-off with the wrong sign"),
         (4, 101, "a particle on a rod, which has two sides"),
+        (4, 404, "a contact that pushes nothing, which no other row keeps closed"),
         (4, 135, "a ball passes near a corner within one step"),
         (6, 204, "a gap is pushed below zero where another one is closed"),
         (6, 215, "more modes than can be tried"),

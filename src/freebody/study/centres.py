@@ -112,7 +112,9 @@ def _centre(pair: tuple[str, str], motion: Array, size: float) -> Centre:
     if speed <= STILL * size:
         return Centre(pair, is_undetermined=True)
     x, y = (0.0 if abs(e) <= STILL else e for e in (-dy / speed, dx / speed))
-    sign = -1.0 if (x, y) < (0.0, 0.0) else 1.0  # either end of the line across the motion is as far away: the right one
+    sign = (
+        -1.0 if (x, y) < (0.0, 0.0) else 1.0
+    )  # either end of the line across the motion is as far away: the right one
     return Centre(pair, direction=(sign * x + 0.0, sign * y + 0.0))
 
 

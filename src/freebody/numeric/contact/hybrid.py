@@ -48,7 +48,10 @@ class Hybrid:
         self.several: float | None = None  # when first several outcomes were consistent
         self.ahead: tuple[float, float] | None = None  # when the most energy was there for a moment, and how much
         self.shared: dict[str, None] = {}  # dry friction that is pressed by reactions that are not unique
-        self.is_pulling = False  # whether a contact would have to pull for the rule, and carries nothing
+        self.yielding: dict[
+            ModeOf, None
+        ] = {}  # modes in which a contact would have to pull for it, and carries nothing
+        self.stiff: set[ModeOf] = set()  # modes in which letting such a contact go does not hold the others
         self.is_arbitrary = False  # whether they were ever shared otherwise than by the rule
 
     def run(
@@ -111,6 +114,8 @@ class Hybrid:
                     partial(self._lasts, mode) if is_soft else None,
                 ),
             )
+            if course.status in (Status.UNREACHABLE, Status.SINGULAR) and self._takes_back(engine, mode):
+                continue
             if course.status is Status.UNREACHABLE and again is not None:
                 # slips that had nearly stopped go on, and gaps that nothing can close any more stay as they are
                 forbidden += [("closed", k, None) for k in self._not_closing(mode, now)]
@@ -244,17 +249,30 @@ class Hybrid:
         if not found or not self._matters(engine, mode, free, found):
             return
         self.shared |= dict.fromkeys(b.drags[k].rub.row.connection for k in found)
+        if mode in self.stiff:
+            return
         engine.share_by_compliance()
         _accelerations, multipliers = engine.evaluate(y, t)
         pushing = {row_of[b.barriers[k].place]: b.barriers[k].sign for k in mode.closed}
         idle = _idle(multipliers, sets / sizes[:, None], 1.0 / engine.scale_of_held, pushing)
         if idle:
             engine.share_by_compliance(idle)
-            self.is_pulling = True
+            self.yielding[mode] = None
         elif idle is None:
             engine.layout, engine.is_shared = engine.unshared, False  # no distribution at all would do
             self.is_arbitrary = True
         engine.evaluate(y, t)
+
+    def _takes_back(self, engine: Engine, mode: ModeOf) -> bool:
+        """Whether contacts that carry nothing had been let go in a mode: from now on all of them are held again. Where
+        such a contact closes by more than round-off nothing else keeps it, and no pose would."""
+        if mode not in self.yielding:
+            return False
+        del self.yielding[mode]
+        self.stiff.add(mode)
+        engine.layout, engine.is_shared = engine.unshared, False
+        self.is_arbitrary = True
+        return True
 
     def _matters(self, engine: Engine, mode: ModeOf, free: dict[int, Floats], found: list[int]) -> bool:
         """Whether friction as a whole depends on the sharing: not where all that presses rubs along one line with one
@@ -314,10 +332,10 @@ class Hybrid:
             message = f"{message}; {said}" if message else said
         if self.shared:
             how = "they are shared as if all joints yielded alike, and the motion depends on it"
-            if self.is_pulling:
+            if self.yielding:
                 how += "; a contact that would have to pull for that carries nothing"
             if self.is_arbitrary:
-                how += "; where contacts would have to pull however they are shared, it is by the order of the rows"
+                how += "; where that leaves a contact that pulls or opens, it is by the order of the rows"
             said = (
                 f"the reactions that press the dry friction of {', '.join(sorted(self.shared))} are not unique in a "
                 f"rigid model; {how}"
