@@ -8,12 +8,20 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
+from pathlib import Path
 
 from freebody.numeric.engine import enclosures
 from freebody.study.simulate import Simulator
 from freebody.system.system import System
 
-MODEL = "bodies: {p: {particle: {mass: 1 kg}}}\nconnections: {g: {slider: {body: p, along: right}}}\n"
+# measures that count turns, which need a kernel of their own
+PLANE = """
+ground: {points: {O: [0, 0]}}
+bodies: {p: {particle: {mass: 1 kg}, at: [1 m, 0]}}
+connections: {g: {slider: {body: p, along: right}}}
+measures: {u: angle of line from ground.O to p}
+"""
+SPACE = (Path(__file__).parents[1] / "examples" / "spinning_top.yaml").read_text()
 
 
 def compile_motions(text: str) -> None:
@@ -22,9 +30,9 @@ def compile_motions(text: str) -> None:
 
 if __name__ == "__main__":
     if sys.argv[1] == "plane":
-        compile_motions(MODEL)
+        compile_motions(PLANE)
         for name in ("near", "marching"):
             import_module(f"freebody.numeric.timestepping.{name}")
     else:
         enclosures.kernels()
-        compile_motions("space: true\nbodies: {p: {particle: {mass: 1 kg}}}\n")
+        compile_motions(SPACE)

@@ -21,7 +21,7 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Direction, Point
 from freebody.measures.lead import Lead
 from freebody.numeric.engine import tape
-from freebody.numeric.engine.course import Tracks
+from freebody.numeric.engine.course import NO_TRACKS
 from freebody.numeric.engine.engine import Engine, Observer
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.tapes import Tapes
@@ -128,7 +128,7 @@ def _instant(y: np.ndarray, observer: Observer, a: np.ndarray) -> object:
         poses = observer.parts(y)[0][None]
         velocities = observer.parts(y)[1][None]
         accelerations = np.vstack((a.reshape(3, 3), np.zeros(3)))[None]
-        tracks = Tracks.of({}, [])
+        tracks = NO_TRACKS
 
     return Instant()
 

@@ -74,8 +74,8 @@ class Border(Protocol):
         """States (n_times, n_y) and accelerations (n_times, n_coordinates) as a course has them."""
         ...
 
-    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int]) -> float:
-        """The largest angle by which one of some bodies turns between two states [rad]."""
+    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int] | None = None) -> Floats:
+        """(...) the largest angle by which one of some bodies, or of all, turns between two states (..., n_y) [rad]."""
         ...
 
     def pose_rates(self) -> Floats:
@@ -122,9 +122,9 @@ class PlaneBorder:
             states[:, :n].reshape(shape), states[:, n : 2 * n].reshape(shape), accelerations.reshape(shape), None
         )
 
-    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int]) -> float:
-        at = [3 * k + 2 for k in bodies]
-        return float(np.abs(after[at] - before[at]).max(initial=0.0))
+    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int] | None = None) -> Floats:
+        at = slice(2, self.n_coordinates, 3) if bodies is None else [3 * k + 2 for k in bodies]
+        return np.abs(after[..., at] - before[..., at]).max(axis=-1, initial=0.0)
 
     def pose_rates(self) -> Floats:
         return np.eye(self.n_coordinates)
@@ -195,9 +195,11 @@ class SpaceBorder:
         )
         return Track(q[:, :, :3].copy(), v[:, :, :3].copy(), a[:, :, :3].copy(), rotation)
 
-    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int]) -> float:
-        change = (after - before)[2 * self.n_coordinates + 1 :].reshape(-1, 4)[list(bodies)]
-        return 2.0 * float(np.linalg.norm(change, axis=1).max(initial=0.0))
+    def largest_turn(self, before: Floats, after: Floats, bodies: Sequence[int] | None = None) -> Floats:
+        change = (after - before)[..., 2 * self.n_coordinates + 1 :]
+        change = change.reshape(*change.shape[:-1], -1, 4)
+        change = change if bodies is None else change[..., list(bodies), :]
+        return 2.0 * np.sqrt((change**2).sum(axis=-1).max(axis=-1, initial=0.0))
 
     def pose_rates(self) -> Floats:
         return np.diag(np.tile([1.0] * 3 + [0.0] * 3, self.n_bodies + 1))

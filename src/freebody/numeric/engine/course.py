@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -54,12 +54,6 @@ class Tracks:
     times: Floats
     bearings: Floats  # (n_steps, n_measures)
 
-    @classmethod
-    def of(cls, keys: Mapping[Any, int], steps: Sequence[tuple[float, Floats]]) -> Tracks:
-        if not steps:
-            return cls({}, np.zeros(0), np.zeros((0, 0)))
-        return cls(keys, np.array([t for t, _b in steps]), np.array([b for _t, b in steps]))
-
     def column(self, key: Any) -> Floats:
         """(n_steps,) bearings of a measure."""
         return self.bearings[:, self.keys[key]]
@@ -71,6 +65,9 @@ class Tracks:
         after = np.minimum(after, len(self.times) - 1)
         is_before = times - self.times[before] < self.times[after] - times
         return [int(i) for i in np.where(is_before, before, after)]
+
+
+NO_TRACKS = Tracks({}, np.zeros(0), np.zeros((0, 0)))  # of a motion in which nothing is counted
 
 
 @dataclass(frozen=True)

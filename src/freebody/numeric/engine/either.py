@@ -13,13 +13,15 @@ from typing import Any
 from freebody.numeric.engine.jit import OF_SPACE, Function, entry
 from freebody.numeric.engine.layout import Layout, Room, example_of
 
-_entry_of_space = partial(entry, more=OF_SPACE, what="motions in space")
 _LAYOUT = example_of(Layout)
 _PLANAR, _SPATIAL = example_of(Room), example_of(Room, space=True)
 
 
-def of_either(*arguments: Any) -> Callable[[Function], Function]:
-    """An entry that takes a layout, a room, and arguments of the types of the given examples."""
+def of_either(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], Function]:
+    """An entry that takes a layout, a room, and arguments of the types of the given examples. more: sources besides
+    those of the engine from which it is compiled."""
+
+    of_space = partial(entry, more=(*OF_SPACE, *more), what="motions in space")
 
     def decorated(function: Function) -> Function:
         in_plane: Function | None = None
@@ -28,9 +30,9 @@ def of_either(*arguments: Any) -> Callable[[Function], Function]:
         def called(layout: Layout, room: Room, *rest: Any) -> Any:
             nonlocal in_plane, in_space
             if room.frames is None:
-                in_plane = in_plane or entry(_LAYOUT, _PLANAR, *arguments)(function)
+                in_plane = in_plane or entry(_LAYOUT, _PLANAR, *arguments, more=more)(function)
                 return in_plane(layout, room, *rest)
-            in_space = in_space or _entry_of_space(_LAYOUT, _SPATIAL, *arguments)(function)
+            in_space = in_space or of_space(_LAYOUT, _SPATIAL, *arguments)(function)
             return in_space(layout, room, *rest)
 
         return called

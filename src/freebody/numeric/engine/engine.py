@@ -16,6 +16,7 @@ from freebody.model.elements import RATE, VALUE, RateMeasure
 from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Course
+from freebody.numeric.engine.following import follow
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, Layout, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
@@ -117,7 +118,12 @@ class Packed:
 
     def near(self) -> Floats:
         """The bearings from which turns are counted."""
-        return self.room.measures[:, NEAR].copy()
+        return self.near_view.copy()
+
+    @property
+    def near_view(self) -> Floats:
+        """The same, as they stand in the room."""
+        return self.room.measures[:, NEAR]
 
     def count_from(self, near: Floats) -> None:
         """Counts turns from given bearings."""
@@ -138,6 +144,7 @@ def packed(numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Me
         packing.hold(row)
     for push in numbers.system.pushes:
         packing.push(push)
+    packing.reads_turns = bool(packing.keys())
     for watch in watches:
         packing.watch(watch.measure)
     for measure in tracked:
@@ -189,6 +196,7 @@ class Engine(Packed):
         self.watches = tuple(watches)
         packing = packed(numbers, watches, tracked) if mode is None else mode.written.packing
         self.is_tracked = bool(tracked) and bool(packing.keys())
+        self.reads_turns = packing.reads_turns  # whether the motion depends on turns
         super().__init__(numbers, packing, mode)
         self.held = [packing.held[k].held for k in (range(len(packing.held)) if mode is None else mode.held)]
         self.pushes = [push for _where, push, _linear, _works in packing.pushed]
@@ -315,6 +323,8 @@ class Engine(Packed):
             stepping.patrol(self.layout, self.room, idle, np.zeros(0), 0.0, idle.states[0], *tables)
         if is_guarded or self.watches:
             enclosures.kernels()
+        if self.is_tracked:
+            follow(self.layout, self.room, np.zeros(0), np.zeros((0, self.n_y)), np.zeros((0, 0)))
 
     def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> Run:
         n_all = len(tableau.a)

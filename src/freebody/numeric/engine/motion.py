@@ -11,7 +11,8 @@ import numpy as np
 
 from freebody.language.expression import free_symbols, has_jump
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.course import Course, Happening, Status, Tracks
+from freebody.numeric.engine.counting import Counting
+from freebody.numeric.engine.course import NO_TRACKS, Course, Happening, Status
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine, Watch
     from freebody.numeric.engine.search import Search
 
-TURN = 0.5  # [rad] of a body, in which bearings are counted on
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
 
@@ -59,7 +59,7 @@ class Motion:
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
         self.searches: list[Search] = []  # of what is watched
         self.notes: list[str] = []
-        self.tracks: list[tuple[float, Floats]] = []
+        self.counting: Counting | None = None
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Happening] = []
         self.implicit: Implicit | None = None
@@ -102,8 +102,8 @@ class Motion:
                     size = max(16, min(1_000_000, int(size * min(4.0, CHUNK / max(took, 1e-6)))))
                     if progress is not None:
                         progress(float(clock[stepping.NOW]), int(count[stepping.STEPS]))
-                    if result == stepping.LOOK:
-                        self._track()
+                    if result == stepping.LOOK and self.counting is not None:
+                        self.counting.add()
                     if result == stepping.LOOK and self._look():
                         status = Status.EVENT
                         if self.violation is None:
@@ -129,28 +129,6 @@ class Motion:
             note = f"{note}; {loose}" if note else loose
         message = "; ".join(part for part in (message, note, *self.notes) if part)
         return self._collected(status, message, time.perf_counter() - began)
-
-    def _track(self) -> None:
-        """Counts the turns of bearings through the last step, in parts so short that no body turns by much in one: from
-        its ends alone a step of several turns cannot be told from a short one."""
-        e, run = self.engine, self.run
-        if not e.is_tracked:
-            return
-        n_parts = 1
-        if self.tracks:
-            states = run.states
-            turned = e.border.largest_turn(states[stepping.OLD], states[stepping.Y], range(e.n_bodies))
-            n_parts = max(1, math.ceil(turned / TURN))
-        if n_parts > 1:
-            e.count_from(self.tracks[-1][1])
-            y, t0, h = np.zeros(e.n_y), float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
-            for s in np.linspace(0.0, 1.0, n_parts + 1)[1:-1].tolist():
-                stepping.visit(e.layout, e.room, run, s, y, t0 + s * h, self._slope, 0)
-                e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
-                self.tracks.append((t0 + s * h, e.near()))
-            stepping.visit(e.layout, e.room, run, 1.0, y, t0 + h, self._slope, 0)
-            e.room.measures[:, NEAR] = e.room.measures[:, BEARING]
-        self.tracks.append((float(run.clock[stepping.NOW]), e.near()))
 
     def _advance(self, n: int) -> int:
         e = self.engine
@@ -189,7 +167,10 @@ class Motion:
         if clock[stepping.STEP] == 0.0:
             clock[stepping.STEP] = h if is_adaptive else h / 1000.0
         self._store_start()
-        self._track()
+        if e.is_tracked:
+            is_read = e.reads_turns or bool(e.watches) or self.patrol is not None
+            self.counting = Counting(e, run, is_read=is_read)
+            self.counting.begin()
         if e.watches:
             self._begin_searches()
         return True
@@ -316,6 +297,7 @@ class Motion:
     # -- the result ---------------------------------------------------------------------------
     def _collected(self, status: Status, message: str, wall: float) -> Course:
         e, run, n = self.engine, self.run, self.engine.n_coordinates
+        tracks = NO_TRACKS if self.counting is None else self.counting.tracks()
         k = int(run.count[stepping.OUTPUTS])
         now = float(run.clock[stepping.NOW])
         times = [float(t) for t in run.out_t[:k]]
@@ -363,7 +345,7 @@ class Motion:
             motion_gap=float(run.clock[stepping.MOTION_GAP]),
             last_step=float(run.clock[stepping.STEP]),
             method=self.method,
-            tracks=Tracks.of(e.turning, self.tracks),
+            tracks=tracks,
             near=e.room.measures[:, NEAR].copy(),
             violated=-1 if self.violation is None else self.violation.guard,
             rotation=track.rotation,

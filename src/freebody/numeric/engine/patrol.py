@@ -187,8 +187,8 @@ class Patrol:
         states = self.motion.run.states
         n_parts = 0
         if self._is_force.any():
-            largest = self.motion.engine.border.largest_turn(
-                states[stepping.OLD], states[stepping.Y], self.guarding.turning
+            largest = float(
+                self.motion.engine.border.largest_turn(states[stepping.OLD], states[stepping.Y], self.guarding.turning)
             )
             n_parts = max(N_PARTS, min(MOST_PARTS, int(largest / TURN) + 1))
         if n_parts + 1 != len(self._parts):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import InputError
 from freebody.measures.base import Measure
-from freebody.numeric.engine.course import Course, Status, Tracks
+from freebody.numeric.engine.course import NO_TRACKS, Course, Status
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import NEAR
 from freebody.numeric.engine.motion import stopped
@@ -304,7 +304,7 @@ class _Run:
             motion_gap=0.0,
             last_step=self.step,
             method="moreau",
-            tracks=Tracks.of({}, []),
+            tracks=NO_TRACKS,
             near=packed.room.measures[:, NEAR].copy(),
         )
         return Stepped(

@@ -1,0 +1,97 @@
+"""Turns of bearings counted along a motion.
+
+A bearing is known but for whole turns; it is counted on from its last value, so from one look to the next it must
+change by less than half a turn. From the ends of a step alone several turns cannot be told from a short way: where
+bodies turn far in a step, bearings are followed through parts of it, by its dense output.
+
+Looking back costs little where many steps are looked at together. That is done where nothing in the motion itself
+depends on the count: steps are kept until a batch of them is full.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freebody.numeric.engine import stepping
+from freebody.numeric.engine.course import Tracks
+from freebody.numeric.engine.following import follow
+from freebody.numeric.engine.layout import Floats
+
+if TYPE_CHECKING:
+    from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.engine.stepping import Run
+
+TURN = 0.5  # [rad] of a body, in which bearings are counted on
+BATCH = 128  # steps
+
+
+class Counting:
+    """The turns of the bearings of an engine along one run."""
+
+    def __init__(self, engine: Engine, run: Run, *, is_read: bool) -> None:
+        """is_read: whether the motion depends on the count, so that it is wanted after every step."""
+        self.engine, self.run = engine, run
+        n_kept = 1 if is_read else BATCH
+        n_terms, n_y = run.dense.shape
+        self._old = np.empty((n_kept, n_y))
+        self._dense = np.empty((n_kept, n_terms, n_y))
+        self._clock = np.empty((n_kept, len(run.clock)))
+        self._near = np.empty((n_kept, len(engine.room.measures)))  # after a step, as the steps alone count
+        self._last = run.states[stepping.OLD], run.dense, run.clock, engine.near_view  # of the last step
+        self._n = 0
+        self._times: list[Floats] = []
+        self._bearings: list[Floats] = []
+
+    def begin(self) -> None:
+        """Counts from where bearings are now."""
+        self._counted(self.run.clock[[stepping.NOW]], self.engine.near()[None, :])
+
+    def add(self) -> None:
+        """Takes the last step."""
+        k = self._n
+        self._old[k], self._dense[k], self._clock[k], self._near[k] = self._last
+        self._n = k + 1
+        if self._n == len(self._old):
+            self.look_back()
+
+    def look_back(self) -> None:
+        """Counts through the steps that are kept; the engine counts on from there."""
+        n, self._n = self._n, 0
+        if not n:
+            return
+        old, dense = self._old[:n], self._dense[:n]
+        turned = self.engine.border.largest_turn(old, old + dense[:, 0])
+        if turned.max() <= TURN:
+            self._counted(self._clock[:n, stepping.NOW].copy(), self._near[:n].copy())
+            return
+        n_parts = np.maximum(1, np.ceil(turned / TURN).astype(np.intp))
+        step = np.repeat(np.arange(n), n_parts)
+        part = np.arange(1, len(step) + 1) - np.repeat(np.cumsum(n_parts) - n_parts, n_parts)
+        s = part / n_parts[step]
+        clock = self._clock[step]
+        times = clock[:, stepping.BEFORE] + s * clock[:, stepping.DONE_STEP]
+        is_end = part == n_parts[step]
+        times[is_end] = clock[is_end, stepping.NOW]
+        bearings = np.empty((len(times), self._near.shape[1]))
+        self.engine.count_from(self._bearings[-1][-1])
+        follow(self.engine.layout, self.engine.room, times, between(old[step], dense[step], s), bearings)
+        self._counted(times, bearings)
+
+    def _counted(self, times: Floats, bearings: Floats) -> None:
+        self._times.append(times)
+        self._bearings.append(bearings)
+
+    def tracks(self) -> Tracks:
+        """What has been counted."""
+        self.look_back()
+        return Tracks(self.engine.turning, np.concatenate(self._times), np.concatenate(self._bearings))
+
+
+def between(old: Floats, dense: Floats, s: Floats) -> Floats:
+    """(n, n_y) the state at the part s of each of n steps; see `stepping.between`."""
+    states, factors = np.zeros(old.shape), (s[:, None], 1.0 - s[:, None])
+    for k in reversed(range(dense.shape[1])):
+        states = (states + dense[:, k]) * factors[k % 2]
+    return states + old
