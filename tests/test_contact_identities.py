@@ -396,7 +396,7 @@ def test_a_long_rest_is_one_phase() -> None:
     result = model(TUMBLING).simulate(1000.0, tolerance=1e-9)
     assert result.status is Status.FINISHED
     assert result.course.contact.n_phases < 60
-    assert result.course.wall_time < 5.0
+    assert result.course.n_steps < 5000  # the rest itself takes few
     assert np.abs(result.course.velocities[-1]).max() < 1e-12
 
 

@@ -204,7 +204,7 @@ def test_what_is_no_model_file_is_refused_at_once(
 def test_output_that_cannot_be_written_is_said() -> None:
     with FULL.open("w") as full:
         done = program("schema", stdout=full)
-        _out, said = done.communicate(timeout=120)
+        _out, said = done.communicate(timeout=600)
     assert done.returncode == 2
     assert said == "the output cannot be written: No space left on device\n"
 
@@ -215,7 +215,7 @@ def test_a_reader_that_goes_away_is_no_error() -> None:
     os.close(reading)
     done = program("schema", stdout=writing)
     os.close(writing)
-    _out, said = done.communicate(timeout=120)
+    _out, said = done.communicate(timeout=600)
     assert done.returncode == 0
     assert said == ""
 
@@ -311,7 +311,7 @@ def test_an_interrupted_simulation_is_printed_and_written(
 def test_a_terminated_command_leaves_nothing_behind(model: Path) -> None:
     running = program("eom", model)
     running.send_signal(signal.SIGTERM)
-    running.communicate(timeout=120)
+    running.communicate(timeout=600)
     assert running.returncode in (143, -signal.SIGTERM, 0)
     assert os.listdir(model.parent) == [model.name]
 

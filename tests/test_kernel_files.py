@@ -11,7 +11,7 @@ from typing import Any
 import numba
 import pytest
 
-from freebody.numeric.engine import jit
+from freebody.numeric.engine import following, jit
 from freebody.numeric.engine.kernel_files import KernelFiles
 from freebody.numeric.timestepping import compiled as compiled_for_stepping
 
@@ -92,7 +92,8 @@ def test_the_digest_covers_every_file_with_kernels() -> None:
     """A source that is left out would leave old kernels in use."""
     folder = Path(jit.__file__).parent
     named = {
-        (folder / f"{name}.py").resolve() for name in (*jit._SOURCES, *jit.OF_SPACE, *compiled_for_stepping.SOURCES)
+        (folder / f"{name}.py").resolve()
+        for name in (*jit._SOURCES, *jit.OF_SPACE, *following.SOURCES, *compiled_for_stepping.SOURCES)
     }
     marks = ("@kernel", "@part", "@leaf", "@entry", "@of_either")
     for path in folder.parent.rglob("*.py"):
