@@ -506,3 +506,33 @@ def test_alternatives_and_inequalities_are_read() -> None:
     assert verdict.options["c"].verdict == "unreadable"
     assert "sufficient only" in verdict.options["d"].reason
     assert "sufficient only" in verdict.options["e"].reason
+
+
+def test_without_inertia_nothing_is_said_about_a_momentum_that_needs_the_motion() -> None:
+    """dp/dt = Q holds along motions; where p is zero in every state, it is 0 = Q, which no given state need obey."""
+    text = """
+parameters: {k: 0.2 N/m}
+bodies: {b: {particle: {}}}
+connections: {rail: {slider: {body: b, along: right, through: ground.O}}}
+loads: {s: {spring: {first: ground.O, second: b, stiffness: k, length: 3 m}}}
+ground: {points: {O: [0, 0]}}
+measures: {u: x of b}
+start: {u: 4 m}
+"""
+    massive = "\n  other: {particle: {mass: 1 kg}, at: [0, 1 m]}"
+    text = text.replace("bodies: {b: {particle: {}}}", "bodies:\n  b: {particle: {}}" + massive)
+    verdict = judged(text, "generalized momentum of u")
+    assert verdict.is_conserved is None
+    assert "nothing with mass moves with u" in verdict.reason
+
+
+@pytest.mark.parametrize("pair", ["left and left", "right and floor"])
+def test_an_angle_between_directions_that_never_turn_has_no_slope(pair: str) -> None:
+    """acos(1) is constant; its slope is none, and not 0 * infinity."""
+    text = f"""
+ground: {{lines: {{floor: {{along: right}}}}}}
+bodies: {{p: {{particle: {{mass: 2 kg}}}}}}
+measures: {{u: angle between {pair}}}
+connections: {{c: {{velocity_constraint: {{expression: rate(u)*cos(u)}}}}}}
+"""
+    assert "linear momentum along right" in kept(text)

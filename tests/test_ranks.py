@@ -15,6 +15,7 @@ import pytest
 
 import freebody as fb
 from freebody.errors import InputError
+from freebody.language.expression import number
 from freebody.numeric.mobility.generic import Framework, generic_rank
 from freebody.numeric.mobility.idle import idle_motions
 from freebody.numeric.mobility.kinds import Dependence, dependences
@@ -471,3 +472,35 @@ def test_random_mechanisms_have_the_rank_of_their_singular_values(seed: int) -> 
         n = len(dependence.rows)
         is_generic = Framework.of(system).rank(dependence.rows).rank < n
         assert dependence.kind == "generic" or not is_generic, f"seed {seed}"
+
+
+@pytest.mark.parametrize("size", ["1e-9 m", "1 m", "1e12 m", "1e50 m"])
+def test_freedoms_do_not_depend_on_the_unit_of_length(size: str) -> None:
+    """A parallelogram moves with one freedom, of any size; a pinion in a guide across its rack with none."""
+    with_bar = f"""
+parameters: {{r: {size}}}
+ground: {{points: {{A: [0, 0], D: [4*r, 0]}}}}
+bodies:
+  a: {{rod: {{length: r, mass: 1 kg}}, near: {{angle: 60 deg}}}}
+  b: {{rod: {{length: 4*r, mass: 1 kg}}, near: {{angle: 0}}}}
+  c: {{rod: {{length: r, mass: 1 kg}}, near: {{angle: 60 deg}}}}
+connections:
+  A: {{pin: [ground.A, a.start]}}
+  B: {{pin: [a.end, b.start]}}
+  C: {{pin: [b.end, c.end]}}
+  D: {{pin: [ground.D, c.start]}}
+measures: {{theta: angle of a}}
+start: {{theta: 60 deg}}
+questions: [degrees of freedom]
+"""
+    pinion = f"""
+bodies: {{p: {{sphere: {{mass: 0.125 kg, radius: {size}}}}}}}
+connections:
+  teeth: {{rack_and_pinion: {{pinion: p, rack: ground, along: up}}}}
+  guide: {{slider: {{body: p, along: up, on: ground}}}}
+questions: [degrees of freedom]
+"""
+    for text, n in ((with_bar, 1), (pinion, 0)):
+        (answer,) = fb.System.from_text(text).solve().answers
+        assert answer.reason == ""
+        assert answer.expression == number(n)

@@ -8,8 +8,12 @@ import random
 import pytest
 
 import freebody as fb
+from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
 from freebody.study.answer import NOT_VALID
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Field, Generator
+from freebody.symbolic.validity import NEVER, texts
 
 SLIDER_CRANK = """
 parameters: {r: 0.1 m, l: 0.4 m, e: 0.05 m}
@@ -184,3 +188,12 @@ questions: [{find: velocity of theta when theta = u/2}]
     (answer,) = system.solve().answers
     assert answer.conditions == ("for all positive parameters, 0 < u < 90°",)
     assert answer.value == pytest.approx(-math.sqrt(2 * 9.81 * (math.cos(math.pi / 6) - math.cos(math.pi / 3))))
+
+
+def test_pi_is_no_parameter() -> None:
+    """pi - 4 > 0 is so for no values of the parameters, of which pi is none; and none is solved for pi."""
+    field = Field()
+    a = field.generator(Generator(Symbol("a"), "parameter"))
+    assert texts([Condition(field.pi - 4, ">")]) == [NEVER]
+    (line,) = texts([Condition(a - 7 * field.pi - a * a * a, ">")])
+    assert not line.startswith(("π", "pi"))

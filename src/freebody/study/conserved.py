@@ -290,6 +290,9 @@ class Judge:
             return None, ()
         total = self.model.in_independent_speeds(principle.total(self.model.field.zero))
         if not self.model.vanishes(total - balance.rate):
+            # Where something moves without inertia its equation of motion binds the state, as 0 = Q: the rates agree
+            # along motions only, and these are not determined.
+            _ = self.model.solved_accelerations
             raise RoutesDisagree(
                 f"the rate of {balance.name} by its principle is not the one by differentiation. "
                 "No answer is shown. This is a defect of freebody; please report the model"

@@ -259,7 +259,10 @@ def _run(draw: Draw, seed: int) -> list[Run]:
     engine.align(y, start.t, start.value)
     outputs = np.linspace(start.t, start.t + _DURATION, _N_TIMES)
     options = SimulationOptions(method="dop853", tolerance=_STEP_TOLERANCE, max_steps=allowed(_MOST_STEPS))
-    course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
+    try:
+        course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
+    except np.linalg.LinAlgError:  # from a state with gradients that are not finite
+        return []
     if len(course.times) < 3:
         return []
     snapshots = [start]

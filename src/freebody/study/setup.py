@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.numeric.reference import Snapshot
+from freebody.numeric.split import Split, stack
 from freebody.study.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
@@ -20,6 +21,7 @@ from freebody.symbolic.motion import Motion, StartState, start_state
 from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 N_DRAWS = 6
 _TIME = 0.37  # an instant at which drivers are looked at
@@ -173,22 +175,33 @@ def _open(x: Ratio, relation: str, purpose: str) -> list[Condition]:
 
 
 def rank_freedoms(snapshot: Snapshot) -> int:
-    """Coordinates minus the rank of the constraint Jacobian."""
-    n = len(snapshot.q)
-    rows = [snapshot.reference.jet(snapshot.geometry, row.measure).row(n) for row in snapshot.reference.system.held]
-    return n - (int(np.linalg.matrix_rank(np.array(rows), tol=1e-9)) if rows else 0)
+    """Coordinates minus the rank of the constraint Jacobian. Each row counts by the size of what it measures: beside
+    lengths of 1e12 m a radian is not nothing."""
+    reference, n = snapshot.reference, len(snapshot.q)
+    unit = reference.sizes.length
+    rows = [
+        reference.jet(snapshot.geometry, row.measure).row(n) / unit ** float(row.measure.dimension.length)
+        for row in reference.system.held
+    ]
+    return Split(stack(rows, n), reference.sizes.small_moves).null.shape[1]
 
 
 def independent_measures(setup: Setup, n: int) -> tuple[str, ...]:
     """Names of n measures that determine the motion: named ones first, then those that joints offer."""
     start = setup.draws[0].start()
-    free = start.reference.split_at(start.q, start.branches).null
+    moves = start.reference.sizes.unit_moves
+    free = np.linalg.qr(start.reference.split_at(start.q, start.branches).null / moves[:, None])[0]
     chosen: list[str] = []
     rows = np.zeros((0, free.shape[1]))
     for name, measure in (*setup.system.measures.items(), *setup.system.offered):
         with suppress(CannotAnswer):
-            row = start.reference.jet(start.geometry, measure).row(len(start.q)) @ free
-            if len(chosen) < n and np.linalg.matrix_rank(np.vstack((rows, row)), tol=1e-9) > len(rows):
+            slope = start.reference.jet(start.geometry, measure).row(len(start.q)) * moves
+            row = slope @ free
+            size = float(np.linalg.norm(row))
+            if size <= ROUND_OFF * float(np.linalg.norm(slope)):
+                continue
+            row = row / size
+            if len(chosen) < n and np.linalg.matrix_rank(np.vstack((rows, row)), tol=ROUND_OFF) > len(rows):
                 chosen.append(name)
                 rows = np.vstack((rows, row))
     return tuple(chosen)

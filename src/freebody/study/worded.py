@@ -15,13 +15,17 @@ from typing import Concatenate, ParamSpec, TypeVar
 import numpy as np
 
 from freebody.errors import CannotAnswer, FreebodyError
+from freebody.language.notation import to_text
 from freebody.measures.base import Measure
 from freebody.model.elements import RateMeasure
 from freebody.numeric.reference import Reference
+from freebody.symbolic.field import DivisorVanishes
+from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
 P = ParamSpec("P")
 T = TypeVar("T")
+_MOST_TERMS = 12  # of a divisor that is shown
 FAILED = (ArithmeticError, np.linalg.LinAlgError)
 
 
@@ -45,13 +49,21 @@ def cause(system: System, error: Exception) -> str:
     undefined = next(without_value(system), "")
     if undefined:
         return f"{undefined}, so that nothing can be said here; start the model where it has a value"
+    if isinstance(error, DivisorVanishes):
+        return f"the formulas divide by {_shown(error)}, which is zero in the state that is asked about"
     what = "divides by zero" if isinstance(error, ZeroDivisionError) else "leaves the range of floating point"
     return f"the arithmetic of this study {what} for this model, and no measure of it is without a value at its start"
 
 
+def _shown(error: DivisorVanishes) -> str:
+    """The divisor, if anybody would read it."""
+    divisor = error.divisor
+    return to_text(tidy(divisor)) if len(divisor.num) <= _MOST_TERMS else "a long expression"
+
+
 def without_value(system: System) -> Iterator[str]:
     """Measures of connections, loads and the user that have no value, or no gradient, at the start."""
-    named: list[tuple[str, Measure | RateMeasure]] = [(row.name, row.measure) for row in system.held]
+    named: list[tuple[str, Measure | RateMeasure]] = [(row.name, row.measure) for row in system.rows]
     named += [(push.name, push.measure) for push in system.pushes]
     named += [*system.measures.items()]
     with suppress(FreebodyError, ArithmeticError, ValueError):

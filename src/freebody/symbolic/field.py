@@ -50,6 +50,14 @@ class NoValue(CannotAnswer, KeyError):
     __str__ = Exception.__str__
 
 
+class DivisorVanishes(ZeroDivisionError):
+    """A divisor of a formula is zero in the state that is put in."""
+
+    def __init__(self, divisor: Ratio) -> None:
+        super().__init__("division by an expression that is zero in the state that is put in")
+        self.divisor = divisor
+
+
 @dataclass(frozen=True)
 class Generator:
     """One generator: how it is shown, how it is computed from earlier ones, how it changes in time."""
@@ -455,7 +463,10 @@ class Field:
         top = self._substitute_poly(x.num, present, values)
         if x.den is None:
             return top
-        return top / self._substitute_poly(x.den, present, values)
+        below = self._substitute_poly(x.den, present, values)
+        if below.is_zero():
+            raise DivisorVanishes(Ratio(self, x.den, None))
+        return top / below
 
     def _substitute_poly(self, poly: Poly, present: Sequence[int], values: Mapping[int, Ratio]) -> Ratio:
         powers: dict[tuple[int, int], Ratio] = {}
@@ -761,6 +772,14 @@ class Field:
                 raise NoValue(to_text(self.generators[error.args[0]].display)) from None
             total = total + term
         return total
+
+    def numerator_and_size(self, x: Ratio, values: Mapping[int, float]) -> tuple[float, float]:
+        """The numerator at the given values, and the sum of the sizes of its terms, whatever they are measured in."""
+        terms = [
+            math.prod((values[k] ** exponent for k, exponent in monomial), start=float(coefficient))
+            for monomial, coefficient in self.terms(x.num).items()
+        ]
+        return math.fsum(terms), math.fsum(map(abs, terms))
 
     def expression(self, x: Ratio) -> Expr:
         """The plain expression, expanded; see `tidy` for the form people read."""

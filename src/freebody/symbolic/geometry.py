@@ -9,6 +9,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, domain, evaluate
+from freebody.language.notation import to_text
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import atan2, functions
@@ -242,6 +243,10 @@ def _parts(v: Vector[Ratio]) -> tuple[Ratio, Ratio, Ratio]:
     return v.x, v.y, v.z
 
 
+def _text(x: Ratio) -> str:
+    return to_text(x.field.expression(x))
+
+
 def _constant(v: Vector[Ratio]) -> Vector[Dual]:
     return Vector(*map(Dual, _parts(v)))
 
@@ -253,7 +258,12 @@ def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
     def make(name: str, slope: Callable[[Ratio, Ratio], Ratio]) -> Callable[[Dual], Dual]:
         def call(x: Dual) -> Dual:
             value = f[name](x.value)
-            return x.chain(value, slope(x.value, value)) if x.slope else Dual(value)
+            if all(d.is_zero() for d in x.slope.values()):
+                return Dual(value)
+            try:
+                return x.chain(value, slope(x.value, value))
+            except ZeroDivisionError as error:  # acos where its argument is one, sqrt where it is zero
+                raise CannotAnswer(f"{name} has no finite slope where its argument is {_text(x.value)}") from error
 
         return call
 

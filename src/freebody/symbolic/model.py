@@ -598,7 +598,15 @@ class SymbolicModel:
         # poses in general position, since an entry may vanish at the start and nowhere else
         general = [k for k, s in enumerate(self.samples) if not s.is_start]
         # what does not vanish shows it at the first of them, nearly always
-        return all(abs(v) < ROUND_OFF for v in self._at(x, general or range(len(self.samples))))
+        return all(self._vanishes_at(x, k) for k in general or range(len(self.samples)))
+
+    def _vanishes_at(self, x: Ratio, k: int) -> bool:
+        """Whether the terms of an element cancel at a sample: beside their own sizes, so in all units."""
+        try:
+            value, size = self.field.numerator_and_size(x, self._values(k))
+        except (KeyError, ValueError, ArithmeticError):
+            return False
+        return abs(value) <= ROUND_OFF * size
 
     def _is_looped(self, x: Ratio) -> bool:
         if not hasattr(self, "elimination"):
@@ -811,7 +819,7 @@ class SymbolicModel:
             return None
         starts = [s for s in self.samples if s.is_start]
         for number, sample in zip(self.at_samples(value), starts, strict=True):
-            if not abs(number - sample.constants.get(name, 0.0)) < 1e-7:
+            if not _is_same(number, sample.constants.get(name, 0.0)):
                 return None
         return value
 
@@ -856,7 +864,7 @@ class SymbolicModel:
         x = f.follow(self.value_of(measure), values)
         starts = [s for s in self.samples if s.is_start]
         same = all(
-            abs(number - sample.constants.get(name, 0.0)) < 1e-7
+            _is_same(number, sample.constants.get(name, 0.0))
             for number, sample in zip(self.at_samples(x), starts, strict=True)
         )
         return x if same else None
@@ -1157,3 +1165,8 @@ class SymbolicModel:
 def _pose_elements(pose: AnyPose) -> tuple[Ratio, ...]:
     assert isinstance(pose, Pose)
     return pose.x, pose.y, pose.angle
+
+
+def _is_same(a: float, b: float) -> bool:
+    """Whether a formula gives the number that was found by assembling the start, a length of 1e12 m as one of 1 m."""
+    return math.isclose(a, b, rel_tol=1e-7, abs_tol=1e-7)

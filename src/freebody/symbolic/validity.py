@@ -46,7 +46,7 @@ def validity(conditions: Sequence[Condition]) -> list[Condition]:
 def _is_never(c: Condition) -> bool:
     """A number on the wrong side of zero: no parameter can change that."""
     field = c.element.field
-    kinds = {field.generators[g].kind for g in field.ingredients(c.element)}
+    kinds = {field.generators[g].kind for g in field.ingredients(c.element) - {field.index(field.pi)}}
     return not kinds & {"parameter", *_MOVING} and decide(c.element, c.relation) is False
 
 
@@ -221,4 +221,5 @@ def _bounded(g: Ratio, relation: str, q: Ratio) -> tuple[Stated, int]:
 
 
 def _parameters(field: Field, x: Ratio) -> list[int]:
-    return [g for g in sorted(x.generators()) if field.generators[g].kind == "parameter"]
+    free = x.generators() - {field.index(field.pi)}
+    return [g for g in sorted(free) if field.generators[g].kind == "parameter"]

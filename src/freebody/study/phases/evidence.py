@@ -182,7 +182,7 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
 def run(tree: Tree, event: Event | None, piece: Piece, k: int, end: float | None) -> list[Seen]:
     """The motion of one parameter set up to the event of the piece; kept for other questions."""
     key = (
-        tuple(id(n.phase) for n in piece.nodes),
+        tuple(n.phase for n in piece.nodes),
         k,
         None if event is None else event.text,
         repr(piece.first and piece.first.watch.kind),

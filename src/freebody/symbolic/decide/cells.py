@@ -53,7 +53,11 @@ class Polynomials:
                 continue
             if len(p) > _MOST_TERMS:
                 raise TooLarge
-            for base, _exponent in p.factor()[1]:
+            try:
+                factors = p.factor()[1]
+            except OverflowError as error:  # exponents beyond those of the machine
+                raise TooLarge from error
+            for base, _exponent in factors:
                 found[str(base)] = base
         return list(found.values())
 
