@@ -700,3 +700,32 @@ connections:
 {WEIGHT}
 """
     assert "unique" in unanswered(model, "tension of b at start").reason
+
+
+def test_a_line_between_places_welded_together_has_no_direction() -> None:
+    """0/0 in every pose: no angle, and no velocity of one."""
+    text = """
+ground: {points: {A: [0, 0]}}
+bodies:
+  a: {rod: {length: 1 m, mass: 1 kg}, at: {start: [0, 0]}}
+  b: {rod: {length: 2 m, mass: 1 kg}, at: {start: [1 m, 0]}}
+connections: {O: {pin: [ground.A, a.start]}, W: {weld: [a.end, b.start]}}
+measures: {th: angle of a, w: angle of line from a.end to b.start}
+questions: [velocity of w]
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert answer.reason == "two points coincide, so the line between them has no direction"
+
+
+def test_a_stop_that_is_passed_at_the_start_is_told_without_an_event() -> None:
+    """The angle between two directions of the ground is 180 deg - 180 deg = 0, below the least that the stop allows."""
+    text = """
+ground: {lines: {floor: {along: 180 deg}}}
+bodies: {p: {particle: {mass: 10 kg}, near: {at: [-1 m, 2 m]}}}
+connections: {c0: {stop: {measure: angle between left and floor, min: 1e-12, restitution: 0.5}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [kinetic energy]
+"""
+    (answer,) = fb.System.from_text(text).solve().answers
+    assert "''" not in answer.reason
+    assert answer.reason

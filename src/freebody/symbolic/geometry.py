@@ -59,7 +59,10 @@ class FieldGeometry:
         return self.field.sqrt(x) if self._root is None else self._root(x)
 
     def tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
-        return self._tangent(v, offset)
+        length, angle = self._tangent(v, offset)
+        if length.is_zero():  # a line between places that are one in every pose
+            raise CannotAnswer(NO_DIRECTION)
+        return length, angle
 
     def apply(self, expr: Expr, values: dict[str, Ratio]) -> Ratio:
         return evaluate(expr, {**self.names, **values}, self.functions)

@@ -93,6 +93,8 @@ def _not_found(tree: Tree, question: Question, met: list[str]) -> str:
     reasons = met + [n.reason for n in nodes if n.reason] + tree.reasons
     stops = [e.stops for n in nodes for e in n.edges if e.stops]
     known = not tree.lost and all(n.is_exact and all(e.is_exact and e.is_proved for e in n.edges) for n in nodes)
+    if not asked and not nodes and not reasons:
+        return "no state of the contacts and stops was found that can hold at the start"
     if known and not reasons and not stops:
         return f"'{asked}' never happens, whatever the parameters are"
     if reasons:
