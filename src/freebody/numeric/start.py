@@ -23,7 +23,7 @@ from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, 
 from freebody.model.elements import RateMeasure, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
-from freebody.numeric.placing import ACCEPTED, N_STEPS, Equation, Fit
+from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Equation, Fit
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.split import Split, stack
 from freebody.system.system import System
@@ -116,7 +116,7 @@ def assembled(
         left -= 1 if fit is None else fit.n_steps
         if fit is not None and (best is None or fit.error < best.error):
             best = fit
-        if left <= 0 or (best is not None and best.error <= ACCEPTED):
+        if left <= 0 or (best is not None and best.error <= TOLERANCE):
             break
     if best is None:
         raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
