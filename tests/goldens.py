@@ -24,10 +24,10 @@ RELATIVE, ABSOLUTE = 1e-7, 1e-8  # of decimals: beyond the round-off of a motion
 COARSE = 1e-3  # of the size of all decimals of a page, which are rounded one by one
 MOST_LINES = 60  # of a difference that are shown
 
-_NUMBER = re.compile(r"(?<![\w.#])[-~]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?(?![\w.])")
+_NUMBER = re.compile(r"(?<![\w.#])[-~]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?(?!\w|\.\w)")
 _PICTURE = re.compile(r"<svg.*?</svg>", re.DOTALL)
 _UNSTEADY = ("worst_relative_difference", "largest_drift")  # round-off alone
-_UNSTEADY_WORDS = re.compile(r"(difference|drift|differ by) \S+?(?=[,;.)]*(?:\s|$))")
+_UNSTEADY_WORDS = re.compile(r"(difference|drift|differ by) [^\s<]+?(?=[,;.)]*(?:\s|<|$))")
 
 
 def assert_golden(study: str, example: str, document: Any) -> None:
@@ -56,6 +56,7 @@ def digest(page: str) -> dict[str, Any]:
 
 
 def _short(text: str) -> dict[str, Any]:
+    text = _UNSTEADY_WORDS.sub(r"\1 *", text)
     decimals = [float(n) for n in _NUMBER.findall(text) if not _is_whole(n)]
     # a coordinate may be written 4 or 4.0001: pictures are told by their text without any number
     words = _NUMBER.sub("#", text)

@@ -200,7 +200,7 @@ def _force_reader(context: Context, c: Coordinate) -> Callable[[World], float]:
         k = model.coordinates.index(c)
         for push in model.system.pushes:
             law = world.snapshot.law(push)
-            for body in {b.name for b in model.system.moving}:
+            for body in [b.name for b in model.system.moving]:
                 slopes = world.snapshot.gradient(push.measure, body)
                 for slope, part in zip(slopes, model.partial_velocities[body][k], strict=False):
                     total += law * slope * float(model.field.evaluate(part, numbers))

@@ -191,7 +191,7 @@ class Framework:
             values = {name: dual(k) for name, k in self.symbols.items()}
             return DualGeometry(places, values | {TIME: Dual(arithmetic.number(0))}, arithmetic)
         places, values = dict(like.places), dict(like.values)
-        for name, is_body in {self.names[k] for k in changed}:
+        for name, is_body in dict.fromkeys(self.names[k] for k in changed):
             if is_body:
                 places[name] = place(name)
             else:

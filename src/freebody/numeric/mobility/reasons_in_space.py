@@ -146,7 +146,7 @@ def _alike_links(scene: SpatialScene) -> str:
     links: dict[str, tuple[float, float]] = {}
     on: dict[str, list[Screw]] = {}
     for name, line in scene.lines.items():
-        for body in {b if b in scene.reference.frame.columns else GROUND for b in scene.bodies(name)}:
+        for body in dict.fromkeys(b if b in scene.reference.frame.columns else GROUND for b in scene.bodies(name)):
             on.setdefault(body, []).append(line)
     for body, lines in on.items():
         if len(lines) == 2:

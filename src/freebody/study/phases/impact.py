@@ -170,7 +170,7 @@ class Collision:
         """What touched before must answer with a push; friction that this loads would act too."""
         rows = named_rows(self.setup.system)
         loads = {name for rub in self.others for name in rub.load}
-        for name in {*self.kept, *loads}:
+        for name in sorted({*self.kept, *loads}):
             if name not in rows:
                 continue
             push = rows[name].sign * self._total(self.model.multiplier(rows[name]), impulses)
