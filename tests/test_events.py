@@ -318,3 +318,26 @@ def test_a_longest_step_is_kept() -> None:
     assert model(WHEEL).simulate(10.0, max_step=0.1).course.n_steps >= 100
     with pytest.raises(fb.InputError, match="max_step must be positive"):
         model(WHEEL).simulate(10.0, max_step=-1.0)
+
+
+def test_turns_are_counted_on_through_the_impacts_of_something_else() -> None:
+    # a rod that nothing slows down, and a ball that bounces without knowing of it: u = theta = 0.1 + 30 t
+    system = fb.System.from_text("""
+ground: {points: {O: [0, 0]}, lines: {floor: {along: right}}}
+bodies:
+  rod: {body: {mass: 2 kg, inertia: 0.3 kg m^2}, points: {P: [1 m, 0]}}
+  ball: {particle: {mass: 1 kg}, at: [5 m, 2 m]}
+connections:
+  pin: {pin: [ground.O, rod]}
+  rail: {slider: {body: ball, along: up}}
+  bounces: {contact: {between: [ball, ground.floor], restitution: 0.5}}
+measures: {theta: angle of rod from right, u: angle of line from ground.O to rod.P}
+start: {theta: 0.1 rad, rate(theta): 30 rad/s}
+loads: {weight: {force: {at: ball, along: down, magnitude: 9.81 N}}}
+""")
+    result = system.simulate(3.0)
+    assert len(result.events) > 5
+    for name in ("theta", "u"):
+        assert np.asarray(result.series[name][0]) == pytest.approx(
+            0.1 + 30.0 * np.asarray(result.course.times), abs=1e-6
+        )

@@ -74,10 +74,8 @@ class Counting:
         times = clock[:, stepping.BEFORE] + s * clock[:, stepping.DONE_STEP]
         is_end = part == n_parts[step]
         times[is_end] = clock[is_end, stepping.NOW]
-        bearings = np.empty((len(times), self._near.shape[1]))
-        self.engine.count_from(self._bearings[-1][-1])
-        follow(self.engine.layout, self.engine.room, times, between(old[step], dense[step], s), bearings)
-        self._counted(times, bearings)
+        states = between(old[step], dense[step], s)
+        self._counted(times, bearings_at(self.engine, self._bearings[-1][-1], times, states))
 
     def _counted(self, times: Floats, bearings: Floats) -> None:
         self._times.append(times)
@@ -87,6 +85,14 @@ class Counting:
         """What has been counted."""
         self.look_back()
         return Tracks(self.engine.turning, np.concatenate(self._times), np.concatenate(self._bearings))
+
+
+def bearings_at(engine: Engine, near: Floats, times: Floats, states: Floats) -> Floats:
+    """(n_times, n_measures) bearings at states that follow each other closely, the first counted on from `near`."""
+    bearings = np.empty((len(times), len(near)))
+    engine.count_from(near)
+    follow(engine.layout, engine.room, times, states, bearings)
+    return bearings
 
 
 def between(old: Floats, dense: Floats, s: Floats) -> Floats:

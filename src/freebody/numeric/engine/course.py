@@ -58,6 +58,11 @@ class Tracks:
         """(n_steps,) bearings of a measure."""
         return self.bearings[:, self.keys[key]]
 
+    def until(self, end: float) -> Tracks:
+        """Those up to a time, the first one at least."""
+        n = max(1, int(np.searchsorted(self.times, end, side="right")))
+        return Tracks(self.keys, self.times[:n], self.bearings[:n])
+
     def nearest(self, times: Floats) -> list[int]:
         """For every time the step whose end is nearest."""
         after = np.clip(np.searchsorted(self.times, times), 1, max(1, len(self.times) - 1))

@@ -11,7 +11,7 @@ import numpy as np
 
 from freebody.language.expression import free_symbols, has_jump
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.counting import Counting
+from freebody.numeric.engine.counting import Counting, bearings_at
 from freebody.numeric.engine.course import NO_TRACKS, Course, Happening, Status
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
@@ -324,6 +324,10 @@ class Motion:
         Y = np.array(states)[order]
         multiplier_rows = np.array(multipliers).reshape(len(times), -1)[order][:, e.place_of]
         T = np.array(times)[order]
+        near = e.near()
+        if len(tracks.times) and last < tracks.times[-1]:  # the last step goes beyond: turns are counted to its event
+            tracks = tracks.until(last)
+            near = bearings_at(e, tracks.bearings[-1], T[-1:], Y[-1:])[0]
         track = e.border.track(Y, np.array(accelerations)[order].reshape(len(T), n))
         return Course(
             status=status,
@@ -346,7 +350,7 @@ class Motion:
             last_step=float(run.clock[stepping.STEP]),
             method=self.method,
             tracks=tracks,
-            near=e.room.measures[:, NEAR].copy(),
+            near=near,
             violated=-1 if self.violation is None else self.violation.guard,
             rotation=track.rotation,
         )
