@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 N_STARTS = 16
-MOST_STEPS = 1000  # of all starts together
+MOST_STEPS = 3200  # of all starts together
 SINGULAR = 1e-6  # the volume that three unit axes span
 MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
 _AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
