@@ -186,8 +186,10 @@ FREE = "{space: true, bodies: {it: {body: {mass: 2 kg, inertia: [1, 2, 2.5]}}}}"
 MOMENTS = np.array([1.0, 2.0, 2.5])
 
 
-def run(engine: Engine, y: Array, until: float, n: int = 100, tolerance: float = 1e-12, **rest: Any) -> Course:
-    options = SimulationOptions(method="dop853", tolerance=tolerance)
+def run(
+    engine: Engine, y: Array, until: float, n: int = 100, tolerance: float = 1e-12, method: str = "dop853", **rest: Any
+) -> Course:
+    options = SimulationOptions(method=method, tolerance=tolerance)
     course = engine.run(y, until, options, outputs=np.linspace(0.0, until, n + 1), **rest)
     assert course.status is Status.FINISHED, course.message
     return course
