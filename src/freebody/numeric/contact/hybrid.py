@@ -98,7 +98,7 @@ class Hybrid:
             if is_open:
                 self._share(engine, mode, y, t)
             is_soft = bool(mode.closed) and is_open
-            course = engine.run(
+            course: Course = engine.run(
                 y,
                 until,
                 replace(self.options, max_seconds=left, max_steps=steps_left),
