@@ -238,7 +238,7 @@ class Pen:
         scene, center = self.scene, figure.mass_center
         pairs = [*scene.pins, *scene.welds, *scene.rods, *((s.first, s.second) for s in scene.springs)]
         used = {place for pair in pairs for place in pair} | {n.place for rope in self.ropes for n in rope.nodes}
-        for place in used & set(figure.points.values()):
+        for place in [p for p in dict.fromkeys(figure.points.values()) if p in used]:
             if not is_within(figure.outline, (place.x, place.y)):
                 points = np.array([(0.0, 0.0), (place.x - center.x, place.y - center.y)])
                 yield Path(center, figure.index, points, "rim", False, figure.number)

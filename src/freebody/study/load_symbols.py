@@ -42,7 +42,7 @@ class LoadSymbols:
     def _law(self, push: Push) -> tuple[Expr | None, int]:
         """None where the model has no name for what a law depends on."""
         law = push.in_symbols
-        for symbol in [s for s in free_symbols(law) if s.startswith(_LOAD)]:
+        for symbol in sorted(s for s in free_symbols(law) if s.startswith(_LOAD)):
             row = self._pressed(symbol.removeprefix(_LOAD))
             if row is None:
                 return None, 1

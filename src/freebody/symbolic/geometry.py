@@ -229,7 +229,7 @@ class DualGeometry:
         sin = (length * y - rho * x) / square
         turned: dict[Slot, Ratio] = {}
         stretched: dict[Slot, Ratio] = {}
-        for slot in v.x.slope.keys() | v.y.slope.keys():
+        for slot in dict.fromkeys((*v.x.slope, *v.y.slope)):
             zero = self.plain.field.zero
             dx, dy = v.x.slope.get(slot, zero), v.y.slope.get(slot, zero)
             turned[slot] = (cos * dy - sin * dx) / length

@@ -121,7 +121,7 @@ def differences(before: Observed, after: Observed, reading: Reading) -> list[str
         if other is not None:
             scaled = tuple(v * reading.scale(dimension) for v in values)
             found += [f"{name} after a while: {text}" for text in _of_numbers(scaled, other[1])]
-    for study in before.facts.keys() & after.facts.keys():
+    for study in [s for s in before.facts if s in after.facts]:
         if not (study in OF_THE_WHOLE and reading.freedoms):
             found += [f"{study}: {text}" for text in _of_facts(before.facts[study], after.facts[study], reading)]
     return found
@@ -216,7 +216,7 @@ def _of_formulas(system: System, first: tuple[Expr, ...], second: tuple[Expr, ..
     """Values of both at random points about the model's own."""
     if len(first) != len(second):
         return [f"{len(first)} components, then {len(second)}"]
-    names = {reading.rename(s): s for e in second for s in free_symbols(e)}
+    names = {reading.rename(s): s for e in second for s in sorted(free_symbols(e))}
     mine = {s for e in first for s in free_symbols(e)}
     parameters = set(system.parameters) | {"t", "pi"}
     if not (mine | set(names)) <= parameters and (not reading.same_coordinates or mine != set(names)):
@@ -224,8 +224,8 @@ def _of_formulas(system: System, first: tuple[Expr, ...], second: tuple[Expr, ..
     rng = random.Random(7)
     near = {p.name: p.value for p in system.parameters.values() if p.value}
     for _ in range(_N_POINTS):
-        point = {s: near.get(s, 0.6) * rng.uniform(0.9, 1.1) for s in mine | set(names)}
-        rates = {s: rng.uniform(0.3, 1.0) for s in mine | set(names)}
+        point = {s: near.get(s, 0.6) * rng.uniform(0.9, 1.1) for s in sorted(mine | set(names))}
+        rates = {s: rng.uniform(0.3, 1.0) for s in sorted(mine | set(names))}
         values_1 = [_value_of(e, point, rates, lambda s: s) for e in first]
         values_2 = [_value_of(e, point, rates, reading.rename) for e in second]
         size = max((abs(v) for v in (*values_1, *values_2) if v is not None), default=0.0)

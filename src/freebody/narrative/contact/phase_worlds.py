@@ -99,10 +99,9 @@ class Runs:
         tree, nodes = self.tree, self.piece.nodes
         key = ("open", tuple(id(n.phase) for n in nodes), k, None if self.event is None else self.event.text)
         if key not in tree.seen:
-            tree.seen[key] = follow(
-                tree.system, [stage(tree, n) for n in nodes], tree.sets.one(k), [_OPEN_END], self.event
-            )
-        return tree.seen[key]
+            runs = follow(tree.system, [stage(tree, n) for n in nodes], tree.sets.one(k), [_OPEN_END], self.event)
+            tree.seen[key] = nodes, runs  # kept with the nodes, so that their numbers stay their own
+        return tree.seen[key][1]
 
 
 class CourseGlossary(Glossary):

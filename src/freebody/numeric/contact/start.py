@@ -140,7 +140,7 @@ def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str])
     """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body."""
     system = reference.system
     found: dict[str, str] = {}
-    for family in closing:
+    for family in sorted(closing):
         own = [b for b in bounds if b.family == family]
         names = {b.row.ends[0].partition(".")[0] for b in own}
         if len(names) != 1 or any(b.obstacle for b in own):

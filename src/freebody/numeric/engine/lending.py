@@ -1,7 +1,9 @@
 """How much inertia a body without any is lent for the factor of J M^-1 J^T.
 
-What is lent is taken back (`dynamics.solve`), so that no answer depends on it; it only has to be of a size that goes
-with its neighbours: a little of the lightest mass of the part that the body belongs to, at an arm of the body's own.
+What is lent is taken back (`dynamics.solve`), so that no answer depends on it but by round-off: the less is lent, the
+larger its inverse beside those of the neighbours, and the more digits J G^-1 J^T loses (with 1e-6 of the heaviest mass
+a crank in space had twice the rejected steps of 1e-4). So it is of a size that goes with its neighbours: a part of the
+lightest mass of the part that the body belongs to, at an arm of the body's own.
 """
 
 from __future__ import annotations
@@ -13,8 +15,8 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.sizes import neighbours
 
-OF_LIGHTEST = 1e-4  # of the mass of the lightest body of the part
-OF_HEAVIEST = 1e-6  # at least so much of the heaviest, for the sake of the pivots
+OF_LIGHTEST = 1e-2  # of the mass of the lightest body of the part
+OF_HEAVIEST = 1e-4  # at least so much of the heaviest, for the sake of the pivots
 
 
 def lent_sizes(numbers: Numbers, cells: Cells, masses: Floats) -> Floats:

@@ -115,7 +115,7 @@ def rows_without(reference: Reference, without: Iterable[str]) -> list[Held]:
     """The held rows but those of these names, or of connections of these names."""
     held = reference.system.held
     known = {row.name for row in held} | {row.connection for row in held}
-    for name in (left_out := frozenset(without)):
+    for name in (left_out := tuple(dict.fromkeys(without))):
         if name not in known:
             raise InputError(f"there is no row or connection {name} to leave out.{did_you_mean(name, known)}")
     return [row for row in held if row.name not in left_out and row.connection not in left_out]

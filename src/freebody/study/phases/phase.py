@@ -40,7 +40,7 @@ class Placed:
         bodies = {n: replace(b, start=self.bodies.get(n, b.start)) for n, b in system.bodies.items()}
         parameters = dict(system.parameters)
         for start in self.bodies.values():
-            for name in free_symbols(start.angle or ZERO) - parameters.keys():
+            for name in sorted(free_symbols(start.angle or ZERO) - parameters.keys()):
                 parameters[name] = Parameter(name, DIMENSIONLESS, None, "any")
         return replace(system, bodies=bodies, parameters=parameters, start={}, start_rates={}, mode=None)
 

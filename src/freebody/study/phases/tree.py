@@ -129,8 +129,8 @@ class Tree(Home):
         self.slips: dict[str, Ratio] = {}  # at the start, where nothing collides
         self.roots: list[Node] = []
         self.boundaries: list[Ratio] = []
-        rates = {name: self.at_start(self.home.state.rate(self._bound(name).row.measure)) for name in self.moving}
-        rates = {name: self._bound(name).row.sign * x for name, x in rates.items()}
+        moving = [b for b in self.system.bounds if b.name in self.moving]
+        rates = {b.name: b.row.sign * self.at_start(self.home.state.rate(b.row.measure)) for b in moving}
         for signs, sets in self._by_sign(rates, self.indices):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
