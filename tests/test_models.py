@@ -144,3 +144,25 @@ loads: {w: {gravity: g}, F: {force: {at: a, along: up, magnitude: F}}}
     for force, is_broken in (("40 N", True), ("19 N", False)):
         answer = fb.solve(fb.System.from_text(text.replace("FORCE", force)), "tension of s at a")["q1"]
         assert any(note.startswith(NOT_VALID) for note in answer.notes) == is_broken
+
+
+def test_a_fixed_body_is_where_it_is_said_to_be_near_by_both_routes() -> None:
+    """A rod of 2 m leans with its end in a horizontal slot 1 m high, at 30 degrees, and a couple of 3 N m turns it: the
+    slot bears 3 N m / (2 m cos 30 deg)."""
+    text = """
+bodies:
+  p: {particle: {mass: 1 kg}, near: {at: [1 m, 1 m]}, fixed: true}
+  r: {rod: {mass: 2 kg, length: 2 m}, near: {angle: 20 deg}}
+connections:
+  O: {pin: [ground.origin, r.start]}
+  c: {slot: {pin: r.end, along: p.x}}
+loads: {M: {torque: {on: r, magnitude: 3 N m}}}
+"""
+    assert value(text, "reaction of c along up") == pytest.approx(-math.sqrt(3))
+
+
+def test_a_fixed_body_with_a_velocity_is_refused() -> None:
+    text = "bodies: {p: {particle: {mass: 1 kg}, fixed: true, velocity: [%s m/s, 0]}, q: {particle: {mass: 1 kg}}}"
+    with pytest.raises(fb.ModelError, match="p is fixed, so it has no velocity"):
+        fb.System.from_text(text % "1")
+    fb.System.from_text(text % "0")

@@ -224,3 +224,42 @@ def test_draw_writes_a_picture_of_the_start(tmp_path: Path) -> None:
         plane.draw(tmp_path / "crank.png", perspective=True)
     with pytest.raises(fb.InputError, match=r"\.svg, \.png, \.pdf"):
         top.draw(tmp_path / "top.bmp")
+
+
+@pytest.mark.parametrize("joint", ["prismatic: {first: p, second: q, along: y", "weld: {first: p, second: q"])
+def test_axes_of_a_joint_point_the_same_way_and_not_against_each_other(joint: str) -> None:
+    """Two bodies that stand parallel in the file: the rows of the joint, which are right angles, hold there too."""
+    turned = ", second_axis: [0, -1, 0]}" if "prismatic" in joint else ", turned: [180 deg about x]}"
+    text = f"""
+space: true
+bodies: {{p: {{sphere: {{mass: 1 kg, radius: 1 m}}}}, q: {{sphere: {{mass: 1 kg, radius: 1 m}}}}}}
+connections: {{c: {{{joint}{turned}}}}}
+"""
+    reference = Reference(fb.System.from_text(text))
+    q = reference.assemble()
+    p, second = (matrix(q[list(reference.columns(body)[3:])]) @ reference.frame.principal[body].T for body in "pq")
+    assert p[:, 1] @ second[:, 1] == pytest.approx(-1.0)
+
+
+def test_a_plane_in_which_a_body_lies_on_its_side(agrees: object) -> None:
+    """The axis x of p is the normal z of the plane, and y and z are its x and y at the start: what slides along y of p
+    has the place c1_x + s cos(phi)."""
+    text = """
+space: true
+bodies: {p: {sphere: {mass: 3 kg, radius: 1 m}}, q: {sphere: {mass: 3 kg, radius: 1 m}}}
+connections:
+  c1: {planar: {body: p, second_axis: x}}
+  c0: {prismatic: {first: p, second: q, along: y}}
+"""
+    expected = "rate(c1_x) + rate(c0_travel)*cos(c1_angle) - c0_travel*rate(c1_angle)*sin(c1_angle)"
+    agrees(fb.solve(model(text), "velocity of q along right"), "q1", expected)  # type: ignore[operator]
+
+
+def test_a_planar_joint_across_another_axis_does_not_make_a_body_one_of_the_plane() -> None:
+    text = """
+space: true
+bodies: {p: {sphere: {mass: 3 kg, radius: 1 m}}}
+connections: {c1: {planar: {body: p, normal: x}}, c0: {pin: [ground.origin, p]}}
+"""
+    with pytest.raises(fb.ModelError, match="pin is a connection of the plane"):
+        fb.System.from_text(text)

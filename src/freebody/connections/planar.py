@@ -40,9 +40,9 @@ connections: {it: {planar: {body: plate}}}
     def _joint(self, names: Names) -> Joint | None:
         return read_joint(names, self, self.through, self.body, self.normal, self.second_axis, "normal")
 
-    def _is_flat(self, names: Names) -> bool:
-        """Whether the plane is that of x and y."""
-        return self.normal == "z" and self.through.partition(".")[0] == GROUND
+    def keeps_flat(self, names: Names) -> bool:
+        """Whether the body stays in the plane of x and y with its own axes x and y in it."""
+        return self.normal == "z" and self.through.partition(".")[0] == GROUND and self.second_axis in (None, "z")
 
     def rows(self, names: Names) -> list[Held]:
         if not is_spatial(names, self):
@@ -62,14 +62,14 @@ connections: {it: {planar: {body: plate}}}
         if joint is None:
             return None
         found = joint.attitude(turns=True)
-        if not self._is_flat(names):
+        if not self.keeps_flat(names):
             return found
         (axis, name, _angle), *_ = found.turns
         return replace(found, turns=((axis, name, Angle(joint.second.body)),))
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         body = names.point(self.body, "body")
-        if self._is_flat(names):
+        if self.keeps_flat(names):
             origin = Point(GROUND, names.origin, "ground.origin")
             yield "x", Displacement(body, origin, AXES[0])
             yield "y", Displacement(body, origin, AXES[1])

@@ -453,7 +453,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if node.body in turned or drum_name(node) in rough:
                 continue
             others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
-            if all(isinstance(c, (Pin, Planar)) for c in others):
+            if all(isinstance(c, Pin) or _keeps_flat(names, c) for c in others):
                 held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
                 rows.append(Held(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True))
         return rows
@@ -502,6 +502,11 @@ def _sections(
     return sections
 
 
+def _keeps_flat(names: Names, connection: Connection) -> bool:
+    """Whether a connection only makes a body of space one of the plane."""
+    return isinstance(connection, Planar) and connection.keeps_flat(names)
+
+
 def _is_held(names: Names, body: str) -> bool:
     """Whether anything but strings holds a body, or one that it is welded to: what is welded to it and free otherwise
     hangs on the string with it."""
@@ -509,7 +514,7 @@ def _is_held(names: Names, body: str) -> bool:
     while any(joined & unit and joined - unit for joined in welds):
         unit = unit.union(*(joined for joined in welds if joined & unit))
     for other in names.connections.values():
-        mentioned = set[str]() if isinstance(other, (Planar, Weld)) else other.mentions(names)
+        mentioned = set[str]() if isinstance(other, Weld) or _keeps_flat(names, other) else other.mentions(names)
         if mentioned & (unit - {body} if isinstance(other, String) else unit):
             return True
     others = [names.known(name) for name in sorted(unit - {body})]

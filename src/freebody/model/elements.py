@@ -95,6 +95,12 @@ class Start:
     rates: Components | None = None  # in space: the angular velocity
     rates_in_body: bool = False  # `rates` are components along the body's axes, not the ground's
 
+    @property
+    def moves(self) -> bool:
+        """Whether a velocity or an angular velocity other than zero is stated."""
+        stated = (*(self.velocity or ()), *(self.rates or ()), self.angular_velocity or ZERO)
+        return any(component != ZERO for component in stated)
+
     def with_guess(self) -> Start:
         """The start with the guess put in where nothing is stated."""
         if self.near is None:

@@ -20,11 +20,12 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
-from freebody.model.elements import RateMeasure, RigidBody, Start
+from freebody.model.elements import Attitude, RateMeasure, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Equation, Fit
 from freebody.numeric.rotation import matrix, rotation_vector
+from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.split import Split, stack
 from freebody.system.system import System
 
@@ -102,9 +103,10 @@ def assembled(
         _refuse_singular(reference, body)
     equations = reference.held_by_targets()
     equations += [*_start_equations(reference, extra), *_body_equations(reference)]
-    described = _guess(reference)
+    described = turned_to_face(reference, _guess(reference))
     guess = described if guess is None else guess
     best: Fit | None = None
+    facing: Attitude | None = None  # a joint that was found turned over
     guided = _guided(reference, described)
     if guided:  # an angle or a place that a guide keeps is that of the description, where the rest fits to it
         fit = reference.placing.fit(guess, [*equations, *guided], 0.0, {})
@@ -114,10 +116,17 @@ def assembled(
     for q in _starts(guess, reference.sizes.unit_moves, reference.frame.moved, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {}, min(N_STEPS, left))
         left -= 1 if fit is None else fit.n_steps
+        if fit is not None and fit.error <= ACCEPTED and (over := next(turned_over(reference, fit.q), None)):
+            facing, fit = over, None
         if fit is not None and (best is None or fit.error < best.error):
             best = fit
         if left <= 0 or (best is not None and best.error <= TOLERANCE):
             break
+    if best is None and facing is not None:
+        raise CannotAnswer(
+            f"the start cannot be assembled: in the poses that were found an axis of {facing.first} points against "
+            f"that of {facing.second} with which a joint makes it parallel. Give the attitude of one of them with turned"
+        )
     if best is None:
         raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
     if best.error > ACCEPTED:

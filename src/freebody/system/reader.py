@@ -74,6 +74,7 @@ SECTIONS = (
     "start",
     "questions",
 )
+_POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where a body is: in the plane, in space
 BODY_OPTIONS = ("at", "angle", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "outline")
 SPATIAL_OPTIONS = (
     "at",
@@ -446,7 +447,14 @@ class Reader:
         offsets["mass_center"] = names.origin
         offsets.setdefault("center", names.origin)
         fixed = bool(entry.get("fixed", False))
+        if fixed:
+            entry = self._held_in_place(entry)
         chain, frame = self._chain(name, entry, fixed=fixed) if names.space else ((), GROUND)
+        start = self._start_of_body(entry, build.default_point, offsets)
+        if fixed and start.moves:
+            names.problem(
+                f"{name} is fixed, so it has no velocity at the start: leave out one of the two", None, "fixed"
+            )
         return RigidBody(
             name,
             build.mass,
@@ -456,7 +464,7 @@ class Reader:
             radius=build.radius,
             turns=build.turns,
             fixed=fixed,
-            start=self._start_of_body(entry, build.default_point, offsets),
+            start=start,
             corners=self._outline(entry, offsets) or build.corners,
             is_ring=build.is_ring,
             tensor=build.tensor,
@@ -467,6 +475,13 @@ class Reader:
             solid=build.solid,
             sizes=build.sizes,
         )
+
+    def _held_in_place(self, entry: dict[str, Any]) -> dict[str, Any]:
+        """A fixed body is where it is said to be near: nothing is left to search for."""
+        near = cast("dict[str, Any]", entry["near"]) if isinstance(entry.get("near"), dict) else {}
+        if not near.keys() <= set(_POSE_KEYS[self.names.space]):  # told where the start is read
+            return entry
+        return {**near, **{key: value for key, value in entry.items() if key != "near"}}
 
     def _full(self, at: Components) -> Components:
         """Components as the model has them: a point of a flat shape lies in its plane."""
@@ -523,7 +538,7 @@ class Reader:
         near: Start | None = None
         if isinstance(entry.get("near"), dict):
             guess = cast("dict[str, Any]", entry["near"])
-            known = ("at", "turned") if names.space else ("at", "angle")
+            known = _POSE_KEYS[names.space]
             for key in guess:
                 if key not in known:
                     names.problem(f"near has no {key}.{did_you_mean(key, known)}", None, "near", key)
@@ -667,7 +682,8 @@ class Reader:
 
     def _check_plane(self, connection: Connection, connections: Mapping[str, Connection]) -> None:
         """In space, connections of the plane join bodies that stay in it."""
-        flat = {c.body.partition(".")[0] for c in connections.values() if isinstance(c, Planar)}
+        planes = [c for c in connections.values() if isinstance(c, Planar) and c.keeps_flat(self.names)]
+        flat = {c.body.partition(".")[0] for c in planes}
         free = sorted(b for b in connection.mentions(self.names) - flat if not self.names.bodies[b].fixed)
         if free:
             self.names.problem(
