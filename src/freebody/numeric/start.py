@@ -125,7 +125,7 @@ def assembled(
     if best is None and facing is not None:
         raise CannotAnswer(
             f"the start cannot be assembled: in the poses that were found an axis of {facing.first} points against "
-            f"that of {facing.second} with which a joint makes it parallel. Give the attitude of one of them with turned"
+            f"that of {facing.second} with which a joint makes it parallel. Say with turned how one is turned"
         )
     if best is None:
         raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
