@@ -563,7 +563,7 @@ class _Slow:
     """A thing whose end takes long."""
 
     def __del__(self) -> None:
-        for _ in range(200_000):
+        for _ in range(20_000):
             pass
 
 

@@ -27,6 +27,7 @@ from freebody.study.answer import Answer
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
 OF_THE_INSIDE = ("has no value; known are", "the arithmetic of this study", "run tools/")  # nothing a user could mend
 UNTIL = 0.05  # s, of a short simulation
+REPEATED, UNHEARD = 0.05, 0.002  # s, when the limit of work is raised again; where it was not heard
 
 
 class End(Enum):
@@ -97,11 +98,12 @@ def limited(seconds: float | None) -> Generator[None]:
     def stop(_number: int, frame: FrameType | None) -> None:
         if not collecting.is_so and not _swallows(frame):
             raise OutOfWork
+        signal.setitimer(signal.ITIMER_PROF, UNHEARD, REPEATED)
 
     gc.callbacks.insert(0, collecting.begins)
     gc.callbacks.append(collecting.ends)
     before = signal.signal(signal.SIGPROF, stop)
-    signal.setitimer(signal.ITIMER_PROF, seconds, 0.05)  # again and again, until it comes where it is heard
+    signal.setitimer(signal.ITIMER_PROF, seconds, REPEATED)
     try:
         yield
     finally:

@@ -23,7 +23,7 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, Guard
 from freebody.numeric.numbers import Numbers
 
-LENT = 1e-4  # part of the mass lent to massless bodies that they keep in contact problems
+LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
 MOST_BOUNDS = 6000
 TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a foot may be beyond the end of its edge
 
