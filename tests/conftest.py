@@ -45,12 +45,18 @@ def pytest_unconfigure() -> None:
 _TOGETHER = {"test_examples", "test_narrative", "test_narrative_phrases"}
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The tests of a file run on one worker, as they share solutions."""
-    for item in items:
-        name = item.path.stem
-        item.add_marker(pytest.mark.xdist_group("examples" if name in _TOGETHER else name))
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """The tests of a file run on one worker, as they share solutions. Said here and not by marks of groups, whose names
+    pytest-xdist 3.8 writes where pytest 9.2 does not read them any more."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class ByFile(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            name = Path(nodeid.partition("::")[0]).stem
+            return "examples" if name in _TOGETHER else name
+
+    return ByFile(config, log)
 
 
 class _Symbols(dict[str, Any]):
