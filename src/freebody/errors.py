@@ -76,3 +76,7 @@ class NeverHappens(CannotAnswer):
 
 class RoutesDisagree(FreebodyError):
     """The symbolic and the numeric route give different values; no result is shown."""
+
+
+class RoutesUntold(RoutesDisagree):
+    """They do, in numbers so far apart that round-off alone may be the reason."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
@@ -15,6 +15,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Diagram, Legend, Script, Sentence, Sheet, Stage
 from freebody.study.evidence import rank_freedom
 from freebody.study.gruebler import Gruebler, gruebler
+from freebody.study.spread import disagreement
 
 
 def opening(context: Context) -> list[Stage]:
@@ -127,10 +128,8 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
         script.say("freedom.rank_only", n=n)
         return n
     if n != model.degrees_of_freedom:
-        raise RoutesDisagree(
-            f"the formulas have {model.degrees_of_freedom} independent coordinates, the rank leaves {n}. This is a "
-            "defect of freebody; please report the model"
-        )
+        differ = f"the formulas have {model.degrees_of_freedom} independent coordinates, the rank leaves {n}"
+        raise disagreement(differ, context.setup.draws[0].reference)
     if n == count:
         script.say("freedom.confirmed")
     elif model.redundant:

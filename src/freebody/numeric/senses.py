@@ -29,7 +29,7 @@ def turned_to_face(reference: Reference, q: Array) -> Array:
     faces the wrong way is put parallel to the one before it. What the model gives stays as it is."""
     system = reference.system
     known = {GROUND} | {name for name, body in system.bodies.items() if body.fixed or body.start.turned is not None}
-    left, q = [a for a in system.attitudes if _has_sense(a)], q.copy()
+    left, q = [a for a in system.attitudes if _has_sense(reference, a)], q.copy()
     while left:
         reached = [a for a in left if (a.first in known) != (a.second in known)]
         # of the joints that lead to the same body, that which turns it least
@@ -55,12 +55,14 @@ def turned_to_face(reference: Reference, q: Array) -> Array:
 def turned_over(reference: Reference, q: Array) -> Iterator[Attitude]:
     """The joints whose axes point the wrong way in a pose."""
     for a in reference.system.attitudes:
-        if _has_sense(a) and _agreement(reference, q, a) < FACING:
+        if _has_sense(reference, a) and _agreement(reference, q, a) < FACING:
             yield a
 
 
-def _has_sense(a: Attitude) -> bool:
+def _has_sense(reference: Reference, a: Attitude) -> bool:
     """Whether the joint keeps axes parallel: that about which it turns, or all three."""
+    if not all(reference.system.bodies[name].turns for name in (a.first, a.second)):
+        return False
     return not a.turns or (len(a.turns) == 1 and a.turns[0][0] == UNIT[2])
 
 

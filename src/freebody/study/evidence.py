@@ -9,7 +9,7 @@ from functools import partial, singledispatch
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
@@ -29,6 +29,7 @@ from freebody.study.magnitude import magnitude
 from freebody.study.passage import NumericPassage
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.study.simulate import Simulator
+from freebody.study.spread import disagreement
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
@@ -84,10 +85,8 @@ class Witness:
                 share = min(share, gap / max(OF_PARTS * parts(), LEAST))
             if not share <= self.tolerance:
                 values = ", ".join(f"{k} = {v:.6g}" for k, v in draw.values.items())
-                raise RoutesDisagree(
-                    f"'{self.question}': the closed form gives {_shown(a)}, the numeric route {_shown(b)} at "
-                    f"{values}. No answer is shown. This is a defect of freebody; please report the model"
-                )
+                gives = f"the closed form gives {_shown(a)}, the numeric route {_shown(b)}"
+                raise disagreement(f"'{self.question}': {gives} at {values}", draw.reference)
             worst = max(worst, share)
         if len(self.pairs) < MIN_DRAWS:
             raise CannotAnswer(

@@ -21,7 +21,7 @@ from types import FrameType
 from typing import Any
 
 from freebody.api import System
-from freebody.errors import FreebodyError, RoutesDisagree
+from freebody.errors import FreebodyError, RoutesDisagree, RoutesUntold
 from freebody.study.answer import Answer
 
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
@@ -262,7 +262,8 @@ def run(name: str, system: System, seconds: float | None = None) -> list[Outcome
     except OutOfWork as stopped:
         return [Outcome(name, End.TOO_LONG, f"no end after {seconds:g} s of processor time", _place(stopped))]
     except RoutesDisagree as error:
-        return [Outcome(name, End.DISAGREE, str(error))]
+        end = End.REFUSED if isinstance(error, RoutesUntold) else End.DISAGREE
+        return [Outcome(name, end, str(error))]
     except FreebodyError as error:
         return [_refused(name, str(error))]
     except Exception as error:

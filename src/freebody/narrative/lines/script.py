@@ -14,11 +14,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import to_text
 from freebody.language.sentences import Argument, Sentence
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
+from freebody.study.spread import disagreement
 
 if TYPE_CHECKING:
     from freebody.narrative.lines.glossary import Glossary
@@ -170,10 +171,8 @@ class Script:
             for k, (left, right) in enumerate(pairwise(known)):
                 for a, b in zip(left, right, strict=True):
                     if not _agrees(a, b, relations[k], scale, room):
-                        raise RoutesDisagree(
-                            f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}. The derivation "
-                            "is not shown. This is a defect of freebody; please report the model"
-                        )
+                        step = f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}"
+                        raise disagreement(step, world.draw.reference, "No derivation")
         if n_held < FEWEST:
             raise CannotAnswer(
                 f"the step {_shown(expressions)} could be checked at {n_held} random motions only, so the derivation "

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
@@ -26,6 +26,7 @@ from freebody.study.phases.pieces import Piece
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import Node, Tree
 from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, Stage, before_impact, begun, follow, struck
+from freebody.study.spread import disagreement
 from freebody.system.system import System
 
 N_CHECKED = 5
@@ -170,10 +171,8 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
         if all(other[:2] != (expected.kind, expected.name) for other in seen[-1].together):
             found = "nothing" if event is None else f"{event[1]} {event[0]}"
-            raise RoutesDisagree(
-                f"'{question.text}': the closed form says that {expected.name} {expected.kind}, the numeric route that "
-                f"{found} comes first. No answer is shown. This is a defect of freebody; please report the model"
-            )
+            ours = f"the closed form says that {expected.name} {expected.kind}"
+            raise disagreement(f"'{question.text}': {ours}, the numeric route that {found} comes first", draw.reference)
         numeric = _number(tree, question.quantity, piece, seen)
         witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, seen[-1].snapshot()))
     return witness.evidence()

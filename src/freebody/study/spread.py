@@ -1,0 +1,75 @@
+"""Whether both routes can be told apart at all in numbers of sixteen digits.
+
+They agree where eight digits do (`evidence`). Of a sum of lengths that are eight decades apart, or of the square of a
+mass matrix with such masses in it, these eight are not left: then a difference says nothing about a formula, and no
+answer is shown for that reason.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from freebody.errors import RoutesDisagree, RoutesUntold
+from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.units import LENGTH, MASS
+from freebody.numeric.reference import Reference
+from freebody.system.system import System
+
+APART = 1e8
+FAR = 1e9  # a parameter of more than this, or less than its inverse, in SI units
+
+_Named = tuple[str, float]
+
+
+def disagreement(message: str, reference: Reference, what: str = "No answer") -> RoutesDisagree:
+    """The error of a difference between both routes. message: without the full stop; what: that is not shown."""
+    far = far_apart(reference.system, reference.number)
+    if far:
+        return RoutesUntold(f"{message}; {far}: numbers of 16 digits do not tell which is right. {what} is shown")
+    return RoutesDisagree(f"{message}. {what} is shown. This is a defect of freebody; please report the model")
+
+
+def far_apart(system: System, number: Callable[[Expr], float]) -> str:
+    """Two sizes of one kind, or a parameter, that are further from each other, or from one, than half of sixteen digits
+    hold; "" where none are."""
+    for kind, unit, sizes in (("lengths", "m", _lengths(system, number)), ("masses", "kg", _masses(system, number))):
+        known = [(name, abs(x)) for name, x in sizes if x and math.isfinite(x)]
+        if known:
+            (small, least), (large, most) = (f(known, key=lambda named: named[1]) for f in (min, max))
+            if most > APART * least:
+                return f"the {kind} go from {least:.3g} {unit} ({small}) to {most:.3g} {unit} ({large})"
+    for p in system.parameters.values():
+        x = abs(number(Symbol(p.name))) if p.form is None else 0.0
+        if x and not 1.0 / FAR < x < FAR:
+            return f"{p.name} is {x:.3g} in SI units"
+    return ""
+
+
+def _lengths(system: System, number: Callable[[Expr], float]) -> Iterator[_Named]:
+    for body in system.bodies.values():
+        for point, place in body.points.items():
+            for c in place:
+                yield f"{body.name}.{point}", number(c)
+        start = body.start.with_guess()
+        for c in start.at[1] if start.at is not None else ():
+            yield f"place of {body.name}", number(c)
+        if body.radius is not None:
+            yield f"radius of {body.name}", number(body.radius)
+        mass, inertia = number(body.mass), number(body.inertia)
+        if mass > 0.0 and inertia > 0.0:
+            yield f"radius of gyration of {body.name}", math.sqrt(inertia / mass)
+    for row in system.held:
+        if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
+            yield row.name, number(row.target)
+    for p in system.parameters.values():
+        if p.dimension == LENGTH and p.form is None:
+            yield p.name, number(Symbol(p.name))
+
+
+def _masses(system: System, number: Callable[[Expr], float]) -> Iterator[_Named]:
+    for body in system.moving:
+        yield f"mass of {body.name}", number(body.mass)
+    for p in system.parameters.values():
+        if p.dimension == MASS and p.form is None:
+            yield p.name, number(Symbol(p.name))
