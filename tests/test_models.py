@@ -166,3 +166,18 @@ def test_a_fixed_body_with_a_velocity_is_refused() -> None:
     with pytest.raises(fb.ModelError, match="p is fixed, so it has no velocity"):
         fb.System.from_text(text % "1")
     fb.System.from_text(text % "0")
+
+
+def test_velocities_that_contain_several_speeds_are_those_of_the_start() -> None:
+    """The end of a horizontal rod is in a slot that rises by 30 degrees; its mass centre, 1 m ahead of the end, has the
+    velocity (v, 0). The end has (v, -w), which lies along the slot: w = -v tan 30 deg."""
+    text = """
+parameters: {v: 1 m/s}
+ground: {lines: {rail: {along: 30 deg}}}
+bodies: {p: {rod: {mass: 2 kg, length: 2 m}, angle: 0, velocity: [v, 0]}}
+connections: {c: {slot: {pin: p.start, along: rail}}}
+"""
+    assert value(text, "angular velocity of p at start") == pytest.approx(-math.tan(math.pi / 6))
+    assert value(text, "velocity of p.mass_center at start") == pytest.approx((1.0, 0.0))
+    # a formula for every instant has the value of the start in numbers
+    assert value(text, "speed of p.start") == pytest.approx(1.0 / math.cos(math.pi / 6))

@@ -97,7 +97,11 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
         if given is not None:
             values[c.index] = given
     values[f.index(f.time)] = f.zero
-    least = least_energy(model, known_rates, values)
+    given = rates_by_velocities(model, known_rates, values)
+    values |= given.speeds
+    if not given.is_open:
+        return StartState(values)
+    least = least_energy(model, given.rows, values)
     named = [c.name for c in model.coordinates if c.name not in known_rates]
     moved = [c.name for c in model.coordinates if c.name in named and c.speed in least and not least[c.speed].is_zero()]
     values |= least
@@ -109,23 +113,45 @@ def rate_not_given(name: str) -> str:
     return f"rate({name}) at the start is not given; it is taken to be that of the least kinetic energy"
 
 
-def least_energy(model: SymbolicModel, known_rates: Mapping[str, Expr], start: Mapping[int, Ratio]) -> dict[int, Ratio]:
+@dataclass(frozen=True)
+class GivenRates:
+    """What the start says about the speeds: equations, and what follows from them alone."""
+
+    rows: tuple[Row, ...]
+    speeds: Mapping[int, Ratio]  # where they leave none open
+    is_open: bool  # some are left open, and not all is at rest
+
+
+def rates_by_velocities(
+    model: SymbolicModel, known_rates: Mapping[str, Expr], start: Mapping[int, Ratio]
+) -> GivenRates:
+    """The given rates of measures and velocities of bodies, all of them together: one may contain several speeds."""
+    f = model.field
+    speeds = [c.speed for c in model.coordinates]
+    at_start = {k: x for k, x in start.items() if k not in speeds}
+    rows: list[Row] = []
+    for rate, wanted in model.wanted_rates(known_rates):
+        rows.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
+    solved = solve(f, rows, speeds, Ratio.is_zero)
+    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.held)
+    moves = is_driven or any(RHS in row for row in rows)
+    found: dict[int, Ratio] = {}
+    # contradictory as they are written: rates that are given twice may agree in the pose of the start alone
+    if moves and not solved.free and not solved.contradictory:
+        found = {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
+    return GivenRates(tuple(rows), found, moves and bool(solved.free))
+
+
+def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int, Ratio]) -> dict[int, Ratio]:
     """All speeds at the start, where given rates leave some open and others run. With A u = b the given rates and
     p(u) = dT/du the momenta, which contain what drivers do,
 
         p(u) = A^T lambda,        A u = b        (Gauss: the least kinetic energy).
 
-    Empty where everything is given, or at rest. Raises CannotAnswer where a speed moves nothing that has mass."""
+    Raises CannotAnswer where a speed moves nothing that has mass."""
     f = model.field
     speeds = [c.speed for c in model.coordinates]
     at_start = {k: x for k, x in start.items() if k not in speeds}
-    given: list[Row] = []
-    for rate, wanted in model.wanted_rates(known_rates):
-        given.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
-    free = solve(f, given, speeds, Ratio.is_zero).free
-    is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.held)
-    if not free or not (is_driven or any(RHS in row for row in given)):
-        return {}
     rows, multipliers = list(given), [-2 - k for k in range(len(given))]
     for k, c in enumerate(model.coordinates):
         total = f.zero
