@@ -181,3 +181,19 @@ connections: {c: {slot: {pin: p.start, along: rail}}}
     assert value(text, "velocity of p.mass_center at start") == pytest.approx((1.0, 0.0))
     # a formula for every instant has the value of the start in numbers
     assert value(text, "speed of p.start") == pytest.approx(1.0 / math.cos(math.pi / 6))
+
+
+def test_a_distance_and_an_angle_of_one_point_on_a_guide_are_one_freedom() -> None:
+    """Only one of the two can be a coordinate; what the other would assume is no condition of an answer."""
+    text = """
+ground: {points: {A: [-1 m, 1 m], B: [-1 m, 0]}}
+bodies: {p: {disk: {mass: 2 kg, radius: 1 m}}}
+connections: {c: {slot: {pin: p, along: right}}}
+measures:
+  u: distance from ground.B to p
+  w: angle of line from ground.A to p
+"""
+    assert value(text, "degrees of freedom") == 2
+    momentum = fb.solve(fb.System.from_text(text), "linear momentum")["q1"].to_plain()
+    assert momentum["expression"] == ["2*rate(u)", "0"]
+    assert [condition["expression"] for condition in momentum["conditions"]] == ["u > 0"]

@@ -563,7 +563,7 @@ class _Slow:
     """A thing whose end takes long."""
 
     def __del__(self) -> None:
-        for _ in range(20_000):
+        for _ in range(2_000):
             pass
 
 
@@ -571,7 +571,7 @@ class _Slow:
 def test_the_limit_of_work_is_not_lost_in_a_destructor_or_a_callback(is_collected: bool) -> None:
     # what is raised there is only reported, which the test run takes for a failure
     def busy(_phase: str, _info: dict[str, int]) -> None:
-        for _ in range(20_000):
+        for _ in range(2_000):
             pass
 
     def work() -> None:

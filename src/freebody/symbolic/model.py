@@ -90,6 +90,7 @@ class SymbolicModel:
         self._definitions: list[Equation] = []
         self._line_equations: dict[Any, list[Equation]] = {}
         self._defined_lines: set[Any] = set()
+        self._made_for: dict[str, list[int]] = {}  # the unknowns that came with a measure, by its definition
         self._without_rate: set[int] = set()  # speeds of measures without a rate at a sample
         self._angles: set[int] = set()
         self._make_poses()
@@ -407,7 +408,9 @@ class SymbolicModel:
             self._coordinate_measures[self.field.index(own)] = measure
             made = [Equation(label, own - value)] + [Equation(label, e.value) for e in self._definitions]
             self._definitions = []
-            defined.append((label, made, [i for i in self._unknowns if i not in before]))
+            # made in the first pass: those of a measure that is dropped in a later one go with it
+            new = self._made_for.setdefault(label, [i for i in self._unknowns if i not in before])
+            defined.append((label, made, new))
         self._sample_values = [self._values_at(sample) for sample in self.samples]
         # a measure without a value at a sample, as the bearing of points that coincide there, is no coordinate
         without = {label for label, _made, new in defined if not all(map(self._has_values, new))}
@@ -416,7 +419,9 @@ class SymbolicModel:
         with_lines = {d[0] for d in defined if len(d[1]) > 1} - without
         dropped: set[str] = with_lines | without
         replaced = {e.name for e in given}
+        n_assumed = len(self.assumed)
         while True:
+            del self.assumed[n_assumed:]  # what a choice of measures assumed that is not taken
             chosen = [d for d in defined if d[0] not in dropped and d[0] not in replaced]
             out = {i for d in defined if d[0] in dropped and d[0] not in replaced for i in d[2]}
             unknowns = {i: u for i, u in self._unknowns.items() if i not in out}
