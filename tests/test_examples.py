@@ -16,6 +16,8 @@ from declared import undeclared
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
 from freebody.present.terminal import solution_lines
+from freebody.questions.reactions import Multiplier
+from freebody.study.dataset import reaction_names
 from goldens import assert_golden
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
@@ -54,6 +56,24 @@ def test_every_answer_was_checked_against_the_other_route(name: str) -> None:
         assert answer.evidence is not None, answer.id
         assert answer.evidence.draws >= 5, answer.id
         assert answer.evidence.worst_relative_difference < 1e-7, answer.id
+
+
+@example
+def test_tooth_forces_and_tensions_at_the_start_are_those_of_a_simulation(name: str) -> None:
+    solution = solved(name)
+    system = solution.system
+    asked = [
+        (question.quantity, answer)
+        for question, answer in zip(system.questions, solution.answers, strict=True)
+        if isinstance(question.quantity, Multiplier) and question.event is None and isinstance(answer.value, float)
+    ]
+    if not asked:
+        return
+    result = system.simulate(0.01, every=0.005)
+    for quantity, answer in asked:
+        row = next(row for row in system.rows if row.name == quantity.row)
+        reaction = reaction_names(system.rows)[system.rows.index(row)]
+        assert float(result.dataset[reaction][0]) == pytest.approx(answer.value, rel=1e-8, abs=1e-10), answer.question
 
 
 @example
