@@ -197,3 +197,9 @@ measures:
     momentum = fb.solve(fb.System.from_text(text), "linear momentum")["q1"].to_plain()
     assert momentum["expression"] == ["2*rate(u)", "0"]
     assert [condition["expression"] for condition in momentum["conditions"]] == ["u > 0"]
+
+
+@pytest.mark.parametrize("corners", ["[[0, 1], [k, 0], [0, 1]]", "[[0, 0], [k, 2*k], [3*k, 6*k]]"])
+def test_a_polygon_on_one_line_has_no_area_whatever_its_parameters_are(corners: str) -> None:
+    with pytest.raises(fb.ModelError, match="enclose no area"):
+        fb.System.from_text(f"parameters: {{k: m}}\nbodies: {{p: {{polygon: {{mass: 1 kg, corners: {corners}}}}}}}")

@@ -6,10 +6,22 @@ inside back cover. A mass that is left out is zero: a massless link or pulley.
 
 from __future__ import annotations
 
+import random
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.language.expression import Expr, Number, divide, multiply, negate, number, power
+from freebody.language.expression import (
+    Expr,
+    Number,
+    Sum,
+    divide,
+    evaluate,
+    free_symbols,
+    multiply,
+    negate,
+    number,
+    power,
+)
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Components
 from freebody.model.spec import Formula, Heading, Spec
@@ -341,6 +353,20 @@ def _flat(Ix: Expr, Iy: Expr, xy: Expr = ZERO) -> Components:
     return Ix, Iy, Ix + Iy, xy, ZERO, ZERO
 
 
+def _is_zero(x: Expr) -> bool:
+    """Whether an expression vanishes whatever the parameters are: at places at which nothing else does by chance
+    (Schwartz and Zippel), where round-off leaves less than 1e-12 of its terms."""
+    if isinstance(x, Number):
+        return x.value == 0
+    rng = random.Random(1)
+    for _ in range(3):
+        values = {name: rng.uniform(0.5, 2.0) for name in sorted(free_symbols(x))}
+        terms = [float(evaluate(term, values)) for term in (x.terms if isinstance(x, Sum) else (x,))]
+        if abs(sum(terms)) > 1e-12 * sum(map(abs, terms)):
+            return False
+    return True
+
+
 class Polygon(Shape, kind="polygon"):
     """A uniform plate with straight edges; corners in order (either way round) in the body's own frame,
     whose origin is the reference point `origin`; points `corner1`, `corner2` ... Area, centroid and polar
@@ -372,7 +398,7 @@ class Polygon(Shape, kind="polygon"):
             sy = sy + (y1 + y2) * cross
             squares = x1 * x1 + x1 * x2 + x2 * x2 + y1 * y1 + y1 * y2 + y2 * y2
             polar = polar + cross * squares
-        if isinstance(area2, Number) and area2.value == 0:
+        if _is_zero(area2):
             names.problem("the corners enclose no area", self, "corners")
             return Build(m, ZERO)
         cx, cy = divide(sx, 3 * area2), divide(sy, 3 * area2)
