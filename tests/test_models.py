@@ -203,3 +203,25 @@ measures:
 def test_a_polygon_on_one_line_has_no_area_whatever_its_parameters_are(corners: str) -> None:
     with pytest.raises(fb.ModelError, match="enclose no area"):
         fb.System.from_text(f"parameters: {{k: m}}\nbodies: {{p: {{polygon: {{mass: 1 kg, corners: {corners}}}}}}}")
+
+
+def test_equations_of_motion_of_what_cannot_be_assembled_are_refused_in_words() -> None:
+    """Three joints and places that do not fit; without numbers the formulas would divide by zero."""
+    text = """
+space: true
+ground: {points: {A: [1 m, 2 m, 0]}}
+bodies:
+  p:
+    body: {mass: 1 kg, inertia: 3 kg m^2}
+    at: [2 m, 0, 0.5 m]
+    turned: [90 deg about x]
+    points: {tip: [0, -1 m, 2 m]}
+  r: {polygon: {mass: 0.5 kg, corners: [[0, 0.3], [10, 0], [0, 0.5]]}, at: [2 m, 1 m, 0]}
+connections:
+  c0: {constant_velocity: {first: p.tip, second: ground.A, about: down, second_axis: down}}
+  c1: {planar: {body: r}}
+  c2: {planar: {body: p}}
+  again: {planar: {body: r, normal: r.x}}
+"""
+    with pytest.raises(fb.ModelError, match="cannot be assembled"):
+        fb.System.from_text(text).equations_of_motion()

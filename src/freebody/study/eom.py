@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -79,10 +80,11 @@ def equations_of_motion(system: System) -> Equations:
 
         return equations_of_motion(settled(system))
     if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
-        # nothing counts from the start; without loops no numbers are needed either
-        model = symbolic_model(system, [])
-        if not model.loops and not model.redundant:
-            return _equations(system, model)
+        # nothing counts from the start; without loops no numbers are needed either, but where nothing can be assembled
+        with suppress(ZeroDivisionError):
+            model = symbolic_model(system, [])
+            if not model.loops and not model.redundant:
+                return _equations(system, model)
     return _equations(system, Setup(system, 2).model)
 
 

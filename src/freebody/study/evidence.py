@@ -108,6 +108,8 @@ def element_at(setup: Setup, x: Ratio | tuple[Ratio, ...], draw: Draw, snapshot:
         return tuple(float(setup.model.field.evaluate(p, numbers)) for p in parts)
     except KeyError:
         raise NotReal("a part of the closed form has no real value here") from None
+    except ZeroDivisionError:
+        raise NotReal("the closed form divides by zero") from None
 
 
 class NotReal(CannotAnswer):
