@@ -413,3 +413,18 @@ def _drawn(model: System, n: int) -> dict[str, np.ndarray]:
         if s != k and s in found and k in found:
             found[s], found[k] = np.maximum(found[s], found[k]), np.minimum(found[s], found[k])
     return found
+
+
+def test_the_first_phase_of_a_particle_in_space_has_a_closed_form() -> None:
+    """Friction R along its height slows it, m u'' = -R: u = v t - R t^2 / (2 m). Of the place that nobody gave no symbol
+    is left, and what follows on the phase is refused in words."""
+    system = fb.System.from_text("""
+space: true
+bodies: {q: {particle: {mass: 3 kg}}}
+measures: {u: height of q}
+connections: {c: {dry_friction: {measure: u, force: 0.2 N}}}
+start: {u: 0, rate(u): 1 m/s}
+questions: [time when u = 0.1 m]
+""")
+    (answer,) = system.solve().answers
+    assert answer.value == pytest.approx(15 - math.sqrt(222))

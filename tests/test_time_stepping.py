@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import freebody as fb
 from freebody.numeric.engine.course import Status
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
@@ -338,3 +339,24 @@ def test_the_residual_is_reported_when_the_sweeps_do_not_suffice() -> None:
     assert result.n_capped > 0
     assert "sweeps" in result.course.message
     assert result.residual > 0.0
+
+
+def test_what_massless_bodies_count_as_is_small_and_said() -> None:
+    """A pendulum on a massless rod beside a disk: theta'' = -g/L cos(theta) from the horizontal, to 1e-3."""
+    system = fb.System.from_text("""
+ground: {points: {A: [0, 2 m]}, lines: {floor: {along: right}}}
+bodies:
+  rod: {rod: {length: 1 m}, angle: 0}
+  bob: {particle: {mass: 1 kg}}
+  disk: {disk: {mass: 2 kg, radius: 0.1 m}, at: [3 m, 1 m]}
+connections:
+  O: {pin: [ground.A, rod.start]}
+  P: {weld: [rod.end, bob]}
+  c: {contact: {between: [disk, floor]}}
+loads: {w: {gravity: 9.81 m/s^2}}
+measures: {theta: angle of rod}
+""")
+    stepped = system.simulate(0.4, method="moreau", step=2e-4)
+    assert "rod: without mass or moment of inertia" in stepped.message
+    exact = system.simulate(0.4).dataset["theta"][-1]
+    assert float(stepped.dataset["theta"][-1]) == pytest.approx(float(exact), abs=1e-3)

@@ -87,6 +87,7 @@ class Packing:
         self.constant_force = np.zeros((self.n_bodies + 1, 3 * self.measures.width))
         self._measures: list[dict[_Key, int]] = [{} for _ in self.measures.kinds]
         self.pieces: list[tuple[int, _Key]] = []
+        self.part_lent = 1.0  # of what massless bodies are lent
         self.reads_turns = False  # whether held rows or loads depend on turns
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
         self._base: dict[Base, int] = {}

@@ -174,7 +174,7 @@ class Written:
             gyration += cells.gyration(b)
         is_driven = np.isin(np.arange(masses.size).reshape(masses.shape), sorted(driven)) | (self.width == 1)
         lacks = turns & (masses == 0.0) & is_driven
-        lent = np.where(lacks, lent_sizes(numbers, cells, masses), 0.0)
+        lent = np.where(lacks, self.packing.part_lent * lent_sizes(numbers, cells, masses), 0.0)
         used = masses + lent
         inverse = np.divide(1.0, used, out=np.zeros_like(used), where=turns & (used > 0.0))
         return {

@@ -14,6 +14,7 @@ from freebody.errors import InputError
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import NO_TRACKS, Course, Status
 from freebody.numeric.engine.layout import Floats
+from freebody.numeric.engine.lending import OF_LIGHTEST
 from freebody.numeric.engine.measures_planar import NEAR
 from freebody.numeric.engine.motion import stopped
 from freebody.numeric.numbers import Numbers
@@ -21,7 +22,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.timestepping import marching
 from freebody.numeric.timestepping.marching import March
 from freebody.numeric.timestepping.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
-from freebody.numeric.timestepping.scene import Scene
+from freebody.numeric.timestepping.scene import KEPT, Scene
 
 Progress = Callable[[float, int], None]
 TOLERANCE = 1e-12
@@ -267,6 +268,11 @@ class _Run:
             found.append(
                 f"in {m.count[marching.SOFTENED]} steps with several impacts the law of restitution would have added "
                 "energy; they were done without restitution"
+            )
+        if self.scene.lent:
+            found.append(
+                f"{', '.join(self.scene.lent)}: without mass or moment of inertia; time stepping counts "
+                f"{KEPT * OF_LIGHTEST:.0e} of the lightest one beside it instead"
             )
         reach = self.step * float(m.clock[marching.FASTEST])
         if len(self.scene.built.pairs) and reach > self.scene.size:

@@ -18,6 +18,7 @@ from freebody.numeric.timestepping.rows import N_NUMBER, N_WHAT, Rows
 from freebody.numeric.timestepping.shapes import Outlines
 from freebody.numeric.timestepping.templates import Template
 
+KEPT = 1e-2  # part of the mass lent to massless bodies that they keep here, where nothing takes it back
 SLOP = 1e-6  # by the size of the smallest outline: gaps below count as closed, penetrations as none
 SKIN = 0.35  # by the size of the smallest outline
 FEW = 16  # so many pairs are all looked at in every step
@@ -31,6 +32,7 @@ class Scene:
         self.numbers = numbers
         self.parts = Parts.of(system.held, system.limits, system.brakes)
         packing = Packing(numbers)
+        packing.part_lent = KEPT
         self.parts.enter(packing)
         for push in system.pushes:
             packing.push(push)
@@ -43,6 +45,12 @@ class Scene:
         self.fixtures = self.parts.fixtures(numbers, self.packed.rows, [int(k) for k in self.place_of])
         self._read_contacts()
         self._grow(64)
+
+    @property
+    def lent(self) -> tuple[str, ...]:
+        """The bodies without mass that have a little of it here."""
+        gap = self.packed.layout.mass_gap.reshape(self.n_bodies + 1, -1)
+        return tuple(body.name for body, own in zip(self.numbers.system.moving, gap, strict=False) if own.any())
 
     @property
     def is_jointed(self) -> NDArray[np.int32]:

@@ -130,6 +130,8 @@ class Home:
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
         """The state of a phase at given values of its coordinates and speeds, as starts of all bodies. Angles become
         symbols, since sines of long sums are long."""
+        if phase.system.space:
+            raise CannotAnswer("the start of a phase is put together from bodies in the plane only")
         model, f = phase.model, phase.model.field
         there = SymbolicState(model, values)
         moving = {c.index for c in model.coordinates} | {c.speed for c in model.coordinates}

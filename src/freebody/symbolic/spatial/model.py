@@ -424,7 +424,8 @@ class SpatialModel(SymbolicModel):
         tangent = straight_tangent(self.field, self.is_negative)
         there = FieldGeometry(self.field, self.parameters, known, tangent, space=True, is_negative=self.is_negative)
         with suppress(CannotAnswer, ZeroDivisionError):
-            return measure.value(there)
+            value = measure.value(there)
+            return None if self.field.ingredients(value) & self._unknowns.keys() else value  # of a place nobody gave
         return None
 
     def _start_pose(self, name: str) -> SpatialPose[Ratio] | None:
