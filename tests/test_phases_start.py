@@ -416,8 +416,8 @@ def _drawn(model: System, n: int) -> dict[str, np.ndarray]:
 
 
 def test_the_first_phase_of_a_particle_in_space_has_a_closed_form() -> None:
-    """Friction R along its height slows it, m u'' = -R: u = v t - R t^2 / (2 m). Of the place that nobody gave no symbol
-    is left, and what follows on the phase is refused in words."""
+    """Friction R along its height slows it, m u'' = -R: u = v t - R t^2 / (2 m). Of the place that nobody gave no
+    symbol is left, and what follows on the phase is refused in words."""
     system = fb.System.from_text("""
 space: true
 bodies: {q: {particle: {mass: 3 kg}}}
