@@ -25,6 +25,7 @@ from freebody.tolerances import ROUND_OFF
 
 N_DRAWS = 6
 _TIME = 0.37  # an instant at which drivers are looked at
+_STILL = 1e-8  # of the slope of a measure: less along all free motions is no change
 
 _N_WAYS = 6  # directions in which a general pose is looked for
 _OTHER_WAY = 1000  # between their seeds
@@ -50,7 +51,7 @@ class Setup:
     @cached_property
     def _made(self) -> SymbolicModel | CannotAnswer:
         """The model, or why there is none: neither is looked for twice."""
-        starts = [d.sample() for d in self.draws[:3]]
+        starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
         try:
             model = symbolic_model(self.system, [*starts, *general])
@@ -184,6 +185,21 @@ def rank_freedoms(snapshot: Snapshot) -> int:
         for row in reference.system.held
     ]
     return Split(stack(rows, n), reference.sizes.small_moves).null.shape[1]
+
+
+def still_measures(draw: Draw) -> frozenset[str]:
+    """Named measures that no motion of a draw changes at its start to first order: at an extreme, as at a dead point."""
+    reference, q = draw.reference, draw.q
+    moves = reference.sizes.unit_moves
+    free = np.linalg.qr(reference.split_at(q, {}).null / moves[:, None])[0]
+    g = reference.geometry(q, np.zeros_like(q), 0.0)
+    found: set[str] = set()
+    for name, measure in reference.system.measures.items() if free.shape[1] else ():
+        with suppress(CannotAnswer):
+            slope = reference.jet(g, measure, name).row(len(q)) * moves
+            if np.linalg.norm(slope @ free) <= _STILL * np.linalg.norm(slope):
+                found.add(name)
+    return frozenset(found)
 
 
 def independent_measures(setup: Setup, n: int) -> tuple[str, ...]:

@@ -383,7 +383,10 @@ class SymbolicModel:
                 equations.append(Equation(row.name, self._held_value(row.measure) - self._target(row)))
         constraints = equations + self._definitions
         self._definitions = []
-        candidates = [(f"define {n}", n, m, (NAMED, -k)) for k, (n, m) in enumerate(self.system.measures.items())]
+        measures = self.system.measures
+        # wanted in the order of the file; one that is at an extreme at the start is no coordinate there: last
+        wanted = sorted(measures, key=lambda n: any(n in sample.still for sample in self.samples))
+        candidates = [(f"define {n}", n, m, (NAMED, -wanted.index(n))) for n, m in measures.items()]
         named = {m for _d, _n, m, _r in candidates}
         candidates = [c for c in candidates if c[1] not in self._given_angles]
         taken = set(self.system.measures) | set(self.parameters) | self._given_angles

@@ -325,6 +325,10 @@ class Ends:
 
     def _of_size_one(self, here: Seen, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:
         """The motion by the rate of the first row that is known to move."""
+        return next(self._by_sizes(here, motion, at), motion)
+
+    def _by_sizes(self, here: Seen, motion: dict[Slot, Ratio], at: Values) -> Iterator[dict[Slot, Ratio]]:
+        """The motion by the rate of every row that is known to move, one after the other."""
         eq = self.equations
         sizes = [(name, direction) for name, direction in here.failure.slips if name != self.asked]
         sizes += [(name, eq.rows[name].sign) for name in sorted(here.failure.opens)]
@@ -333,8 +337,7 @@ class Ends:
         for name, direction in sizes:
             rate = direction * self._at_value(eq.rate(name, motion), at)
             if not rate.is_zero():
-                return {slot: self.field.lowest_terms(x / rate) for slot, x in motion.items()}
-        return motion
+                yield {slot: self.field.lowest_terms(x / rate) for slot, x in motion.items()}
 
     def _at_value(self, x: Ratio, at: Values) -> Ratio:
         return self.field.follow(x, at)

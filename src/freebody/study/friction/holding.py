@@ -25,7 +25,7 @@ from freebody.study.friction.failures import Seen, how_it_fails, seen
 from freebody.study.friction.limits import Edge
 from freebody.study.friction.touching import Touching
 from freebody.study.setup import Setup
-from freebody.symbolic.active_set import Failure, RestEquations
+from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
@@ -80,11 +80,15 @@ class Holding(Ends):
         return None if found is None else Edge(found.value, problem, found)
 
     def barrier(self, here: Seen) -> Barrier | None:
-        """The inequality that prevents a failure; None if its motion has no closed form."""
+        """The inequality that prevents a failure; None if its motion has no closed form. The motion is measured by that
+        of its rates with which fewest conditions are left."""
         motion = self.equations.motion(here.failure, {})
         if motion is None:
             return None
-        motion = self._of_size_one(here, motion, {})
+        found = [b for m in self._by_sizes(here, motion, {}) if (b := self._barrier_of(here, m)) is not None]
+        return min(found, key=lambda b: len(b.where), default=None)
+
+    def _barrier_of(self, here: Seen, motion: dict[Slot, Ratio]) -> Barrier | None:
         power = -self.equations.power(here.failure, motion)
         if power.is_zero():
             return None

@@ -82,13 +82,19 @@ class _Grower:
                 return name
         usable = [a for a in self.system.attitudes if self._new(a, waiting) is not None]
         if usable:
-            joint = min(usable, key=lambda a: len(a.turns))
+            joint = min(usable, key=lambda a: (len(a.turns), any(t[2] not in self._names for t in a.turns)))
             name = str(self._new(joint, waiting))
             self._by_joint(joint, name)
             return name
-        name = next((n for n in waiting if not self.system.bodies[n].chain), waiting[0])
+        free = [n for n in waiting if not self.system.bodies[n].chain] or waiting[:1]
+        name = max(free, key=self._n_rows)  # what is held most turns about the axes that hold it
         self._free(name)
         return name
+
+    def _n_rows(self, name: str) -> int:
+        """How many rows hold a body to others that are placed already."""
+        joined = (set(row.measure.bodies()) for row in self.system.held)
+        return sum(name in bodies and bool(bodies & self.placed - {name}) for bodies in joined)
 
     def _new(self, a: Attitude, waiting: Sequence[str]) -> str | None:
         """The body to which a joint leads."""
