@@ -536,3 +536,24 @@ measures: {{u: angle between {pair}}}
 connections: {{c: {{velocity_constraint: {{expression: rate(u)*cos(u)}}}}}}
 """
     assert "linear momentum along right" in kept(text)
+
+
+def test_a_vector_on_a_closed_loop_is_refused_by_its_own_reason() -> None:
+    judged_ = found(FOUR_BAR_WITH_VECTOR, "is acceleration of coupler.mass_center conserved")
+    (verdict,) = judged_.quantities
+    assert "name one" in verdict.reason
+
+
+FOUR_BAR_WITH_VECTOR = """
+ground: {points: {A: [0, 0], D: [2 m, 0]}}
+bodies:
+  crank: {rod: {mass: 1 kg, length: 0.5 m}, near: {angle: 60 deg}}
+  coupler: {rod: {mass: 1 kg, length: 2 m}}
+  rocker: {rod: {mass: 1 kg, length: 1.5 m}, near: {angle: 100 deg}}
+connections:
+  A: {pin: [ground.A, crank.start]}
+  B: {pin: [crank.end, coupler.start]}
+  C: {pin: [coupler.end, rocker.end]}
+  D: {pin: [ground.D, rocker.start]}
+loads: {w: {gravity: 9.81 m/s^2}}
+"""

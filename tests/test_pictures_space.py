@@ -647,3 +647,8 @@ def test_every_example_in_space_can_be_drawn(path: Path) -> None:
     taken = shots(drawing, 0, drawing.view())
     assert all(np.isfinite(mark.points).all() for shot in taken for mark in paint(shot))
     assert {form.index for form in drawing.scene.figures} <= {piece.turn for piece in drawing.pieces}
+
+
+def test_a_ball_without_a_radius_is_drawn_as_a_point() -> None:
+    text = "space: true\nbodies: {p: {sphere: {mass: 1 kg, radius: 0}}, q: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}}}"
+    assert "<svg" in fb.System.from_text(text).picture().svg()

@@ -39,6 +39,9 @@ Wrench = tuple[Ratio, ...]  # force, then moment about the mass centre: three in
 class IsVector(CannotAnswer):
     """A vector was asked for where a scalar is meant."""
 
+    def __init__(self) -> None:
+        super().__init__("a vector is conserved along some directions and not along others; name one")
+
 
 @dataclass(frozen=True)
 class Principle:
@@ -73,7 +76,7 @@ class Balance:
         """By the kind of quantity: what is stated over a state, and what needs the coordinates or potentials."""
         found = q.value(self.system, self.state)
         if isinstance(found, tuple):
-            raise IsVector("a vector is conserved along some directions and not along others; name one")
+            raise IsVector
         return self.field.lowest_terms(self.field.element(found))
 
     def _coordinate(self, name: str) -> Coordinate:

@@ -192,6 +192,8 @@ class Judge:
         except IsVector:
             raise
         except CannotAnswer as error:
+            if isinstance(quantity.value(self.system, self.setup.draws[0].start()), tuple):
+                raise IsVector from None
             return self._by_simulation(balance, str(error))
         principle, notes = self._principle(balance)
         if self.model.vanishes(rate):

@@ -46,7 +46,8 @@ class Solid:
     def _fans(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """The faces cut into triangles (m, 3) from their first points, and the face of each (m,)."""
         cuts = [(k, (face[0], a, b)) for k, face in enumerate(self.faces) for a, b in pairwise(face[1:])]
-        return np.array([cut for _k, cut in cuts], dtype=np.intp), np.array([k for k, _cut in cuts], dtype=np.intp)
+        triangles = np.array([cut for _k, cut in cuts], dtype=np.intp).reshape(-1, 3)  # none of a point
+        return triangles, np.array([k for k, _cut in cuts], dtype=np.intp)
 
     def normals(self, points: Array) -> Array:
         """(n_faces, 3) outward normals with its points elsewhere, twice as long as the faces are large."""
