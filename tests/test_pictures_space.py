@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from itertools import pairwise
 from pathlib import Path
@@ -649,6 +650,9 @@ def test_every_example_in_space_can_be_drawn(path: Path) -> None:
     assert {form.index for form in drawing.scene.figures} <= {piece.turn for piece in drawing.pieces}
 
 
-def test_a_ball_without_a_radius_is_drawn_as_a_point() -> None:
+def test_a_ball_without_a_radius_is_drawn_as_a_point(tmp_path: Path) -> None:
     text = "space: true\nbodies: {p: {sphere: {mass: 1 kg, radius: 0}}, q: {box: {mass: 1 kg, size: [1 m, 1 m, 1 m]}}}"
-    assert "<svg" in fb.System.from_text(text).picture().svg()
+    file, picture = tmp_path / "m.yaml", tmp_path / "m.svg"
+    file.write_text(text, encoding="utf-8")
+    subprocess.run([sys.executable, "-m", "freebody", "draw", str(file), "-o", str(picture)], check=True)
+    assert "<svg" in picture.read_text(encoding="utf-8")

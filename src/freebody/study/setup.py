@@ -188,7 +188,7 @@ def rank_freedoms(snapshot: Snapshot) -> int:
 
 
 def still_measures(draw: Draw) -> frozenset[str]:
-    """Named measures that no motion of a draw changes at its start to first order: at an extreme, as at a dead point."""
+    """Named measures that no motion of a draw changes at its start to first order (a dead point)."""
     reference, q = draw.reference, draw.q
     moves = reference.sizes.unit_moves
     free = np.linalg.qr(reference.split_at(q, {}).null / moves[:, None])[0]

@@ -96,9 +96,10 @@ class Home:
         start value that follows from the assembly only: that is a symbol of its phase alone."""
         model = self.home.model
         own = {phase.model.field.index(symbol): k for k, symbol in phase.model.start_symbols.items()}
-        for symbol in x.generators() & own.keys():
-            name = next(c.name for c in phase.model.coordinates if c.index == own[symbol])
-            raise CannotAnswer(f"what {name} is at the start has no closed form; give it in start")
+        inside = phase.model.field.ingredients(x)
+        for c in (*phase.model.coordinates, *phase.model.dependent):
+            if c.index in inside or any(own[symbol] == c.index for symbol in sorted(x.generators() & own.keys())):
+                raise CannotAnswer(f"what {c.name} is at the start has no closed form; give it in start")
         expr = phase.model.field.expression(x)
         return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
 
