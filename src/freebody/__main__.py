@@ -1,0 +1,5 @@
+"""`python -m freebody`, where the command is not on the path."""
+
+from freebody.cli import main
+
+main()
