@@ -428,3 +428,23 @@ questions: [time when u = 0.1 m]
 """)
     (answer,) = system.solve().answers
     assert answer.value == pytest.approx(15 - math.sqrt(222))
+
+
+def test_an_answer_at_an_assembled_start_has_no_symbol_of_a_phase() -> None:
+    """A plate hangs on a pin at (0.3, 0), its angle is that of the assembly; a stop makes phases of the motion."""
+    system = fb.System.from_text("""
+ground: {points: {A: [0.3 m, 0]}}
+bodies:
+  p: {rectangle: {mass: 10 kg, width: 0.2 m, height: 0.5 m}}
+  q: {ring: {mass: 3 kg, radius: 0.125 m}, angle: 180 deg}
+measures: {u: distance from q.mass_center to p.top_right}
+connections:
+  c0: {pin: {first: p.bottom_right, second: ground.A}}
+  c1: {stop: {measure: x of p.bottom from q.center, min: 0, restitution: 0.5}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [instant centre of p, angular acceleration of q relative to p]
+""")
+    centre, turning = system.solve().answers
+    assert centre.value == pytest.approx((0.3, 0.0))
+    assert turning.expression is not None
+    assert turning.value is None  # the angle of the assembly is no number of the file

@@ -97,8 +97,9 @@ class Home:
         model = self.home.model
         own = {phase.model.field.index(symbol): k for k, symbol in phase.model.start_symbols.items()}
         inside = phase.model.field.ingredients(x)
+        inside |= {own[symbol] for symbol in inside & own.keys()}
         for c in (*phase.model.coordinates, *phase.model.dependent):
-            if c.index in inside or any(own[symbol] == c.index for symbol in sorted(x.generators() & own.keys())):
+            if c.index in inside:
                 raise CannotAnswer(f"what {c.name} is at the start has no closed form; give it in start")
         expr = phase.model.field.expression(x)
         return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
