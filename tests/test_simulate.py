@@ -420,6 +420,11 @@ def test_a_stiff_spring_changes_the_method_and_keeps_the_number_of_steps_bounded
     exact = 0.3 * (fast * math.exp(-slow * 0.05) - slow * math.exp(-fast * 0.05)) / (fast - slow)
     x = np.interp(0.05, result.course.times, result.series["x"][0])
     assert x == pytest.approx(exact, abs=1e-5)
+    # the same where every step is looked at for an event: 0.3 exp(-slow t) = 0.1 once the fast part is gone
+    watched = system.simulate(1.0, tolerance=1e-8, events=["x = 0.1 m"])
+    assert "radau5" in watched.course.method
+    assert watched.course.n_steps < 5000
+    assert watched.events[0].time == pytest.approx(math.log(3.0 * fast / (fast - slow)) / slow, rel=1e-6)
 
 
 def test_a_mass_ratio_of_a_thousand_million_is_followed() -> None:

@@ -112,7 +112,9 @@ class Motion:
                     if result == stepping.TOO_SMALL:
                         status, message = self._trouble()
                         break
-                    if result == stepping.STIFF_FOUND:
+                    # a step that is looked at ends before stiffness is
+                    is_stiff = result == stepping.LOOK and count[stepping.STIFF] >= stepping.STIFF_STEPS
+                    if result == stepping.STIFF_FOUND or (is_stiff and self.implicit is None):
                         count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
                         stiff = f"stiff from t = {clock[stepping.NOW]:.6g} s"
                         if self.is_automatic:

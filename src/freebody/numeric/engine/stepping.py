@@ -77,6 +77,7 @@ N_COUNT = 12
 
 # what `advance` returns
 REACHED, PAUSED, LOOK, TOO_SMALL, STIFF_FOUND = 0, 1, 2, 3, 4
+STIFF_STEPS = 15  # so many whose size stability bounds are taken for stiffness
 # what was in the way of the last step (`TROUBLE`)
 NOTHING, ERROR_LARGE, NOT_FINITE, NOT_HELD = 0, 1, 2, 3
 
@@ -455,7 +456,7 @@ def advance(L, S, T, R, max_steps):
             R.slopes[0, i] = R.slopes[n_stages, i]
         if R.count[IS_WATCHED] > 0:
             return LOOK
-        if R.count[STIFF] >= 15:
+        if R.count[STIFF] >= STIFF_STEPS:
             return STIFF_FOUND
     return REACHED if R.clock[NOW] >= R.clock[END] else PAUSED
 
