@@ -181,6 +181,12 @@ class Judge:
         return bool(seen) and all(float(abs(m.values).max()) <= TOLERANCE * m.size for m in seen)
 
     # -- the symbolic part --------------------------------------------------------------------
+    def _is_vector(self, quantity: Quantity) -> bool:
+        """By its value at the start, where it has one."""
+        with suppress(CannotAnswer):
+            return isinstance(quantity.value(self.system, self.setup.draws[0].start()), tuple)
+        return False
+
     def finding(self, quantity: Quantity, name: str = "quantity") -> Finding:
         """The rate of a quantity and the cases in which it vanishes."""
         f = self.model.field
@@ -192,7 +198,7 @@ class Judge:
         except IsVector:
             raise
         except CannotAnswer as error:
-            if isinstance(quantity.value(self.system, self.setup.draws[0].start()), tuple):
+            if self._is_vector(quantity):
                 raise IsVector from None
             return self._by_simulation(balance, str(error))
         principle, notes = self._principle(balance)
