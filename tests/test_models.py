@@ -225,3 +225,18 @@ connections:
 """
     with pytest.raises(fb.ModelError, match="cannot be assembled"):
         fb.System.from_text(text).equations_of_motion()
+
+
+def test_a_speed_is_the_size_of_what_may_move_either_way() -> None:
+    """A particle at rest on a vertical guide falls: its speed is |x'|, whichever way it goes, for every start."""
+    text = """
+bodies: {p: {particle: {mass: 1 kg}}}
+connections: {c: {slider: {body: p, along: up}}}
+loads: {g: {gravity: 9.81 m/s^2}}
+"""
+    (speed,) = fb.solve(fb.System.from_text(text), "speed of p").answers
+    assert speed.to_plain()["expression"] == "abs(rate(c_travel))"
+    assert speed.conditions == ("for all values",)
+    assert value(text, "speed of p at start") == 0.0
+    rubbed = text.replace("up}}}", "up}}, f: {dry_friction: {measure: height of p, force: 1 N}}}")
+    assert fb.solve(fb.System.from_text(rubbed), "speed of p")["q1"].to_plain()["expression"] == "abs(rate(c_travel))"

@@ -493,10 +493,12 @@ class Field:
         return result
 
     # -- roots --------------------------------------------------------------------------------
-    def sqrt(self, x: Ratio, is_negative: Callable[[Ratio], bool] | None = None, *, is_kept: bool = False) -> Ratio:
+    def sqrt(
+        self, x: Ratio, is_negative: Callable[[Ratio], bool | None] | None = None, *, is_kept: bool = False
+    ) -> Ratio:
         """The root that is not negative. Square factors and the denominator come out; `is_negative` tells for each
         of them whether its sign must be turned (default: never), and if `is_kept` also for what becomes of the root
-        when something in it is replaced."""
+        when something in it is replaced. Where it tells nothing (None) the root of the square stays."""
         if x.is_zero():
             return x
         num, den = self.current(x.num), self.one.num if x.den is None else self.current(x.den)
@@ -508,6 +510,8 @@ class Field:
         outside, inside = outside * square, inside * free
         for base, exponent in factors:
             taken = self._root_of_square(base, is_negative) if exponent >= 2 else None
+            if taken is None and exponent >= 2 and is_negative is not None:  # |base|, a root of its own
+                taken = self._root(base * base)
             if taken is not None:
                 outside = outside * taken ** (exponent // 2)
             if exponent % 2 or taken is None:
@@ -521,10 +525,11 @@ class Field:
         return outside * self._root(inside, is_negative if is_kept else None)
 
     @staticmethod
-    def _root_of_square(base: Ratio, is_negative: Callable[[Ratio], bool] | None) -> Ratio | None:
+    def _root_of_square(base: Ratio, is_negative: Callable[[Ratio], bool | None] | None) -> Ratio | None:
         """|base|, or None if its sign is open and nobody decides it."""
         if is_negative is not None:
-            return -base if is_negative(base) else base
+            turned = is_negative(base)
+            return None if turned is None else -base if turned else base
         from freebody.symbolic.signs import Sign, sign_of
 
         sign = sign_of(base)
@@ -532,7 +537,7 @@ class Field:
             return base
         return -base if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) else None
 
-    def _root(self, radicand: Ratio, is_negative: Callable[[Ratio], bool] | None = None) -> Ratio:
+    def _root(self, radicand: Ratio, is_negative: Callable[[Ratio], bool | None] | None = None) -> Ratio:
         key = ("root", radicand.key())
         if key in self._atoms:
             return self.variable(self._atoms[key])

@@ -632,6 +632,13 @@ class SymbolicModel:
             self.assumed.append(assumed)
         return negative
 
+    def is_turned(self, x: Ratio) -> bool | None:
+        """The same; None where speeds stand in it: what moves one way at an instant may move the other at the next."""
+        if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE):
+            return False
+        kinds = {self.field.generators[g].kind for g in self.field.ingredients(x)}
+        return None if kinds & {"speed", "acceleration"} else self.is_negative(x)
+
     # -- coordinates and speeds ---------------------------------------------------------------
     def _finish_coordinates(self) -> None:
         f = self.field

@@ -98,7 +98,7 @@ class SymbolicState:
         return self.here(total)
 
     def sqrt(self, x: Any) -> Ratio:
-        return self.model.field.sqrt(x, self.model.is_negative)
+        return self.model.field.sqrt(x, self.model.is_turned)
 
 
 def law_polynomial(push: Push) -> list[Expr]:

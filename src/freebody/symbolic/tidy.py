@@ -16,6 +16,7 @@ from freebody.language.expression import (
     Call,
     Expr,
     Number,
+    Power,
     Product,
     Sum,
     add,
@@ -81,8 +82,15 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
     if not changed:
         return None
     front = tidy(outside)
-    root = Call("sqrt", tidy(inside))
+    root = _root_of(tidy(inside))
     return root if front == number(1) else multiply(*_factors(front), root)
+
+
+def _root_of(inside: Expr) -> Expr:
+    """The root of an expression; that of a square is a size."""
+    if isinstance(inside, Power) and inside.exponent == number(2):
+        return Call("abs", inside.base)
+    return Call("sqrt", inside)
 
 
 def _is_root_generator(field: Field, base: Ratio) -> bool:
@@ -309,7 +317,7 @@ def shown(field: Field, index: int) -> Expr:
     """A generator as it is displayed; roots with a tidy radicand."""
     generator = field.generators[index]
     if generator.kind == "root" and generator.made_of:
-        return Call("sqrt", tidy(field.radicand(index)))
+        return _root_of(tidy(field.radicand(index)))
     return generator.display
 
 
