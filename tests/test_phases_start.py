@@ -428,6 +428,7 @@ questions: [time when u = 0.1 m]
 """)
     (answer,) = system.solve().answers
     assert answer.value == pytest.approx(15 - math.sqrt(222))
+    assert "written for space" in system.explain().to_text().replace("\n", " ")
 
 
 def test_an_answer_at_an_assembled_start_has_no_symbol_of_a_phase() -> None:

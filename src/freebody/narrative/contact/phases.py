@@ -31,6 +31,8 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     refuse(method, ("newton",), "a motion in phases")
     if answer.expression is None:
         raise CannotAnswer(answer.reason or "there is no closed form")
+    if context.system.space:
+        raise CannotAnswer("no derivation of a motion in phases is written for space yet")
     way = Way(context.system, question)
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
     if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
