@@ -261,7 +261,7 @@ def _run(draw: Draw, seed: int) -> list[Run]:
     options = SimulationOptions(method="dop853", tolerance=_STEP_TOLERANCE, max_steps=allowed(_MOST_STEPS))
     try:
         course = engine.run(y, float(outputs[-1]), options, start=start.t, outputs=outputs)
-    except np.linalg.LinAlgError:  # from a state with gradients that are not finite
+    except (np.linalg.LinAlgError, ZeroDivisionError):  # gradients that are not finite, or nothing with inertia
         return []
     if len(course.times) < 3:
         return []

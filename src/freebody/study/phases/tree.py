@@ -255,7 +255,9 @@ class Tree(Home):
         test = as_test(x, relation, numbers, purpose)
         if relation == "=":
             return replace(test, holds=np.abs(numbers) <= _NONE)
-        near = np.abs(numbers) <= _ZERO * min(1.0, float(np.nanmedian(np.abs(numbers[: self.sets.n_near]))))
+        sizes = np.abs(numbers[: self.sets.n_near])
+        typical = float(np.median(sizes[np.isfinite(sizes)])) if np.isfinite(sizes).any() else 0.0
+        near = np.abs(numbers) <= _ZERO * min(1.0, typical)
         near &= np.arange(self.sets.n) < self.sets.n_near
         return replace(test, holds=test.holds & ~near if relation == ">" else test.holds | near)
 
