@@ -142,3 +142,13 @@ def f(q):
             return 2
 """
     assert n_tests_on_kinds(ast.parse(source)) == 6
+
+
+def test_what_can_be_asked_is_listed_once_and_a_rate_is_a_velocity() -> None:
+    text = "bodies: {p: {particle: {mass: 1 kg}}}\nmeasures: {x: x of p}\nquestions: [rate(x), how fast is it, what is up]\n"
+    with pytest.raises(fb.ModelError) as told:
+        fb.System.from_text(text)
+    rate, first, second = (problem.message for problem in told.value.problems)
+    assert rate == "cannot read 'rate(x)'. Did you mean: velocity of x"
+    assert "One can ask for\n" in first
+    assert second == "cannot read 'what is up'"

@@ -48,6 +48,9 @@ class Question:
     transition: Transition | None = None  # instead of an event: a contact changes its state
 
 
+_ASK_FOR = "One can ask for"
+
+
 # -- reading ----------------------------------------------------------------------------------
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
@@ -64,12 +67,17 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     words = text.split(" of ", maxsplit=1)[0]
     openings = {w: f.form for f in FORMS for w in re.split(r"[|,;]", f.form.split(" of ")[0])}
     close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.6)
-    if close:
+    rate = re.fullmatch(r"rate\((\w+)\)", text)
+    if rate is not None and rate[1] in names.measures:
+        names.problem(f"cannot read '{text}'. Did you mean: velocity of {rate[1]}", None, *path)
+    elif close:
         form = next(f for w, f in openings.items() if w.strip() == close[0])
         names.problem(f"cannot read '{text}'. Did you mean: {form}", None, *path)
+    elif any(_ASK_FOR in problem.message for problem in names.problems):
+        names.problem(f"cannot read '{text}'", None, *path)
     else:
         listed = "\n    ".join(f.form for f in FORMS)
-        names.problem(f"cannot read '{text}'. One can ask for\n    {listed}", None, *path)
+        names.problem(f"cannot read '{text}'. {_ASK_FOR}\n    {listed}", None, *path)
     return None
 
 
