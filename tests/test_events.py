@@ -20,7 +20,7 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.numeric.engine import search
-from freebody.numeric.engine.course import Course, Status
+from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulate import Simulator
@@ -151,7 +151,7 @@ def rod() -> Simulator:
     return Simulator(model(ROD))
 
 
-def course_of(text: str, until: float, **options: Any) -> Course:
+def course_of(text: str, until: float, **options: Any) -> Trajectory:
     """Of an expression in theta = 0.1 + t."""
     simulator = rod()
     measure = Composed(parse(text), (("theta", simulator.system.measures["theta"]),), DIMENSIONLESS)

@@ -16,7 +16,7 @@ from declared import undeclared
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
 from freebody.present.terminal import solution_lines
-from freebody.questions.reactions import Multiplier
+from freebody.questions.reactions import ReactionComponent
 from freebody.study.dataset import reaction_names
 from goldens import assert_golden
 
@@ -65,7 +65,9 @@ def test_tooth_forces_and_tensions_at_the_start_are_those_of_a_simulation(name: 
     asked = [
         (question.quantity, answer)
         for question, answer in zip(system.questions, solution.answers, strict=True)
-        if isinstance(question.quantity, Multiplier) and question.event is None and isinstance(answer.value, float)
+        if isinstance(question.quantity, ReactionComponent)
+        and question.event is None
+        and isinstance(answer.value, float)
     ]
     if not asked:
         return

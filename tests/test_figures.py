@@ -17,7 +17,7 @@ from PIL import Image
 import freebody as fb
 from command import freebody
 from freebody.cli import app
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture
@@ -58,7 +58,7 @@ def wrench(forces: Iterable[Force], n: int) -> tuple[Array, Array]:
     return total, turn
 
 
-def rows_of(found: Instant) -> list[Held]:
+def rows_of(found: Instant) -> list[ConstraintRow]:
     system = found.snapshot.reference.system
     closed = closed_bounds(found.snapshot)
     rows = [*system.held, *(bound.row for bound in system.bounds if bound.name in closed)]

@@ -21,7 +21,7 @@ from freebody.language.expression import number
 from freebody.loads.base import Load
 from freebody.measures.distance import Distance
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Groove
 from freebody.model.names import Names
 from freebody.present.animation import write_animation
@@ -67,7 +67,7 @@ bodies: {bead: {particle: {mass: 1 kg}, at: [1 m, 0]}}
 connections: {it: {circular_groove: {pin: bead, center: ground.O, radius: 1 m}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         distance = Distance(names.point(self.center, "center"), names.point(self.pin, "pin"))
         return [Held("normal", "normal force", distance, names.positive(self, "radius", LENGTH))]
 
@@ -190,9 +190,9 @@ def test_a_connection_that_does_not_say_what_is_drawn_is_a_thin_line() -> None:
         first: str
         second: str
 
-        def rows(self, names: Names) -> list[Held]:
+        def rows(self, names: Names) -> list[ConstraintRow]:
             distance = Distance(names.point(self.first), names.point(self.second))
-            return [Held("length", "force", distance, number(1))]
+            return [ConstraintRow("length", "force", distance, number(1))]
 
     try:
         system = fb.System.from_text("""

@@ -20,7 +20,7 @@ from freebody.language.units import (
     VELOCITY,
     Dimension,
 )
-from freebody.questions.freedom import Freedom
+from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
@@ -128,7 +128,7 @@ class Bench:
             if isinstance(answer, str)
             else answer
         )
-        question = Question("q", "what is asked", Freedom(), options=options, key=key)
+        question = Question("q", "what is asked", DegreesOfFreedom(), options=options, key=key)
         return judge(question, found, dimension, self.model, self.system, up_to_constant=up_to_constant)
 
     def reason(self, option: str, answer: str, dimension: Dimension) -> str:

@@ -13,7 +13,7 @@ import pytest
 import freebody as fb
 from conftest import assert_same_function
 from freebody.language.notation import to_python, to_text
-from freebody.questions.course import EnergyLost, Transition, Turns
+from freebody.questions.course import EnergyLost, Revolutions, Transition
 from freebody.study.answer import NOT_VALID
 from freebody.study.phases.result import Phases, phases
 from freebody.study.phases.witness import Stage, follow
@@ -451,7 +451,7 @@ def test_words_of_students_are_read(words: str, kind: str) -> None:
 
 def test_quantities_up_to_an_event_are_read() -> None:
     assert isinstance(sphere().question("energy lost until rolling begins").quantity, EnergyLost)
-    assert isinstance(sphere().question("number of turns of ball until rolling begins").quantity, Turns)
+    assert isinstance(sphere().question("number of turns of ball until rolling begins").quantity, Revolutions)
 
 
 def test_a_quantity_up_to_an_event_needs_one() -> None:

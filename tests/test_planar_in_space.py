@@ -20,7 +20,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.document import Document
 from freebody.language.units import LENGTH
 from freebody.loads.base import Load
-from freebody.numeric.engine.course import Course
+from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.study.simulate import Simulation, Simulator
@@ -100,7 +100,7 @@ def assert_close(found: Array, wanted: Array, what: str, floor: float = 1.0) -> 
     assert float(np.nanmax(gap, initial=0.0)) < CLOSE * size, f"{what}: {np.nanmax(gap)} of {size}"
 
 
-def assert_same_places(flat: Course, spatial: Course) -> None:
+def assert_same_places(flat: Trajectory, spatial: Trajectory) -> None:
     """Bodies are at the same places, turned by the same angles about z, and nowhere outside the plane."""
     rotation = spatial.rotation
     assert rotation is not None
@@ -124,7 +124,7 @@ class Rows:
     unique: dict[str, Any]
 
     @classmethod
-    def of(cls, system_rows: Any, course: Course) -> Rows:
+    def of(cls, system_rows: Any, course: Trajectory) -> Rows:
         names = [row.name for row in system_rows]
         return cls(dict(zip(names, course.multipliers.T, strict=True)), dict(zip(names, course.unique.T, strict=True)))
 

@@ -145,7 +145,11 @@ def f(q):
 
 
 def test_what_can_be_asked_is_listed_once_and_a_rate_is_a_velocity() -> None:
-    text = "bodies: {p: {particle: {mass: 1 kg}}}\nmeasures: {x: x of p}\nquestions: [rate(x), how fast is it, what is up]\n"
+    text = """
+bodies: {p: {particle: {mass: 1 kg}}}
+measures: {x: x of p}
+questions: [rate(x), how fast is it, what is up]
+"""
     with pytest.raises(fb.ModelError) as told:
         fb.System.from_text(text)
     rate, first, second = (problem.message for problem in told.value.problems)

@@ -19,9 +19,9 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, Direction, Point
 from freebody.measures.lead import Lead
-from freebody.model.elements import Component, RateMeasure
+from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric.jets import JET_FUNCTIONS, Frame, Jet, JetGeometry
-from freebody.numeric.reference import Reference, Snapshot, Trajectory
+from freebody.numeric.reference import Reference, ReferenceTrajectory, Snapshot
 from freebody.system.system import System
 
 G = 9.81
@@ -192,7 +192,9 @@ MEASURES: list[Any] = [
     Combination(((Symbol("k"), Distance(P, Point("dot"))), (number(2), Angle("b"))), LENGTH),
     Composed(parse("d^2*sin(3*t) + k*d"), (("d", Distance(P, Q)),), LENGTH),
     Component(SLANTED, "y"),
-    RateMeasure(((Component(SLANTED, "x"), Displacement(P, Q, UP)), (Component(SLANTED, "y"), Angle("a"))), LENGTH),
+    NonholonomicForm(
+        ((Component(SLANTED, "x"), Displacement(P, Q, UP)), (Component(SLANTED, "y"), Angle("a"))), LENGTH
+    ),
 ]
 
 
@@ -211,7 +213,7 @@ def test_gradient_rate_and_bias_of_every_measure_agree_with_differences(measure:
     q, v, t, h = rng.standard_normal(8) * 2, rng.standard_normal(8), 0.4, 1e-4
     here = geometry(q, v, t).of(measure)
     before, after = (geometry(q + s * v, v, t + s).of(measure) for s in (-h, h))
-    if isinstance(measure, RateMeasure):
+    if isinstance(measure, NonholonomicForm):
         assert here.bias == pytest.approx((after.rate - before.rate) / (2 * h), rel=1e-6)
         assert here.rate == pytest.approx(here.row(8) @ v)
         return
@@ -383,7 +385,7 @@ def test_the_ground_feels_the_opposite_of_what_all_bodies_feel() -> None:
     hinge = next(row for row in s.reference.system.held if row.name == "shoulder.x")
     assert s.gradient(hinge.measure, GROUND)[:2] == pytest.approx((-1.0, 0.0))
     assert s.gradient(hinge.measure, "upper")[:2] == pytest.approx((1.0, 0.0))
-    follower = RateMeasure(
+    follower = NonholonomicForm(
         (
             (
                 Component(Direction("upper", (ONE, number(0))), "x"),
@@ -618,7 +620,7 @@ measures: {way: angle of line from drum to disk, theta: angle of disk}
 def test_the_same_motion_twice_is_the_same_to_the_last_bit() -> None:
     first, second = (start_of(DOUBLE) for _ in range(2))
     a, b = first.reference.integrate(first, 0.5), second.reference.integrate(second, 0.5)
-    assert isinstance(a, Trajectory)
+    assert isinstance(a, ReferenceTrajectory)
     assert (a.q == b.q).all()
     assert (a.v == b.v).all()
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 import freebody as fb
 from freebody.errors import ModelError
 from freebody.language.document import Document
-from freebody.numeric.engine.course import Course, Status
+from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.rotation import from_quaternion, matrix, rotation_vector
 from freebody.study.simulate import Simulation
 
@@ -34,13 +34,13 @@ def simulated(text: str, until: float, tolerance: float = 1e-12, every: float | 
     return result
 
 
-def rotations(course: Course, body: int = 0) -> Array:
+def rotations(course: Trajectory, body: int = 0) -> Array:
     """(n_times, 3, 3) rotation matrices of a body."""
     assert course.rotation is not None
     return np.array([from_quaternion(q) for q in course.rotation.quaternions[:, body]])
 
 
-def spins(course: Course, body: int = 0) -> Array:
+def spins(course: Trajectory, body: int = 0) -> Array:
     """(n_times, 3) angular velocity of a body along the axes of the ground."""
     assert course.rotation is not None
     return course.rotation.velocities[:, body]

@@ -24,7 +24,7 @@ from freebody.measures.geometry import GROUND, Direction, Point, SpatialPose, Ve
 from freebody.measures.lead import Lead
 from freebody.measures.turn import Alignment, Turn
 from freebody.numeric.engine import stepping
-from freebody.numeric.engine.course import Course, Status
+from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine, Observer
 from freebody.numeric.engine.implicit import Slopes
 from freebody.numeric.numbers import Numbers
@@ -188,14 +188,14 @@ MOMENTS = np.array([1.0, 2.0, 2.5])
 
 def run(
     engine: Engine, y: Array, until: float, n: int = 100, tolerance: float = 1e-12, method: str = "dop853", **rest: Any
-) -> Course:
+) -> Trajectory:
     options = SimulationOptions(method=method, tolerance=tolerance)
     course = engine.run(y, until, options, outputs=np.linspace(0.0, until, n + 1), **rest)
     assert course.status is Status.FINISHED, course.message
     return course
 
 
-def free_run(until: float, n: int, w: Array, tolerance: float = 1e-12) -> Course:
+def free_run(until: float, n: int, w: Array, tolerance: float = 1e-12) -> Trajectory:
     engine, numbers = engine_of(fb.System.from_text(FREE))
     y = state_of(engine, numbers, [(np.zeros(3), np.eye(3), np.array([0.1, -0.2, 0.3]), w)])
     return run(engine, y, until, n, tolerance)
@@ -294,7 +294,7 @@ loads: {{weight: {{gravity: 9.81}}}}
 """
 
 
-def pendulum(method: str = "dop853", tolerance: float = 1e-12) -> Course:
+def pendulum(method: str = "dop853", tolerance: float = 1e-12) -> Trajectory:
     engine, numbers = engine_of(fb.System.from_text(PENDULUM))
     spin = np.array([0.0, 0.0, 2.0])
     r = np.array([0.5, 0.0, 0.0])
@@ -308,7 +308,7 @@ def pendulum(method: str = "dop853", tolerance: float = 1e-12) -> Course:
     )
 
 
-def flat_pendulum() -> Course:
+def flat_pendulum() -> Trajectory:
     engine = Engine(Reference(fb.System.from_text(FLAT)).numbers())
     return run(engine, engine.state(np.array([[0.5, 0.0, 0.0]]), np.array([[0.0, 1.0, 2.0]])), 10.0)
 

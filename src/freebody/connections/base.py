@@ -14,7 +14,7 @@ from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
-from freebody.model.elements import Attitude, Bound, Held, Rub
+from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.glyphs import Glyph, Relation
 from freebody.model.spec import Heading, Spec
 
@@ -37,7 +37,7 @@ class Connection(Spec):
             cls.kind = kind
             Connection.kinds[kind] = cls
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         """The measures it holds."""
         return []
 
@@ -45,7 +45,7 @@ class Connection(Spec):
         """Whether it is a connection of the plane."""
         return self.in_plane
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """The measures that it bounds, and those along which it resists by dry friction."""
         return [], []
 
@@ -88,9 +88,9 @@ def as_written(measure: str | dict[str, Any]) -> str:
     return measure if isinstance(measure, str) else " ".join(str(kind) for kind in measure)
 
 
-def coincidence(first: Point, second: Point) -> list[Held]:
+def coincidence(first: Point, second: Point) -> list[ConstraintRow]:
     """Two points coincide. The multipliers are the force on the second body along x and y."""
     return [
-        Held("x", "force", Displacement(second, first, RIGHT)),
-        Held("y", "force", Displacement(second, first, UP)),
+        ConstraintRow("x", "force", Displacement(second, first, RIGHT)),
+        ConstraintRow("y", "force", Displacement(second, first, UP)),
     ]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -35,7 +35,7 @@ ground: {points: {A: [0, 0], B: [5 m, 0]}}
 connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
         if first.name == second.name:
             names.problem(f"a belt needs two pulleys, not {first.name} twice")
@@ -48,7 +48,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
             own_radius(names, self, "second"),
             internal=not self.crossed,
         )
-        return [Held("belt", "belt force", rolled, sign=-1)]
+        return [ConstraintRow("belt", "belt force", rolled, sign=-1)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         centers = names.body(self.first).center, names.body(self.second).center

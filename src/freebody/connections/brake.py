@@ -11,7 +11,7 @@ from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimensio
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
@@ -34,7 +34,7 @@ bodies: {drum: {disk: {mass: 1 kg, radius: 0.1 m}}}
 connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], torque: 0.1 N m}}}
 """
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         if len(self.between) != 2:
             names.problem("a brake is between two bodies, e.g. between: [drum, ground]", None, "between")
             return [], []
@@ -50,7 +50,7 @@ connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], 
         yield glyphs.Shoe(first.center, second.center)
 
 
-class DryFriction(Connection, kind="dry_friction"):
+class FrictionAlongMeasure(Connection, kind="dry_friction"):
     """`dry_friction: {measure: x, force: F}`: a Coulomb force (a torque for an angle) of a given size that resists
     the rate of a measure, and holds it where it can. force: as the torque of a brake."""
 
@@ -64,7 +64,7 @@ measures: {x: x of block}
 connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {measure: x, force: 2 N}}}
 """
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         measure = names.measure(self.measure, "measure")
         if measure is None:
             return [], []
@@ -80,10 +80,10 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
 
 def _rub(
     names: Names, connection: str, component: str, measure: Measure, size: Any, dimension: Dimension, field: str
-) -> Rub:
+) -> DryFriction:
     extra = {"t": TIME} | {n: m.dimension for n, m in names.measures.items()}
     friction = read_friction(names, size, dimension, field, extra=extra)
     used = sorted((free_symbols(friction.static) | free_symbols(friction.kinetic)) & set(names.measures))
     reaction = "friction torque" if dimension == TORQUE else "friction force"
-    row = Held(component, reaction, measure, connection=connection)
-    return Rub(row, friction.static, friction.kinetic, measures=tuple((n, names.measures[n]) for n in used))
+    row = ConstraintRow(component, reaction, measure, connection=connection)
+    return DryFriction(row, friction.static, friction.kinetic, measures=tuple((n, names.measures[n]) for n in used))

@@ -26,7 +26,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
-from freebody.model.elements import Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.model.friction import Friction, read_friction
 from freebody.model.phrases import direction_angle
 
@@ -72,7 +72,7 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
     return dict.fromkeys(passed, one)
 
 
-def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connection: str) -> Rub | None:
+def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connection: str) -> DryFriction | None:
     """The dry friction of one passage; None with a problem noted where it cannot be told."""
     label = drum_name(passage.node)
     if not passage.is_only:
@@ -89,7 +89,7 @@ def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connectio
     body = names.known(passage.node.body)
     if body.turns and not body.fixed and body.name != GROUND and passage.arm != ZERO:
         terms = (*terms, (passage.arm, Angle(body.name)))
-    row = Held(
+    row = ConstraintRow(
         slip_of(passage.node), "friction force", Combination(terms, LENGTH), ends=(body.name,), connection=connection
     )
 
@@ -99,7 +99,7 @@ def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connectio
     def backward(mu: Expr) -> Expr:
         return ONE - Call("exp", negate(multiply(mu, beta)))
 
-    return Rub(
+    return DryFriction(
         row,
         forward(friction.static),
         forward(friction.kinetic),

@@ -19,7 +19,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.measures.turn import Alignment
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
@@ -42,13 +42,13 @@ bodies: {shaft: {cylinder: {mass: 1 kg, radius: 0.1 m, length: 1 m}}}
 connections: {it: {constant_velocity: {first: ground.A, second: shaft.start, about: z}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
         if joint is None:
             return []
         terms = (("p", Alignment(joint.c2, joint.b)), ("q", Alignment(joint.b2, joint.c)))
         equal = Composed(Symbol("p") - Symbol("q"), terms, DIMENSIONLESS)
-        return [*joint.meeting(), Held("equal speed", "moment", equal)]
+        return [*joint.meeting(), ConstraintRow("equal speed", "moment", equal)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Ball(names.point(self.first), names.point(self.second), passes_turn=True)

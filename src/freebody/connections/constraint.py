@@ -13,7 +13,7 @@ from freebody.language.units import DIMENSIONLESS, TIME, dimension_of
 from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Glyph
 from freebody.model.phrases import composed
 
@@ -32,9 +32,9 @@ measures: {x: x of bead, y: y of bead}
 connections: {it: {constraint: x - 2*y}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         measure = composed(names, self.expression, "expression")
-        return [] if measure is None else [Held("constraint", "constraint force", measure)]
+        return [] if measure is None else [ConstraintRow("constraint", "constraint force", measure)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measure = composed(names, self.expression, "expression")
@@ -56,7 +56,7 @@ measures: {x: x of skate, y: y of skate, theta: angle of skate}
 connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         try:
             expr = parse(self.expression)
             known = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
@@ -93,8 +93,8 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
                 "expression",
             )
             return []
-        measure = RateMeasure(tuple(terms), (dimension or DIMENSIONLESS / TIME) * TIME)
-        return [Held("constraint", "constraint force", measure)]
+        measure = NonholonomicForm(tuple(terms), (dimension or DIMENSIONLESS / TIME) * TIME)
+        return [ConstraintRow("constraint", "constraint force", measure)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measures = [row.measure for row in self.rows(names)]

@@ -15,7 +15,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction, read_friction, read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
@@ -44,19 +44,19 @@ class Pair:
     starts_closed: bool
     is_alone: bool  # the only pair of its connection
 
-    def elements(self) -> tuple[list[Bound], list[Rub]]:
+    def elements(self) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         """Bounds and rubs of every place where the two can touch."""
         places = sites(self.first, self.second)
-        bounds: list[Bound] = []
-        rubs: list[Rub] = []
+        bounds: list[UnilateralConstraint] = []
+        rubs: list[DryFriction] = []
         for site in places:
             bound, own = self._site(site, "contact" if self.is_alone and len(places) == 1 else site.label)
             bounds.append(bound)
             rubs += own
         return bounds, rubs
 
-    def _site(self, site: Site, component: str) -> tuple[Bound, list[Rub]]:
-        row = Held(
+    def _site(self, site: Site, component: str) -> tuple[UnilateralConstraint, list[DryFriction]]:
+        row = ConstraintRow(
             component,
             "normal force",
             site.measure,
@@ -67,11 +67,13 @@ class Pair:
             connection=self.connection,
         )
         family = f"{self.connection}: {self.first.label}, {self.second.label}"
-        bound = Bound(row, self.surface.restitution, site.within, self.starts_closed, family, site.obstacle)
-        rubs: list[Rub] = []
+        bound = UnilateralConstraint(
+            row, self.surface.restitution, site.within, self.starts_closed, family, site.obstacle
+        )
+        rubs: list[DryFriction] = []
         f = self.surface.friction
         if not f.is_none:
-            slip = Held(
+            slip = ConstraintRow(
                 "slip" if component == "contact" else f"slip of {component}",
                 "friction force",
                 site.slip,
@@ -79,9 +81,9 @@ class Pair:
                 ends=row.ends,
                 connection=self.connection,
             )
-            rubs.append(Rub(slip, f.static, f.kinetic, (row.name,), row.name))
+            rubs.append(DryFriction(slip, f.static, f.kinetic, (row.name,), row.name))
         if self.surface.rolling_resistance != ZERO:
-            turn = Held(
+            turn = ConstraintRow(
                 "rolling" if component == "contact" else f"rolling of {component}",
                 "rolling resistance",
                 Angle(site.ends[0], site.ends[1]),
@@ -89,7 +91,9 @@ class Pair:
                 connection=self.connection,
             )
             rubs.append(
-                Rub(turn, self.surface.rolling_resistance, self.surface.rolling_resistance, (row.name,), row.name)
+                DryFriction(
+                    turn, self.surface.rolling_resistance, self.surface.rolling_resistance, (row.name,), row.name
+                )
             )
         return bound, rubs
 

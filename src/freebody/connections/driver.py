@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.connections.base import Connection, as_written
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -29,13 +29,13 @@ connections: {p: {pin: [ground.A, rod.start]}, it: {driver: {measure: angle of r
 parameters: {w: 2 rad/s}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         measure = names.measure(self.measure, "measure")
         if measure is None:
             return []
         target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
         what = {LENGTH: "driving force", DIMENSIONLESS: "driving torque"}
-        return [Held("drive", what.get(measure.dimension, "driving force"), measure, target)]
+        return [ConstraintRow("drive", what.get(measure.dimension, "driving force"), measure, target)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         measure = names.measure(self.measure)

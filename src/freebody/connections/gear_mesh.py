@@ -9,7 +9,7 @@ from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
 from freebody.language.expression import Expr, negate
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -37,7 +37,7 @@ ground: {points: {A: [0, 0], B: [2 m, 0]}}
 connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: [a, b]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
         if first.name == second.name:
             names.problem(f"{first.name} cannot mesh with itself")
@@ -45,8 +45,8 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
         r1, r2 = self._radii(names)
         distance, total, rolled = touching(first.center, r1, second.center, r2, internal=self.internal)
         return [
-            Held("teeth", "tooth force", rolled, sign=-1),
-            Held("centers", "radial force", distance, total, if_needed=True),
+            ConstraintRow("teeth", "tooth force", rolled, sign=-1),
+            ConstraintRow("centers", "radial force", distance, total, if_needed=True),
         ]
 
     def _radii(self, names: Names) -> tuple[Expr, Expr]:

@@ -13,7 +13,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Formula, Heading
@@ -48,7 +48,7 @@ connections:
   it: {gear_pair: {first: a, second: b, first_axis: x, second_axis: y, ratio: 2}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         if not is_spatial(names, self):
             return []
         wheels = [names.body(self.first, "first"), names.body(self.second, "second")]
@@ -68,7 +68,7 @@ connections:
             across, _ = perpendiculars(wheel.axis or axis.components)
             turns.append(Turn(Direction(wheel.name, across), b, c))
         mesh = Combination(((ONE, turns[1]), (-ratio, turns[0])), DIMENSIONLESS)
-        return [Held("teeth", "tooth moment", mesh)]
+        return [ConstraintRow("teeth", "tooth moment", mesh)]
 
     def _ratio(self, names: Names) -> Expr:
         if (self.ratio is None) == (self.teeth is None):

@@ -19,7 +19,7 @@ from freebody.connections.standing import is_parallel, is_zero, same_way, stands
 from freebody.language.expression import Expr, add, negate
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 
 if TYPE_CHECKING:
     from freebody.connections.string import Node
@@ -55,7 +55,7 @@ class Hook:
         """Where the leads keep it along a direction."""
         return next((p for lead in self.leads if (p := lead.place(names, along, seen)) is not None), None)
 
-    def row(self, names: Names) -> Held:
+    def row(self, names: Names) -> ConstraintRow:
         """Holds it across its first lead: by its place on the ground where that is known, else beside the other end."""
         lead, body = self.leads[0], self.point.body
         across, target = Displacement(self.point, lead.other, lead.normal), lead.offset
@@ -63,7 +63,7 @@ class Hook:
         place = stands_at(names, self.point, along)
         if place is not None:
             across, target = Displacement(self.point, Point(GROUND, (ZERO, ZERO), "ground.origin"), along), place
-        return Held(f"{body} hangs", "sideways force", across, target, ends=(body,), if_needed=True)
+        return ConstraintRow(f"{body} hangs", "sideways force", across, target, ends=(body,), if_needed=True)
 
 
 def hooks_of(way: Sequence[Node], leads: Sequence[Direction | None], arms: Sequence[Expr]) -> dict[str, Hook]:

@@ -17,7 +17,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
-from freebody.model.elements import Attitude, Held
+from freebody.model.elements import Attitude, ConstraintRow
 from freebody.model.rotations import UNIT, perpendiculars
 from freebody.model.spec import Heading, Spec
 
@@ -50,26 +50,26 @@ class Joint:
         """How far the second point is along the axis."""
         return Displacement(self.second, self.first, self.axis)
 
-    def meeting(self) -> list[Held]:
+    def meeting(self) -> list[ConstraintRow]:
         """The points coincide."""
         return meeting(self.first, self.second)
 
-    def on_the_axis(self) -> list[Held]:
+    def on_the_axis(self) -> list[ConstraintRow]:
         """The second point is on the axis of the first body."""
         across = zip((self.b, self.c), across_names(self.axis), strict=True)
-        return [Held(name, "force", Displacement(self.second, self.first, along)) for along, name in across]
+        return [ConstraintRow(name, "force", Displacement(self.second, self.first, along)) for along, name in across]
 
-    def parallel(self) -> list[Held]:
+    def parallel(self) -> list[ConstraintRow]:
         """The axes are parallel."""
         one, other = across_names(self.axis)
         return [
-            Held(f"moment {other}", "moment", Alignment(self.axis2, self.b)),
-            Held(f"moment {one}", "moment", Alignment(self.axis2, self.c), sign=-1),
+            ConstraintRow(f"moment {other}", "moment", Alignment(self.axis2, self.b)),
+            ConstraintRow(f"moment {one}", "moment", Alignment(self.axis2, self.c), sign=-1),
         ]
 
-    def not_turning(self) -> Held:
+    def not_turning(self) -> ConstraintRow:
         """The bodies do not turn about the axis against each other."""
-        return Held("moment about axis", "moment", Alignment(self.c2, self.b), sign=-1)
+        return ConstraintRow("moment about axis", "moment", Alignment(self.c2, self.b), sign=-1)
 
     def attitude(self, *, turns: bool) -> Attitude:
         """How the second body is turned: about the axis, or not at all."""
@@ -82,9 +82,9 @@ class Joint:
         return Attitude(self.first.body, self.second.body, before, after, angle, rows)
 
 
-def meeting(first: Point, second: Point) -> list[Held]:
+def meeting(first: Point, second: Point) -> list[ConstraintRow]:
     """Two points coincide. The multipliers are the force on the second body along x, y and z."""
-    return [Held(axis.name, "force", Displacement(second, first, axis)) for axis in AXES]
+    return [ConstraintRow(axis.name, "force", Displacement(second, first, axis)) for axis in AXES]
 
 
 def across_names(axis: Direction) -> tuple[str, str]:

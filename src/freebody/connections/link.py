@@ -12,7 +12,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -33,7 +33,7 @@ bodies: {bob: {particle: {mass: 1 kg}, at: [0, -1 m]}}
 connections: {it: {link: [ground.A, bob]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
             names.problem(f"links {first.body} to itself; name points of two bodies")
@@ -48,7 +48,7 @@ connections: {it: {link: [ground.A, bob]}}
         distance = Distance(first, second)
         length = names.length_or(self, "length")
         held = distance if length is not None else Combination(((ONE, distance),), LENGTH)
-        return [Held("length", "tension", held, length, sign=-1, ends=(first.body, second.body))]
+        return [ConstraintRow("length", "tension", held, length, sign=-1, ends=(first.body, second.body))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         length = names.length_or(self, "length")

@@ -12,7 +12,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
@@ -36,7 +36,7 @@ bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {pin: [ground.A, rod.start]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
             names.problem(f"pins {first.body} to itself; name points of two bodies")
@@ -53,7 +53,7 @@ connections: {it: {pin: [ground.A, rod.start]}}
                 return stands_at(names, other, along, seen)
         return None
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
         if friction.is_none:
             return [], []
@@ -65,9 +65,9 @@ connections: {it: {pin: [ground.A, rod.start]}}
         for key, body in zip(("first", "second"), bodies, strict=True):
             if not names.known(body).turns:
                 names.problem(f"{body} is a particle; friction in a pin needs bodies that turn", None, key)
-        row = Held("friction", "friction torque", Angle(bodies[1], bodies[0]), connection=connection)
+        row = ConstraintRow("friction", "friction torque", Angle(bodies[1], bodies[0]), connection=connection)
         load = (f"{connection}.x", f"{connection}.y")
-        return [], [Rub(row, friction.static * radius, friction.kinetic * radius, load)]
+        return [], [DryFriction(row, friction.static * radius, friction.kinetic * radius, load)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Pin(names.point(self.first), names.point(self.second))

@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, Held
+from freebody.model.elements import Attitude, ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
@@ -44,17 +44,17 @@ connections: {it: {planar: {body: plate}}}
         """Whether the body stays in the plane of x and y with its own axes x and y in it."""
         return self.normal == "z" and self.through.partition(".")[0] == GROUND and self.second_axis in (None, "z")
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         if not is_spatial(names, self):
             return []
         point = names.point(self.body, "body")
         if not names.known(point.body).turns:
             origin, normal = names.point(self.through, "through"), names.direction(self.normal, "normal")
-            return [Held("plane", "normal force", Displacement(point, origin, normal))]
+            return [ConstraintRow("plane", "normal force", Displacement(point, origin, normal))]
         joint = self._joint(names)
         if joint is None:
             return []
-        return [Held("plane", "normal force", joint.travel), *joint.parallel()]
+        return [ConstraintRow("plane", "normal force", joint.travel), *joint.parallel()]
 
     def attitude(self, names: Names) -> Attitude | None:
         point = names.point(self.body, "body")

@@ -11,7 +11,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Heading
@@ -44,14 +44,14 @@ connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}
             return None
         return point, through, along
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         line = self._line(names)
         if line is None:
             return []
         point, through, along = line
         across = [Direction(along.body, v) for v in perpendiculars(along.components)]
         return [
-            Held(name, "force", Displacement(point, through, direction))
+            ConstraintRow(name, "force", Displacement(point, through, direction))
             for name, direction in zip(across_names(along), across, strict=True)
         ]
 
@@ -81,7 +81,7 @@ bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         if not is_spatial(names, self):
             return []
         point, plane = names.point(self.point, "point"), names.plane(self.on, "on")
@@ -99,7 +99,7 @@ connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
         if point.body == plane.normal.body:
             names.problem(f"the point and the plane are both on {point.body}")
             return []
-        return [Held("contact", "normal force", Displacement(point, plane.through, plane.normal))]
+        return [ConstraintRow("contact", "normal force", Displacement(point, plane.through, plane.normal))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         plane = names.plane(self.on)

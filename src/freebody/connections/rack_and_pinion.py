@@ -16,7 +16,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction
 from freebody.model import glyphs
-from freebody.model.elements import Held, RigidBody
+from freebody.model.elements import ConstraintRow, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
@@ -45,7 +45,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
   it: {rack_and_pinion: {pinion: gear, rack: bar}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         pinion, rack = names.body(self.pinion, "pinion"), names.body(self.rack, "rack")
         along = self._pitch_line(names, rack, pinion)
         if pinion.name == rack.name:
@@ -55,7 +55,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         travel = Displacement(pinion.center, rack.center, along)
         arm = self._arm(names, pinion, rack, along)
         rolled = Combination(((ONE, travel), (arm, Angle(pinion.name, along.body))), LENGTH)
-        return [Held("teeth", "tooth force", rolled, sign=-1)]
+        return [ConstraintRow("teeth", "tooth force", rolled, sign=-1)]
 
     def _arm(self, names: Names, pinion: RigidBody, rack: RigidBody, along: Direction) -> Expr:
         """The radius of the pinion, negative where the rack is on its left."""

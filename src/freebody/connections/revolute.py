@@ -9,7 +9,7 @@ from freebody.connections.base import Connection
 from freebody.connections.joints import read_joint
 from freebody.measures.base import Measure
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, Held
+from freebody.model.elements import Attitude, ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Heading
 
@@ -32,7 +32,7 @@ bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {revolute: {first: ground.A, second: rod.left, about: z}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
         return [] if joint is None else [*joint.meeting(), *joint.parallel()]
 

@@ -16,7 +16,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE
 from freebody.model import glyphs
-from freebody.model.elements import Held, Line, RigidBody
+from freebody.model.elements import ConstraintRow, Line, RigidBody
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -49,7 +49,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
     def is_in_plane(self, names: Names) -> bool:
         return self.on is None or self.on in names.bodies or names.line(self.on) is not None
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         body = names.body(self.body, "body")
         own = names.optional(self, "radius", LENGTH)
         plane = names.plane(self.on, "on") if names.space else None
@@ -74,11 +74,11 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             other.center, other.radius, body.center, radius, internal=self.inside is not None
         )
         return [
-            Held("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
-            Held("no slip", "friction force", rolled, sign=-1, needs="contact"),
+            ConstraintRow("contact", "normal force", distance, total, sign=-1 if self.inside else 1, unilateral=True),
+            ConstraintRow("no slip", "friction force", rolled, sign=-1, needs="contact"),
         ]
 
-    def _nothing_there(self, names: Names) -> list[Held]:
+    def _nothing_there(self, names: Names) -> list[ConstraintRow]:
         from freebody.model.names import did_you_mean
 
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
@@ -92,14 +92,14 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         )
         return []
 
-    def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[Held]:
+    def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[ConstraintRow]:
         arm = negate(radius) if self.below else radius
         gap = Displacement(body.center, line.through, line.direction.normal())
         along = Displacement(body.center, line.through, line.direction)
         slip = Combination(((ONE, along), (arm, Angle(body.name, line.direction.body))), LENGTH)
         return [
-            Held("contact", "normal force", gap, arm, sign=-1 if self.below else 1, unilateral=True),
-            Held("no slip", "friction force", slip, needs="contact"),
+            ConstraintRow("contact", "normal force", gap, arm, sign=-1 if self.below else 1, unilateral=True),
+            ConstraintRow("no slip", "friction force", slip, needs="contact"),
         ]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:

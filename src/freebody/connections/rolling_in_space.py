@@ -23,7 +23,7 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE, Direction
 from freebody.measures.turn import Alignment
-from freebody.model.elements import Held, Plane, RateMeasure, RigidBody
+from freebody.model.elements import ConstraintRow, NonholonomicForm, Plane, RigidBody
 from freebody.model.rotations import perpendiculars
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Plane) -> list[Held]:
+def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Plane) -> list[ConstraintRow]:
     """The rows of rolling on a plane, by the form of the body."""
     if body.name == plane.normal.body:
         names.problem(f"{body.name} cannot roll on a plane of its own")
@@ -50,9 +50,9 @@ def _along(plane: Plane) -> list[tuple[str, Direction]]:
     return list(zip(across_names(plane.normal), directions, strict=True))
 
 
-def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) -> list[Held]:
+def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) -> list[ConstraintRow]:
     return [
-        Held(
+        ConstraintRow(
             f"no slip {name}",
             "friction force",
             velocity_of_place(body.center, arm, along, plane.through),
@@ -62,7 +62,7 @@ def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) 
     ]
 
 
-def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
+def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
     across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
     n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
     size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
@@ -73,7 +73,7 @@ def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
     axis = Direction(body.name, body.axis)
     seen = (("ap", Alignment(axis, p)), ("aq", Alignment(axis, q)), *n)
     ap, aq = Symbol("ap") / size, Symbol("aq") / size
-    rows = [Held("contact", "normal force", gap, unilateral=True)]
+    rows = [ConstraintRow("contact", "normal force", gap, unilateral=True)]
     # n x a = (a.p) q - (a.q) p, and n x (n x a) = -(a.p) p - (a.q) q
     for name, along_p, along_q in (("along", -aq, ap), ("across", -ap, -aq)):
         terms: list[tuple[Measure, Measure]] = []
@@ -83,31 +83,31 @@ def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
             terms += [
                 (Composed(share * c, seen, LENGTH), Alignment(b, direction)) for c, b in zip(arm, across, strict=True)
             ]
-        slip = RateMeasure(tuple(terms), LENGTH)
-        rows.append(Held(f"no slip {name}", f"friction force {name}", slip, needs="contact"))
+        slip = NonholonomicForm(tuple(terms), LENGTH)
+        rows.append(ConstraintRow(f"no slip {name}", f"friction force {name}", slip, needs="contact"))
     return rows
 
 
-def _sphere(body: RigidBody, radius: Expr, plane: Plane) -> list[Held]:
+def _sphere(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
     height = Displacement(body.center, plane.through, plane.normal)
     arm: list[tuple[Measure, Direction]] = [
         (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
     ]
-    return [Held("contact", "normal force", height, radius, unilateral=True), *_slips(body, arm, plane)]
+    return [ConstraintRow("contact", "normal force", height, radius, unilateral=True), *_slips(body, arm, plane)]
 
 
-def _cone(body: RigidBody, plane: Plane) -> list[Held]:
+def _cone(body: RigidBody, plane: Plane) -> list[ConstraintRow]:
     radius, height = body.sizes
     apex = body.point("apex")
     tilt = Alignment(Direction(body.name, body.axis), plane.normal)
     kept = [
-        Held(f"apex {name}", "force", Combination(((ONE, Displacement(apex, plane.through, along)),), LENGTH))
+        ConstraintRow(f"apex {name}", "force", Combination(((ONE, Displacement(apex, plane.through, along)),), LENGTH))
         for name, along in _along(plane)
     ]
     sine = radius / Call("sqrt", radius * radius + height * height)
     return [
-        Held("contact", "normal force", Displacement(apex, plane.through, plane.normal)),
-        Held("line", "moment", tilt, sine),
+        ConstraintRow("contact", "normal force", Displacement(apex, plane.through, plane.normal)),
+        ConstraintRow("line", "moment", tilt, sine),
         *kept,
-        Held("no slip", "friction moment", spin(body.name, plane.normal, plane.normal.body)),
+        ConstraintRow("no slip", "friction moment", spin(body.name, plane.normal, plane.normal.body)),
     ]

@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, Held
+from freebody.model.elements import Attitude, ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -37,13 +37,13 @@ bodies: {nut: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {screw: {first: ground.A, second: nut, about: x, pitch: 0.1 m}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)
         if joint is None:
             return []
         lead = divide(names.formula(self.pitch, LENGTH, "pitch"), 2 * PI)
         thread = Combination(((ONE, joint.travel), (-lead, joint.angle)), LENGTH)
-        return [*joint.on_the_axis(), *joint.parallel(), Held("thread", "thread force", thread)]
+        return [*joint.on_the_axis(), *joint.parallel(), ConstraintRow("thread", "thread force", thread)]
 
     def attitude(self, names: Names) -> Attitude | None:
         joint = read_joint(names, self, self.first, self.second, self.about, self.second_axis)

@@ -16,7 +16,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, ZERO, Direction, Point
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph, Turning
 from freebody.model.spec import Formula, Heading
@@ -107,17 +107,17 @@ bodies: {block: {rectangle: {mass: 1 kg, width: 1 m, height: 1 m}}}
 connections: {it: {slider: {body: block, along: right}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         point = names.point(self.body, "body")
         rail = self._guide(names, point)
         direction = rail.direction
         if point.body == direction.body:
             names.problem(f"{point.body} cannot slide on itself; name another body with on")
             return []
-        rows = [Held("normal", "normal force", rail.across)]
+        rows = [ConstraintRow("normal", "normal force", rail.across)]
         if names.known(point.body).turns and names.known(direction.body).turns:
             angle = Angle(point.body, direction.body)
-            rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
+            rows.append(ConstraintRow("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
         return rows
 
     def _guide(self, names: Names, point: Point) -> Guide:
@@ -136,14 +136,14 @@ connections: {it: {slider: {body: block, along: right}}}
             rail = self._guide(names, point)
         return stands_at(names, rail.across.origin, along, seen) if isinstance(rail.across, Displacement) else None
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
         if friction.is_none:
             return [], []
         point = names.point(self.body, "body")
         travel = self._guide(names, point).travel
-        row = Held("friction", "friction force", travel, connection=connection)
-        return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
+        row = ConstraintRow("friction", "friction force", travel, connection=connection)
+        return [], [DryFriction(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.body, "body")

@@ -10,7 +10,7 @@ from freebody.connections.slider import guide
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
@@ -36,22 +36,22 @@ bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {slot: {pin: rod.end, along: up}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         point = names.point(self.pin, "pin")
         rail = guide(names, point, self.along, self.on, self.through)
         if point.body == rail.direction.body:
             names.problem(f"the pin and the slot are both on {point.body}")
             return []
-        return [Held("normal", "normal force", rail.across)]
+        return [ConstraintRow("normal", "normal force", rail.across)]
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         friction = read_friction(names, self.friction, DIMENSIONLESS)
         if friction.is_none:
             return [], []
         point = names.point(self.pin, "pin")
         travel = guide(names, point, self.along, self.on, self.through).travel
-        row = Held("friction", "friction force", travel, connection=connection)
-        return [], [Rub(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
+        row = ConstraintRow("friction", "friction force", travel, connection=connection)
+        return [], [DryFriction(row, friction.static, friction.kinetic, (f"{connection}.normal",))]
 
     def offers(self, names: Names) -> Iterable[tuple[str, Measure]]:
         point = names.point(self.pin, "pin")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, meeting
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ bodies: {rod: {box: {mass: 1 kg, size: [1 m, 0.1 m, 0.2 m]}}}
 connections: {it: {spherical: [ground.A, rod.left]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         if not is_spatial(names, self):
             return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")

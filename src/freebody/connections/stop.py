@@ -12,7 +12,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE, ZERO, Direction
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_restitution
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
@@ -36,7 +36,7 @@ measures: {x: x of cart}
 connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x, min: 0, restitution: 0.5}}}
 """
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         measure = names.measure(self.measure, "measure")
         if self.min is None and self.max is None:
             names.problem("a stop needs min or max")
@@ -44,13 +44,13 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
             return [], []
         restitution = read_restitution(names, self.restitution)
         reaction = {LENGTH: "stop force", DIMENSIONLESS: "stop torque"}.get(measure.dimension, "stop force")
-        found: list[Bound] = []
+        found: list[UnilateralConstraint] = []
         for key, sign in (("min", 1), ("max", -1)):
             value = getattr(self, key)
             if value is not None:
                 limit = names.formula(value, measure.dimension, key)
-                row = Held(key, reaction, measure, limit, sign, unilateral=True, connection=connection)
-                found.append(Bound(row, restitution))
+                row = ConstraintRow(key, reaction, measure, limit, sign, unilateral=True, connection=connection)
+                found.append(UnilateralConstraint(row, restitution))
         low, high = (names.numeric(b.row.target) if b.row.target is not None else None for b in (found[0], found[-1]))
         if len(found) == 2 and low is not None and high is not None and low > high:
             names.problem(f"min ({low:g}) is above max ({high:g})")

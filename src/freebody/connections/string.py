@@ -29,7 +29,7 @@ from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direc
 from freebody.measures.lead import Lead
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
-from freebody.model.elements import Bound, Held, Rub, Stretch
+from freebody.model.elements import ConstraintRow, DryFriction, Stretch, UnilateralConstraint
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
@@ -84,10 +84,10 @@ class Section:
     def component(self, n_sections: int) -> str:
         return "length" if n_sections == 1 else f"{self.ends[0]} to {self.ends[-1]}"
 
-    def row(self, n_sections: int, rough: set[str]) -> Held:
+    def row(self, n_sections: int, rough: set[str]) -> ConstraintRow:
         """The row that keeps its length; the multiplier is its tension, after the rough drum if there is one."""
         measure = Combination(self.terms, LENGTH)
-        return Held(
+        return ConstraintRow(
             self.component(n_sections),
             "tension",
             measure,
@@ -171,7 +171,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         middle = [f"over {p}" for p in self.over] + [f"under {p}" for p in self.under]
         return [*ends[:1], *middle, *ends[1:]]
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         laid = self._laid(names)
         if laid is None:
             return []
@@ -184,7 +184,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             *self._idle(names, laid.way, laid.grips, rough),
         ]
 
-    def bounds(self, names: Names, connection: str) -> tuple[list[Bound], list[Rub]]:
+    def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         if self.friction in (0, None):
             return [], []
         n_before = len(names.problems)
@@ -193,7 +193,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             del names.problems[n_before:]  # told with the rows
             return [], []
         given = frictions(names, self.friction, [drum_name(node) for node in laid.slid_over])
-        found: list[Rub] = []
+        found: list[DryFriction] = []
         for section in laid.sections:
             rough = [p for p in section.passages if drum_name(p.node) in given]
             for passage in rough:
@@ -389,10 +389,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return turns
 
     # -- rows ---------------------------------------------------------------------------------
-    def _hanging(self, names: Names, laid: Laid) -> list[Held]:
+    def _hanging(self, names: Names, laid: Laid) -> list[ConstraintRow]:
         """Holds every body that hangs on this string, and on none before, across its lead."""
         me = next((name for name, other in names.connections.items() if other is self), "")
-        rows: list[Held] = []
+        rows: list[ConstraintRow] = []
         for body, hook in self._own_hooks(names, laid):
             rows.append(hook.row(names))
             self._note_guided(names, me, rows[-1], hook)
@@ -415,7 +415,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
                 yield body, hook
 
-    def _note_guided(self, names: Names, me: str, row: Held, hook: Hook) -> None:
+    def _note_guided(self, names: Names, me: str, row: ConstraintRow, hook: Hook) -> None:
         """What is taken for granted of a body that hangs on what moves sideways, or beside a level lead."""
         body, lead = hook.point.body, hook.leads[0]
         if not is_parallel(names, lead.normal, RIGHT):
@@ -441,10 +441,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             return None
         return hook.place(names, along, seen)
 
-    def _idle(self, names: Names, way: list[Node], grips: set[str], rough: set[str]) -> list[Held]:
+    def _idle(self, names: Names, way: list[Node], grips: set[str], rough: set[str]) -> list[ConstraintRow]:
         """A pulley without inertia, over which the string slides without friction and which no connection or load
         turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
-        rows: list[Held] = []
+        rows: list[ConstraintRow] = []
         turned = {name for push in names.pushes for name in turned_in(push.measure)}
         for node in way[1:-1]:
             body = names.known(node.body)
@@ -455,7 +455,9 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             others = [c for c in names.connections.values() if c is not self and node.body in c.mentions(names)]
             if all(isinstance(c, Pin) or _keeps_flat(names, c) for c in others):
                 held = Combination(((ONE, Angle(node.body)),), DIMENSIONLESS)
-                rows.append(Held(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True))
+                rows.append(
+                    ConstraintRow(f"{node.body} does not turn", "moment", held, ends=(node.body,), if_needed=True)
+                )
         return rows
 
     def mentions(self, names: Names) -> set[str]:

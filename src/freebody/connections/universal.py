@@ -12,7 +12,7 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import ZERO
 from freebody.measures.turn import Alignment
 from freebody.model import glyphs
-from freebody.model.elements import Attitude, Held, Rotation
+from freebody.model.elements import Attitude, ConstraintRow, Rotation
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, angles_of, dot
 from freebody.model.spec import Heading
@@ -37,7 +37,7 @@ bodies: {shaft: {cylinder: {mass: 1 kg, radius: 0.1 m, length: 1 m}}}
 connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, second_arm: y}}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         if not is_spatial(names, self):
             return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
@@ -51,7 +51,7 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
         for arm, point, key in zip(arms, (first, second), ("arm", "second_arm"), strict=True):
             if arm.body != point.body:
                 names.problem(f"{key} must be fixed in {point.body}", None, key)
-        return [*meeting(first, second), Held("cross", "cross moment", Alignment(arms[1], arms[0]))]
+        return [*meeting(first, second), ConstraintRow("cross", "cross moment", Alignment(arms[1], arms[0]))]
 
     def attitude(self, names: Names) -> Attitude | None:
         if not names.space:

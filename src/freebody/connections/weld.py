@@ -14,7 +14,7 @@ from freebody.measures.geometry import ONE, Direction, Point
 from freebody.measures.turn import Alignment
 from freebody.model import glyphs
 from freebody.model.chains import read_chain
-from freebody.model.elements import Attitude, Held
+from freebody.model.elements import Attitude, ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import UNIT, columns_of
 
@@ -36,7 +36,7 @@ bodies: {beam: {rod: {mass: 1 kg, length: 1 m}}}
 connections: {it: {weld: [ground.A, beam.start]}}
 """
 
-    def rows(self, names: Names) -> list[Held]:
+    def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
             names.problem(f"welds {first.body} to itself; name points of two bodies")
@@ -48,10 +48,10 @@ connections: {it: {weld: [ground.A, beam.start]}}
         rows = coincidence(first, second)
         if names.known(first.body).turns and names.known(second.body).turns:
             angle = Angle(second.body, first.body)
-            rows.append(Held("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
+            rows.append(ConstraintRow("angle", "moment", Combination(((ONE, angle),), DIMENSIONLESS)))
         return rows
 
-    def _in_space(self, names: Names, first: Point, second: Point) -> list[Held]:
+    def _in_space(self, names: Names, first: Point, second: Point) -> list[ConstraintRow]:
         rows = meeting(first, second)
         if not (names.known(first.body).turns and names.known(second.body).turns):
             return rows
@@ -61,9 +61,9 @@ connections: {it: {weld: [ground.A, beam.start]}}
         # a multiplier of w . u, w on the second body, is a moment on it along w x u
         return [
             *rows,
-            Held("moment x", "moment", Alignment(own_z, y), sign=-1),
-            Held("moment y", "moment", Alignment(own_z, x)),
-            Held("moment z", "moment", Alignment(own_y, x), sign=-1),
+            ConstraintRow("moment x", "moment", Alignment(own_z, y), sign=-1),
+            ConstraintRow("moment y", "moment", Alignment(own_z, x)),
+            ConstraintRow("moment z", "moment", Alignment(own_y, x), sign=-1),
         ]
 
     def attitude(self, names: Names) -> Attitude | None:

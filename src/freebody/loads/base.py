@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.model.elements import Push
+from freebody.model.elements import AppliedLoad
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Spec
 
@@ -33,7 +33,7 @@ class Load(Spec):
             cls.kind = kind
             Load.kinds[kind] = cls
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes."""
         raise NotImplementedError
 

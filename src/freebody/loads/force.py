@@ -11,7 +11,7 @@ from freebody.loads.law import law
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction
 from freebody.model import glyphs
-from freebody.model.elements import Component, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -34,18 +34,18 @@ bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         point = names.point(self.at, "at")
         along = names.direction(self.along, "along")
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
         origin = names.ground_origin
         if along.body == GROUND:
-            return [Push("", Displacement(point, origin, along), magnitude, used)]
+            return [AppliedLoad("", Displacement(point, origin, along), magnitude, used)]
         # a direction that turns with a body: virtual power only, there is no displacement that it pushes
         x, y, z = (Displacement(point, origin, axis) for axis in AXES)
         parts = [(Component(along, "x"), x), (Component(along, "y"), y)]
-        follower = RateMeasure((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
-        return [Push("", follower, magnitude, used)]
+        follower = NonholonomicForm((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
+        return [AppliedLoad("", follower, magnitude, used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along, "along"))

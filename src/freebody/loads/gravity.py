@@ -11,7 +11,7 @@ from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ZERO
 from freebody.model import glyphs
-from freebody.model.elements import Push
+from freebody.model.elements import AppliedLoad
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -31,12 +31,12 @@ bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {gravity: 9.81 m/s^2}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
         origin = names.ground_origin
         return [
-            Push(body.name, Displacement(body.mass_center, origin, along), multiply(body.mass, g))
+            AppliedLoad(body.name, Displacement(body.mass_center, origin, along), multiply(body.mass, g))
             for body in names.bodies.values()
             if body.mass != ZERO and not body.fixed
         ]

@@ -27,7 +27,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
@@ -60,7 +60,7 @@ parameters: {k: 5 N/m^3}
 loads: {it: {law: {measure: x, force: -k*x^3}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         measure = names.measure(self.measure, "measure")
         if measure is None:
             return []
@@ -71,7 +71,7 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
             expr = substitute(replace_rates(expr, {name: RATE}), {name: VALUE})
         rest = tuple(item for item in used if item[0] not in own)
         alone = _in_the_measure(expr, measure, [name for name, _measure in rest])
-        return [Push("", measure, expr, rest) if alone is None else Push("", measure, alone)]
+        return [AppliedLoad("", measure, expr, rest) if alone is None else AppliedLoad("", measure, alone)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         for push in self.pushes(names):
@@ -80,7 +80,7 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
 
 
 def _signs(
-    names: Names, measure: Measure | RateMeasure, of_value: bool, of_rate: bool, sense: int = 1
+    names: Names, measure: Measure | NonholonomicForm, of_value: bool, of_rate: bool, sense: int = 1
 ) -> Iterable[Glyph]:
     """What a law along a measure looks like: of a distance a spring or a damper, else arrows. sense: -1 where the law
     pushes against a part of it."""

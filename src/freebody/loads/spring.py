@@ -22,7 +22,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import ONE, Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
-from freebody.model.elements import RATE, VALUE, Push
+from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.model.glyphs import Glyph
 from freebody.model.rotations import perpendiculars
 from freebody.model.spec import Formula, Heading
@@ -47,15 +47,15 @@ bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
-            return [Push("", stretch, negate(multiply(k, VALUE)))]
+            return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
         stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
-        return [Push("", stretch, negate(multiply(k, VALUE)))]
+        return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Spring(names.point(self.first), names.point(self.second))
@@ -74,9 +74,9 @@ bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
-        return [Push("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
+        return [AppliedLoad("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Spring(names.point(self.first), names.point(self.second), is_spring=False, is_damper=True)
@@ -113,12 +113,12 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         theta = turn_about(names, self.body, self.on, self.about)
         k = names.positive(self, "stiffness", ROTARY_STIFFNESS)
         relaxed = names.formula(self.angle, DIMENSIONLESS, "angle")
         turned = theta if relaxed == ZERO else Composed(Symbol("angle") - relaxed, (("angle", theta),), DIMENSIONLESS)
-        return [Push("", turned, negate(multiply(k, VALUE)))]
+        return [AppliedLoad("", turned, negate(multiply(k, VALUE)))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         axis = names.direction(self.about, "about", body=self.on) if names.space else None
@@ -139,10 +139,10 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         theta = turn_about(names, self.body, self.on, self.about)
         c = names.positive(self, "damping", ROTARY_DAMPING)
-        return [Push("", theta, negate(multiply(c, RATE)))]
+        return [AppliedLoad("", theta, negate(multiply(c, RATE)))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         axis = names.direction(self.about, "about", body=self.on) if names.space else None

@@ -11,7 +11,7 @@ from freebody.loads.law import law
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
 from freebody.model import glyphs
-from freebody.model.elements import Push
+from freebody.model.elements import AppliedLoad
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.model.spins import spin
@@ -35,7 +35,7 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         body, other = names.body(self.on, "on"), names.body(self.reacts_on, "reacts_on")
         if not body.turns:
             names.problem(f"{body.name} is a particle and cannot take a torque", None, "on")
@@ -43,12 +43,12 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
         if not names.space:
             if self.about is not None:
                 names.problem("a torque in the plane has no axis; in space write space: true", None, "about")
-            return [Push("", Angle(body.name, other.name), magnitude, used)]
+            return [AppliedLoad("", Angle(body.name, other.name), magnitude, used)]
         if self.about is None:
             names.problem("in space a torque needs its axis, e.g. about: z, or about: rotor.x", None, "about")
             return []
         along = names.direction(self.about, "about")
-        return [Push("", spin(body.name, along, other.name), magnitude, used)]
+        return [AppliedLoad("", spin(body.name, along, other.name), magnitude, used)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         axis = names.direction(self.about, "about") if names.space and self.about is not None else None

@@ -12,7 +12,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Components, Point
-from freebody.model.elements import Held, RateMeasure, RigidBody
+from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
 
 Place = tuple[str, Components]
 
@@ -30,7 +30,9 @@ def _place(bodies: Mapping[str, RigidBody], point: Point) -> Place:
     return GROUND, tuple(a + x - r for a, r, x in zip(at[1], body.points[at[0]], point.offset, strict=True))
 
 
-def is_distance_kept(bodies: Mapping[str, RigidBody], rows: Sequence[Held], measure: Measure | RateMeasure) -> bool:
+def is_distance_kept(
+    bodies: Mapping[str, RigidBody], rows: Sequence[ConstraintRow], measure: Measure | NonholonomicForm
+) -> bool:
     """True if the measure is a distance whose ends are carried by one body."""
     if not isinstance(measure, Distance):
         return False
@@ -50,7 +52,7 @@ def is_distance_kept(bodies: Mapping[str, RigidBody], rows: Sequence[Held], meas
     return bool(carriers(measure.start) & carriers(measure.end))
 
 
-def _coincident(rows: Sequence[Held]) -> list[tuple[Point, Point]]:
+def _coincident(rows: Sequence[ConstraintRow]) -> list[tuple[Point, Point]]:
     """Pairs of points held together along both axes."""
     seen: dict[tuple[str, Point, Point], int] = {}
     for row in rows:

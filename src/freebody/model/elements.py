@@ -168,7 +168,7 @@ class Component:
 
 
 @dataclass(frozen=True)
-class RateMeasure:
+class NonholonomicForm:
     """A scalar linear in the velocities that need not be the rate of anything:
     sum of coefficient(pose) * d(measure)/dt."""
 
@@ -194,12 +194,12 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Held:
+class ConstraintRow:
     """A measure held at a target: one row of the constraint Jacobian, and its reaction."""
 
     component: str  # "x", "tension", "no slip" ...: the name of the row within its connection
     reaction: str  # what its multiplier is called: "tension", "normal force" ...
-    measure: Measure | RateMeasure
+    measure: Measure | NonholonomicForm
     target: Expr | None = None  # f(t); None: zero, or the start value of an incremental measure
     sign: int = 1
     ends: tuple[str, ...] = ()  # bodies between which a named section runs, for "tension of rope at left"
@@ -230,11 +230,11 @@ class Span:
 
 
 @dataclass(frozen=True)
-class Bound:
+class UnilateralConstraint:
     """A measure that may not pass a limit: sign (measure - target) >= 0. While it is closed its row is held, and its
     reaction, sign * multiplier, is not negative."""
 
-    row: Held
+    row: ConstraintRow
     restitution: Expr = ZERO
     within: tuple[Span, ...] = ()
     starts_closed: bool = False  # the start pose closes it, or another of its family
@@ -247,7 +247,7 @@ class Bound:
 
 
 @dataclass(frozen=True)
-class Rub:
+class DryFriction:
     """Dry friction along a measure. While it does not run its row is held, as long as its multiplier stays within
     static * load; while it runs, the force is kinetic * load against the rate.
 
@@ -256,7 +256,7 @@ class Rub:
     friction. Where the friction that resists a growing measure differs from the one that resists a falling one, the
     second is given by `static_back` and `kinetic_back` (a belt round a drum)."""
 
-    row: Held
+    row: ConstraintRow
     static: Expr
     kinetic: Expr
     load: tuple[str, ...] = ()
@@ -277,12 +277,12 @@ class Rub:
 
 
 @dataclass(frozen=True)
-class Push:
+class AppliedLoad:
     """A load: a measure pushed by a law of it (`VALUE`), its rate (`RATE`), time and other measures. The law is
     the generalized force in the direction in which the measure grows."""
 
     component: str
-    measure: Measure | RateMeasure
+    measure: Measure | NonholonomicForm
     law: Expr
     measures: tuple[tuple[str, Measure], ...] = ()  # named measures in the law
     load: str = ""

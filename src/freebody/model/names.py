@@ -20,7 +20,7 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
-from freebody.model.elements import Held, Line, Parameter, Plane, Push, RigidBody
+from freebody.model.elements import AppliedLoad, ConstraintRow, Line, Parameter, Plane, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
 
@@ -61,9 +61,9 @@ class Names:
         self._path: tuple[str | int, ...] = ()
         self.connections: dict[str, Connection] = {}
         self.broken: set[str] = set()  # parameters and measures that could not be read
-        self.held: list[Held] = []
+        self.held: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
-        self.pushes: list[Push] = []  # what the loads push, known before the connections say what they hold
+        self.pushes: list[AppliedLoad] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Connection] = []  # strings whose way is being found, which place nothing yet
         self.space = False

@@ -16,7 +16,7 @@ from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.measures.turn import Alignment
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.model.rotations import UNIT, perpendiculars
 
 Terms = list[tuple[Measure, Measure]]
@@ -32,14 +32,14 @@ def body_axes(body: str) -> tuple[Direction, Direction, Direction]:
     return x, y, z
 
 
-def spin(body: str, along: Direction, against: str = GROUND) -> RateMeasure:
+def spin(body: str, along: Direction, against: str = GROUND) -> NonholonomicForm:
     """The angular velocity of a body against another one along a direction, which may be fixed in any body."""
     terms: Terms = []
     if body != along.body:
         terms += _turning(body, along, -1)
     if against != along.body:
         terms += _turning(against, along, 1)
-    return RateMeasure(tuple(terms), DIMENSIONLESS)
+    return NonholonomicForm(tuple(terms), DIMENSIONLESS)
 
 
 def _turning(body: str, along: Direction, sign: int) -> Terms:
@@ -53,9 +53,9 @@ def _turning(body: str, along: Direction, sign: int) -> Terms:
 
 def velocity_of_place(
     center: Point, arm: list[tuple[Measure, Direction]], along: Direction, origin: Point
-) -> RateMeasure:
+) -> NonholonomicForm:
     """The velocity, seen from the body of the origin and of `along`, of the material point of a body that is now at
     center + sum of c_j b_j, b_j fixed in the body and c_j its components there at this instant."""
     terms: Terms = [(constant(ONE), Displacement(center, origin, along))]
     terms += [(coefficient, Alignment(b, along)) for coefficient, b in arm]
-    return RateMeasure(tuple(terms), LENGTH)
+    return NonholonomicForm(tuple(terms), LENGTH)

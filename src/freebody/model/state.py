@@ -10,7 +10,7 @@ from typing import Any, Protocol, TypeVar
 
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 
 S_co = TypeVar("S_co", covariant=True)
 
@@ -24,25 +24,25 @@ class State(Protocol[S_co]):
 
     def value(self, measure: Measure) -> S_co: ...
 
-    def rate(self, measure: Measure | RateMeasure) -> S_co: ...
+    def rate(self, measure: Measure | NonholonomicForm) -> S_co: ...
 
-    def acceleration(self, measure: Measure | RateMeasure) -> S_co: ...
+    def acceleration(self, measure: Measure | NonholonomicForm) -> S_co: ...
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[S_co, ...]:
+    def gradient(self, measure: Measure | NonholonomicForm, body: str) -> tuple[S_co, ...]:
         """Derivatives of the measure's rate by the velocity (x, y) and angular velocity of a body: the force
         and the moment about the mass centre that a unit push of the measure exerts on it. In space three of each,
         along the axes of the ground."""
         ...
 
-    def multiplier(self, row: Held) -> S_co:
+    def multiplier(self, row: ConstraintRow) -> S_co:
         """The multiplier of a held measure. Raises CannotAnswer naming the connections if it is not unique."""
         ...
 
-    def law(self, push: Push) -> S_co:
+    def law(self, push: AppliedLoad) -> S_co:
         """The generalized force of a load in the direction in which its measure grows."""
         ...
 
-    def potential(self, push: Push) -> S_co:
+    def potential(self, push: AppliedLoad) -> S_co:
         """Potential energy of a load. Raises CannotAnswer if it has none."""
         ...
 

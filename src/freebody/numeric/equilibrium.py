@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.families import is_one_family, soft_directions
 from freebody.numeric.instant import each_force, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
@@ -267,7 +267,7 @@ class Statics:
         """Whether one search must do: nothing is free, or velocities are bound more than positions, which makes
         every rest one of a family."""
         rows = self.reference.system.held
-        return not len(self.balance(self.start).residual) or any(isinstance(r.measure, RateMeasure) for r in rows)
+        return not len(self.balance(self.start).residual) or any(isinstance(r.measure, NonholonomicForm) for r in rows)
 
     def near_start(self) -> list[Balance]:
         """The rests to which searches from the start lead, by the shortest way and downhill."""

@@ -26,7 +26,7 @@ from scipy import optimize
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
-from freebody.model.elements import Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import TIME, Array, JetGeometry
 from freebody.numeric.reference import Reference
@@ -84,9 +84,9 @@ class Optimum:
     motion: Array
 
 
-def rest_problem(reference: Reference, q: Array, rubs: Sequence[Rub]) -> RestProblem:
+def rest_problem(reference: Reference, q: Array, rubs: Sequence[DryFriction]) -> RestProblem:
     """The reference's system at rest at q: its held rows (those that are unilateral cannot pull) and dry friction."""
-    held: Sequence[Held] = reference.system.held
+    held: Sequence[ConstraintRow] = reference.system.held
     rows = [*held, *(rub.row for rub in rubs)]
     n = len(q)
     g = reference.geometry(q, np.zeros(n), 0.0)
@@ -97,7 +97,7 @@ def rest_problem(reference: Reference, q: Array, rubs: Sequence[Rub]) -> RestPro
     return RestProblem(names, J, forces(reference, g), normals, cones, reference.sizes.unit_moves)
 
 
-def _cone(reference: Reference, g: JetGeometry, rub: Rub, row: int, held: Sequence[Held]) -> Cone:
+def _cone(reference: Reference, g: JetGeometry, rub: DryFriction, row: int, held: Sequence[ConstraintRow]) -> Cone:
     values = {**reference.frame.values, TIME: 0.0}
     for name, measure in rub.measures:
         values[name] = reference.jet(g, measure, name).value

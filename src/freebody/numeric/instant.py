@@ -22,7 +22,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
 from freebody.language.notation import to_text
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
@@ -99,7 +99,7 @@ def each_force(reference: Reference, g: JetGeometry) -> Iterator[Array]:
             yield law(reference, g, push, measure) * measure.gradient
 
 
-def law(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None = None) -> float:
+def law(reference: Reference, g: JetGeometry, push: AppliedLoad, measure: Jet | None = None) -> float:
     """The generalized force of a load, whose measure may be known already."""
     names = _law_names(reference, g, push, measure)
     with named(push.name):
@@ -129,14 +129,14 @@ def check_laws(reference: Reference, g: JetGeometry) -> None:
                 )
 
 
-def _law_names(reference: Reference, g: JetGeometry, push: Push, measure: Jet | None) -> dict[str, float]:
+def _law_names(reference: Reference, g: JetGeometry, push: AppliedLoad, measure: Jet | None) -> dict[str, float]:
     """The numbers of all that a law contains."""
     needed = free_symbols(push.law)
     names: dict[str, float] = {**reference.frame.values, TIME: g.time.value}
     if VALUE.name in needed or RATE.name in needed:
         own = measure or reference.jet(g, push.measure, push.name)
         names[RATE.name] = own.rate
-        if not isinstance(push.measure, RateMeasure):
+        if not isinstance(push.measure, NonholonomicForm):
             names[VALUE.name] = own.value - reference.start_value(push.measure)
     for name, other in push.measures:
         jet = reference.jet(g, other, name)

@@ -27,7 +27,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.geometry import NO_DIRECTION, Pose, SpatialPose, Vector
-from freebody.model.elements import Component, RateMeasure
+from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.rotation import matrix
 
@@ -308,15 +308,15 @@ class JetGeometry:
         self.memory: dict[int, tuple[object, Vector[Jet]]] = {}  # of points and directions
         self._measure, self._n_tangents = -1, 0
 
-    def of(self, measure: Measure | RateMeasure | Component) -> Jet:
+    def of(self, measure: Measure | NonholonomicForm | Component) -> Jet:
         """The jet of a measure. One that is only a rate has the value 0, and as gradient the coefficients of
         the velocities in it."""
-        if isinstance(measure, RateMeasure):
+        if isinstance(measure, NonholonomicForm):
             return self._of_rate(measure)
         self._measure, self._n_tangents = self.frame.number(measure), 0
         return measure.value(self)
 
-    def of_near(self, measure: Measure | RateMeasure, target: float) -> Jet:
+    def of_near(self, measure: Measure | NonholonomicForm, target: float) -> Jet:
         """The jet of a measure, its angles counted so that the value comes nearest to the target."""
         jet = self.of(measure)
         branches = [(self._measure, k) for k in range(self._n_tangents)]
@@ -331,7 +331,7 @@ class JetGeometry:
                 jet = turned
         return jet
 
-    def _of_rate(self, measure: RateMeasure) -> Jet:
+    def _of_rate(self, measure: NonholonomicForm) -> Jet:
         # d/dt (c m') = c m'' + c' m'
         total = Jet(0.0)
         for coefficient, term in measure.terms:

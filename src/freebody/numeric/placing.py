@@ -21,7 +21,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.sizes import Sizes
 from freebody.numeric.split import Split
@@ -43,7 +43,7 @@ class Equation:
     gap: Callable[[JetGeometry], Jet]
 
     @classmethod
-    def of(cls, name: str, measure: Measure | RateMeasure, target: Jet | Callable[[JetGeometry], Jet]) -> Equation:
+    def of(cls, name: str, measure: Measure | NonholonomicForm, target: Jet | Callable[[JetGeometry], Jet]) -> Equation:
         """A measure is at its target, angles of lines counted so that they are near it."""
 
         def gap(g: JetGeometry) -> Jet:

@@ -17,7 +17,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, children, evaluate, free_symbols
 from freebody.measures.base import Measure
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
 
 
-def potential(reference: Reference, push: Push, value: Callable[[Measure], float]) -> float:
+def potential(reference: Reference, push: AppliedLoad, value: Callable[[Measure], float]) -> float:
     """Minus the integral of the law over its measure from 0 (for a measure of which only changes mean
     something: from the start) to its value [J]. Raises CannotAnswer where the law has no potential."""
     law, needed = push.law, free_symbols(push.law) - set(reference.frame.values) - {VALUE.name}
     own = {name for name, measure in push.measures if measure == push.measure}
-    if isinstance(push.measure, RateMeasure):
+    if isinstance(push.measure, NonholonomicForm):
         raise CannotAnswer(f"{push.name} has no potential: its direction turns with a body")
     if needed - own or _has_rate(law):
         names = ", ".join(sorted(needed - own - {RATE.name})) or "a rate"
@@ -46,7 +46,7 @@ def potential(reference: Reference, push: Push, value: Callable[[Measure], float
         return -_integral(force, value(push.measure) - origin)
 
 
-def work_between(reference: Reference, push: Push, start: float, end: float) -> float:
+def work_between(reference: Reference, push: AppliedLoad, start: float, end: float) -> float:
     """The work of a load that is a law of its own measure alone, from one value of the measure to another [J]."""
     origin = reference.start_value(push.measure)  # type: ignore[arg-type]
 

@@ -21,7 +21,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, evaluate
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose
-from freebody.model.elements import Held, RateMeasure, RigidBody
+from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
@@ -33,7 +33,7 @@ from freebody.numeric.sizes import Sizes, neighbours, typical_length
 from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
-from freebody.numeric.trajectory import Trajectory, integrate
+from freebody.numeric.trajectory import ReferenceTrajectory, integrate
 from freebody.system.system import System
 
 
@@ -104,7 +104,7 @@ class Reference:
 
     def assemble(
         self,
-        extra: Sequence[tuple[Measure | RateMeasure, float]] = (),
+        extra: Sequence[tuple[Measure | NonholonomicForm, float]] = (),
         guess: Array | None = None,
         n_starts: int = N_STARTS,
     ) -> Array:
@@ -152,7 +152,7 @@ class Reference:
     def velocities(
         self,
         q: Array,
-        extra: Sequence[tuple[Measure | RateMeasure, float]] = (),
+        extra: Sequence[tuple[Measure | NonholonomicForm, float]] = (),
         t: float = 0.0,
         *,
         with_start: bool = True,
@@ -175,7 +175,7 @@ class Reference:
         start: Snapshot | tuple[Array, Array],
         until: float,
         event: Callable[[Snapshot], float] | None = None,
-    ) -> Trajectory:
+    ) -> ReferenceTrajectory:
         """The motion from `start` (a snapshot, or (q, v) at t = 0) until the time `until` [s], or until the
         first later time at which `event` crosses zero. Raises CannotAnswer if the event does not happen."""
         now = start if isinstance(start, Snapshot) else self.snapshot(*start)
@@ -196,14 +196,14 @@ class Reference:
         """What measures see at one instant; angles of lines are counted on from `near`, or from the start."""
         return JetGeometry(self.frame, q, v, t, self._branches if near is None else near)
 
-    def jet(self, g: JetGeometry, measure: Measure | RateMeasure, name: str = "") -> Jet:
+    def jet(self, g: JetGeometry, measure: Measure | NonholonomicForm, name: str = "") -> Jet:
         """The jet of a measure; raises CannotAnswer where it has no finite value."""
         with named(name or (lambda: self.name_of(measure))):
             jet = g.of(measure)
             finite(jet.value + jet.rate + jet.bias)
             return jet
 
-    def gap(self, row: Held, g: JetGeometry) -> Jet:
+    def gap(self, row: ConstraintRow, g: JetGeometry) -> Jet:
         """How far a held measure is from its target; the value leaves out a constant of incremental ones."""
         return self.jet(g, row.measure, row.name) - _target(row, g)
 
@@ -218,7 +218,7 @@ class Reference:
         for row in self.system.held:
             if _holds_a_place(row):
                 equations.append(_at_target(row))
-            elif not isinstance(row.measure, RateMeasure):
+            elif not isinstance(row.measure, NonholonomicForm):
                 kept = Jet(self.jet(g, row.measure, row.name).value)
                 equations.append(Equation.of(row.name, row.measure, kept))
         return equations
@@ -233,7 +233,7 @@ class Reference:
     def _remember(self, q: Array, branches: Mapping[Branch, float]) -> None:
         """From this pose incremental measures count, and the angles of lines go on from here."""
         g = self.geometry(q, np.zeros_like(q), 0.0, branches)
-        everything: list[tuple[str, Measure | RateMeasure]] = [
+        everything: list[tuple[str, Measure | NonholonomicForm]] = [
             *((row.name, row.measure) for row in self.system.held),
             *((push.name, push.measure) for push in self.system.pushes),
             *((name, m) for push in self.system.pushes for name, m in push.measures),
@@ -242,7 +242,7 @@ class Reference:
         ]
         origins: dict[int, float] = {}
         for name, measure in everything:
-            counts = not isinstance(measure, RateMeasure) and measure.incremental
+            counts = not isinstance(measure, NonholonomicForm) and measure.incremental
             try:
                 jet = self.jet(g, measure, name)
             except CannotAnswer as error:
@@ -303,7 +303,7 @@ class Reference:
         with named("a number of the model"):
             return finite(evaluate(expr, {**self.frame.values, TIME: t}))
 
-    def name_of(self, measure: Measure | RateMeasure) -> str:
+    def name_of(self, measure: Measure | NonholonomicForm) -> str:
         """What the user calls a measure."""
         names = [name for name, known in self.system.measures.items() if known == measure]
         names += [row.name for row in (*self.system.rows, *self.system.pushes) if row.measure == measure]
@@ -329,15 +329,15 @@ def _numbers(system: System, values: Mapping[str, float]) -> dict[str, float]:
     return {name: float(value) for name, value in given.items() if value is not None}
 
 
-def _holds_a_place(row: Held) -> bool:
+def _holds_a_place(row: ConstraintRow) -> bool:
     """Whether the target of a held measure is known before the start pose is."""
-    return not isinstance(row.measure, RateMeasure) and (row.target is not None or not row.measure.incremental)
+    return not isinstance(row.measure, NonholonomicForm) and (row.target is not None or not row.measure.incremental)
 
 
-def _target(row: Held, g: JetGeometry) -> Jet:
+def _target(row: ConstraintRow, g: JetGeometry) -> Jet:
     with named(row.name):
         return Jet(0.0) if row.target is None else g.scalar(row.target)
 
 
-def _at_target(row: Held) -> Equation:
+def _at_target(row: ConstraintRow) -> Equation:
     return Equation.of(row.name, row.measure, lambda g: _target(row, g))

@@ -32,7 +32,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import check_inertia, dynamics, each_force, forces
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
@@ -139,7 +139,7 @@ class SmallMotion:
         g = at.geometry(reference, at.q, at.v)
         gaps = [reference.gap(row, g) for row in reference.system.held]
         J = stack([gap.row(n) for gap in gaps], n)
-        places = [not isinstance(row.measure, RateMeasure) for row in reference.system.held]
+        places = [not isinstance(row.measure, NonholonomicForm) for row in reference.system.held]
         D = reference.sizes.small_moves
         self.split = Split(J, D)
         free_places = self.split.null if all(places) else Split(J[np.array(places, dtype=bool)], D).null

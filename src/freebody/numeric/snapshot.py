@@ -16,7 +16,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.instant import Dynamics, dynamics, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.potential import potential
@@ -63,14 +63,14 @@ class Snapshot:
     def value(self, measure: Measure) -> float:
         return self._jet(measure).value
 
-    def rate(self, measure: Measure | RateMeasure) -> float:
+    def rate(self, measure: Measure | NonholonomicForm) -> float:
         return self._jet(measure).rate
 
-    def acceleration(self, measure: Measure | RateMeasure) -> float:
+    def acceleration(self, measure: Measure | NonholonomicForm) -> float:
         jet = self._jet(measure)
         return float(jet.row(len(self.q)) @ self.accelerations) + jet.bias
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[float, ...]:
+    def gradient(self, measure: Measure | NonholonomicForm, body: str) -> tuple[float, ...]:
         frame, g, q = self.reference.frame, self.geometry, self.q
         if body in frame.fixed:
             # it feels the reaction too: for the derivative it may move
@@ -85,7 +85,7 @@ class Snapshot:
         x, y, *theta = (float(row[k]) for k in frame.columns[body])
         return x, y, theta[0] if theta else 0.0
 
-    def place_of(self, row: Held) -> int:
+    def place_of(self, row: ConstraintRow) -> int:
         """Where a row stands among the held ones. Raises CannotAnswer if it is not held."""
         rows = self.reference.system.held
         found = next((k for k, other in enumerate(rows) if other is row), None)
@@ -93,7 +93,7 @@ class Snapshot:
             raise CannotAnswer(f"{row.name} is not held in this system")
         return rows.index(row) if found is None else found
 
-    def multiplier(self, row: Held) -> float:
+    def multiplier(self, row: ConstraintRow) -> float:
         rows, k = self.reference.system.held, self.place_of(row)
         empty = self._dynamics.split.left_null
         if float(np.linalg.norm(empty[k])) > UNIQUE:
@@ -105,10 +105,10 @@ class Snapshot:
             )
         return float(self._dynamics.multipliers[k])
 
-    def law(self, push: Push) -> float:
+    def law(self, push: AppliedLoad) -> float:
         return law(self.reference, self.geometry, push)
 
-    def potential(self, push: Push) -> float:
+    def potential(self, push: AppliedLoad) -> float:
         """[J]"""
         return potential(self.reference, push, self.value)
 
@@ -118,5 +118,5 @@ class Snapshot:
             raise CannotAnswer(f"there is no real root of {value:.6g}")
         return math.sqrt(value)
 
-    def _jet(self, measure: Measure | RateMeasure) -> Jet:
+    def _jet(self, measure: Measure | NonholonomicForm) -> Jet:
         return self.reference.jet(self.geometry, measure)

@@ -20,7 +20,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
-from freebody.model.elements import Attitude, RateMeasure, RigidBody, Start
+from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Equation, Fit
@@ -94,7 +94,7 @@ def _start_axes(
 
 def assembled(
     reference: Reference,
-    extra: Sequence[tuple[Measure | RateMeasure, float]],
+    extra: Sequence[tuple[Measure | NonholonomicForm, float]],
     guess: Array | None,
     n_starts: int = N_STARTS,
 ) -> Fit:
@@ -198,7 +198,7 @@ def _starts(guess: Array, unit_moves: Array, moved: Callable[[Array, Array], Arr
         yield moved(guess, min(1.0, 0.02 * 2.0**k) * unit_moves * disturbance)
 
 
-def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | RateMeasure, float]]) -> list[Equation]:
+def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | NonholonomicForm, float]]) -> list[Equation]:
     equations: list[Equation] = []
     for name, expr in reference.system.start.items():
         measure = reference.system.measures[name]
@@ -245,7 +245,7 @@ _Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it m
 
 
 def start_velocities(
-    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | RateMeasure, float]], *, with_start: bool
+    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | NonholonomicForm, float]], *, with_start: bool
 ) -> Array:
     """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
     n = len(g.q)
@@ -283,7 +283,7 @@ def _given(reference: Reference, q: Array) -> Array | None:
 
 
 def wanted_rates(
-    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | RateMeasure, float]], with_start: bool
+    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | NonholonomicForm, float]], with_start: bool
 ) -> Iterator[_Rate]:
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
     replaces them, and the extra ones."""

@@ -35,7 +35,7 @@ N_STEPS = 100_000
 
 
 @dataclass(frozen=True)
-class Trajectory:
+class ReferenceTrajectory:
     """A motion: the states after every step, and the event at which it ended, if there was one."""
 
     reference: Reference
@@ -70,7 +70,7 @@ class Trajectory:
 
 def integrate(
     reference: Reference, start: Snapshot, until: float, event: Callable[[Snapshot], float] | None
-) -> Trajectory:
+) -> ReferenceTrajectory:
     """The motion from a state to a time or an event; see `Reference.integrate`."""
     steps = _Steps(reference, start)
     now = steps.projected(start.q, start.v, start.t, start)
@@ -84,12 +84,12 @@ def integrate(
         if watch is not None:
             found = watch.crossing(now, after, solver.dense_output(), steps.followed)
             if found is not None:
-                return Trajectory(reference, (*snapshots, found), found.t, found)
+                return ReferenceTrajectory(reference, (*snapshots, found), found.t, found)
         snapshots.append(after)
         now, size = after, float(solver.h_abs)
     if watch is not None:
         raise CannotAnswer(f"the event does not happen until t = {until:.6g} s")
-    return Trajectory(reference, tuple(snapshots))
+    return ReferenceTrajectory(reference, tuple(snapshots))
 
 
 class _Steps:

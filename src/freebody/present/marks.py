@@ -13,7 +13,7 @@ from freebody.language.expression import Expr
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Point
-from freebody.model.elements import Bound
+from freebody.model.elements import UnilateralConstraint
 from freebody.present.figures import Array, Heading, Place
 from freebody.present.places import Places
 from freebody.present.strokes import Path, Stretch
@@ -96,7 +96,7 @@ class ContactTrack:
                     yield k, state, meeting.mark(_SIZES[state] * size, STYLES[state], thicker)
 
 
-def _meeting(system: System, places: Places, bound: Bound) -> Meeting | None:
+def _meeting(system: System, places: Places, bound: UnilateralConstraint) -> Meeting | None:
     measure, sign = bound.row.measure, bound.row.sign
     if isinstance(measure, Displacement):
         radius = _radius(system, places, measure.of)

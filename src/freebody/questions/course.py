@@ -93,7 +93,7 @@ questions: {it: energy lost until rolling begins}
 
 
 @dataclass(frozen=True)
-class Turns(Counted, kind="turns"):
+class Revolutions(Counted, kind="turns"):
     """How often a body has turned since the start, counted without sign."""
 
     body: str
@@ -231,7 +231,7 @@ def _turns(names: Names, found: Found, path: Path) -> Quantity | None:
     body = names.body(str(found["of"]), *path)
     if not body.turns:
         names.problem(f"{body.name} is a particle and does not turn", None, *path)
-    return Turns(body.name)
+    return Revolutions(body.name)
 
 
 @asked("change of MEASURE until EVENT", r"(?:change of|distance travelled along) (?P<of>.+)", rank=RANK)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Freedom(Quantity, kind="degrees of freedom"):
+class DegreesOfFreedom(Quantity, kind="degrees of freedom"):
     """Degrees of freedom."""
 
     example = """
@@ -40,4 +40,4 @@ questions: {it: degrees of freedom}
 
 @asked("degrees of freedom", r"(?:number of )?degrees of freedom|mobility", rank=80)
 def _freedom(names: Names, found: Found, path: Path) -> Quantity | None:
-    return Freedom()
+    return DegreesOfFreedom()

@@ -92,7 +92,7 @@ questions: {it: linear momentum of ball}
 
 
 @dataclass(frozen=True)
-class Spin(Quantity, kind="angular momentum"):
+class AngularMomentum(Quantity, kind="angular momentum"):
     """Angular momentum of the system, of one body or of several about a point, or about the mass centre of those
     bodies (the default for one body; else the origin)."""
 
@@ -121,7 +121,7 @@ questions: {it: angular momentum of ball about ground.origin}
     def letter(self) -> str:
         return "H"
 
-    def share(self, body: str) -> Spin | None:
+    def share(self, body: str) -> AngularMomentum | None:
         """About the same point; None where that is the mass centre of several bodies, or not said."""
         if not is_among(body, self.body):
             return None
@@ -133,7 +133,7 @@ questions: {it: angular momentum of ball about ground.origin}
     def is_of_whole(self) -> bool:
         return self.body is None
 
-    def components(self, system: Described) -> tuple[tuple[str, Spin], ...]:
+    def components(self, system: Described) -> tuple[tuple[str, AngularMomentum], ...]:
         if self.along is not None or self.size or not system.space:
             return ()
         return tuple((axis.name, replace(self, basis=None, along=axis)) for axis in self.basis or axes_of(system))
@@ -166,7 +166,7 @@ def is_among(name: str, group: Group) -> bool:
     return group is None or name == group or (isinstance(group, tuple) and name in group)
 
 
-def point_about(system: Described, state: State[Any], quantity: Spin) -> tuple[Vector, Vector]:
+def point_about(system: Described, state: State[Any], quantity: AngularMomentum) -> tuple[Vector, Vector]:
     """Position and velocity of the point about which an angular momentum is meant."""
     group, about = quantity.body, quantity.about
     if about == SYSTEM_CENTER:
@@ -229,9 +229,9 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
         names.problem("in the plane an angular momentum has no direction; leave it out", None, *path)
     basis = read_basis(names, found["basis"], path)
     if found["center"] is not None:
-        return Spin(body, SYSTEM_CENTER, along=along, basis=basis)
+        return AngularMomentum(body, SYSTEM_CENTER, along=along, basis=basis)
     about = None if found["about"] is None else names.point(found["about"], *path)
-    return Spin(body, about, along=along, basis=basis)
+    return AngularMomentum(body, about, along=along, basis=basis)
 
 
 def _group(names: Names, text: str | None, path: Path) -> Group:

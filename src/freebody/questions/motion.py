@@ -138,7 +138,7 @@ questions: {it: acceleration of ball}
 
 
 @dataclass(frozen=True)
-class Turning(Quantity, kind="turning"):
+class AngularVelocity(Quantity, kind="turning"):
     """Angular velocity (order 1) or acceleration (2) of a body in space: a vector, a component, or its size."""
 
     body: str
@@ -221,7 +221,9 @@ def _turning(names: Names, found: Found, path: Path) -> Quantity | None:
         names.problem(f"{of} is a particle and does not turn", None, *path)
     other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
     along = None if found["along"] is None else names.direction(found["along"], *path)
-    return Turning(body.name, order, other, along, found["size"] is not None, read_basis(names, found["basis"], path))
+    return AngularVelocity(
+        body.name, order, other, along, found["size"] is not None, read_basis(names, found["basis"], path)
+    )
 
 
 @asked(

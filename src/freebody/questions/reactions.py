@@ -10,7 +10,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
-from freebody.model.elements import Held, Stretch
+from freebody.model.elements import ConstraintRow, Stretch
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
@@ -59,7 +59,7 @@ _OPENINGS = (
 
 
 @dataclass(frozen=True)
-class Multiplier(Quantity, kind="reaction component"):
+class ReactionComponent(Quantity, kind="reaction component"):
     """What one row of a connection transmits: tension, normal force, tooth force ..."""
 
     connection: str
@@ -275,7 +275,9 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
         return None
     row, stretch = matching[0]
     dimension = FORCE if row.measure.dimension == LENGTH else TORQUE / row.measure.dimension
-    return Multiplier(of, what, row.name, at, tuple(f"{of}.{component}" for component in stretch.less), dimension)
+    return ReactionComponent(
+        of, what, row.name, at, tuple(f"{of}.{component}" for component in stretch.less), dimension
+    )
 
 
 def _listed(places: tuple[str, ...]) -> list[str]:
@@ -288,7 +290,7 @@ def _place(names: Names, text: str, path: Path) -> str:
     return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
 
 
-def _places(row: Held) -> list[tuple[Held, Stretch]]:
+def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, Stretch]]:
     """The row with each of its stretches; one that is no string is one of its own."""
     bodies = row.ends or tuple(dict.fromkeys(row.measure.bodies()))
     return [(row, stretch) for stretch in row.stretches or (Stretch(bodies),)]

@@ -25,7 +25,7 @@ from freebody.questions.motion import OfMeasure
 
 
 @dataclass(frozen=True)
-class Event:
+class QuestionEvent:
     """A measure (or its rate) reaches a value."""
 
     measure: Measure
@@ -41,7 +41,7 @@ class Question:
     id: str
     text: str
     quantity: Quantity
-    event: Event | None = None
+    event: QuestionEvent | None = None
     at_start: bool = False
     options: Mapping[str, str] = field(default_factory=dict[str, str])
     key: str | None = None
@@ -81,7 +81,7 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     return None
 
 
-def _event(names: Names, text: str, path: Path) -> Event | None:
+def _event(names: Names, text: str, path: Path) -> QuestionEvent | None:
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
         names.problem(f"cannot read the condition '{text}'; write for example x = h", None, *path)
@@ -97,7 +97,7 @@ def _event(names: Names, text: str, path: Path) -> Event | None:
     if measure is None:
         return None
     dimension = measure.dimension / TIME**order
-    return Event(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
+    return QuestionEvent(measure, order, names.formula(found["value"].strip(), dimension, *path), text)
 
 
 def read_questions(names: Names, given: Any) -> tuple[Question, ...]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
-from freebody.model.elements import Held, Parameter
+from freebody.model.elements import ConstraintRow, Parameter
 from freebody.model.names import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
 
@@ -233,7 +233,7 @@ def _reaction_range(names: Names, found: Found, path: Path) -> Quantity | None:
     return ReactionRange(tuple(row.name for row in matching), what, dimension)
 
 
-def _ends(row: Held) -> tuple[str, ...]:
+def _ends(row: ConstraintRow) -> tuple[str, ...]:
     """The places of a row's own reaction: of a string with friction those behind the last drum."""
     return row.stretches[-1].places if row.stretches else row.ends
 

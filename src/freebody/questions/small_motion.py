@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Small(Quantity, kind="small oscillations"):
+class SmallOscillations(Quantity, kind="small oscillations"):
     """Natural frequencies or period of small oscillations about the equilibrium."""
 
     what: Literal["frequencies", "frequency", "period"]
@@ -81,12 +81,12 @@ questions: {it: equilibrium of theta}
 # -- words ------------------------------------------------------------------------------------
 @asked("natural frequencies | period of small oscillations", r"natural (?P<f>frequency|frequencies)", rank=70)
 def _frequencies(names: Names, found: Found, path: Path) -> Quantity | None:
-    return Small("frequency" if found["f"] == "frequency" else "frequencies")
+    return SmallOscillations("frequency" if found["f"] == "frequency" else "frequencies")
 
 
 @asked("period of small oscillations", r"period(?: of(?: small)? oscillations?)?", rank=70)
 def _period(names: Names, found: Found, path: Path) -> Quantity | None:
-    return Small("period")
+    return SmallOscillations("period")
 
 
 @asked("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)", rank=25)

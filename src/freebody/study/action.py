@@ -13,7 +13,7 @@ import numpy as np
 
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Point, position
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.points import points_of, touching_point
@@ -27,7 +27,7 @@ class Action:
         self.snapshot, self.reference = snapshot, snapshot.reference
         self.system, self.size = self.reference.system, self.reference.sizes.length
 
-    def wrench(self, measure: Measure | RateMeasure, body: str) -> tuple[Array, Array]:
+    def wrench(self, measure: Measure | NonholonomicForm, body: str) -> tuple[Array, Array]:
         """(2 or 3,), (1 or 3,): force, and moment about the mass centre, per unit of what pushes a measure."""
         found = np.array(self.snapshot.gradient(measure, body))
         n = 3 if self.system.space else 2
@@ -43,7 +43,9 @@ class Action:
         r = position(self.snapshot.geometry, point)
         return np.array([c.value for c in (r.x, r.y, r.z) if c is not None])
 
-    def point(self, of: Held | Push, siblings: Sequence[Held], body: str, f: Array, m: Array) -> Array:
+    def point(
+        self, of: ConstraintRow | AppliedLoad, siblings: Sequence[ConstraintRow], body: str, f: Array, m: Array
+    ) -> Array:
         """(2 or 3,) [m] where a force f acts that has the moment m about the mass centre."""
         center = self.center(body)
         for at in self._candidates(of, siblings, body):
@@ -63,7 +65,7 @@ class Action:
         far = [float(np.linalg.norm(self.place(own.point(name)) - middle)) for name in own.points]
         return max(far, default=0.0) or self.size
 
-    def _common_point(self, siblings: Sequence[Held], body: str) -> Array | None:
+    def _common_point(self, siblings: Sequence[ConstraintRow], body: str) -> Array | None:
         """(2 or 3,) [m] where the lines of action of all forces of a connection meet: r x f = m for each of them."""
         wrenches = [self.wrench(row.measure, body) for row in siblings if body in set(row.measure.bodies())]
         acting = [(f, m) for f, m in wrenches if float(np.linalg.norm(f)) > ROUND_OFF]
@@ -76,12 +78,14 @@ class Action:
             return None
         return self.center(body) + away
 
-    def _candidates(self, of: Held | Push, siblings: Sequence[Held], body: str) -> Iterator[Array]:
+    def _candidates(
+        self, of: ConstraintRow | AppliedLoad, siblings: Sequence[ConstraintRow], body: str
+    ) -> Iterator[Array]:
         """Points that a force may act at, the likeliest first."""
         common = self._common_point(siblings, body)
         if common is not None:
             yield common
-        if isinstance(of, Held):
+        if isinstance(of, ConstraintRow):
             contact = touching_point(of, siblings, self.system, self.reference.number, self.place)
             if contact is not None:
                 yield contact
@@ -95,7 +99,7 @@ class Action:
         others = [self.place(p) for p in points if p.body != body]
         yield from (at for at in others if float(np.linalg.norm(at - middle)) < reach)
 
-    def couple_point(self, of: Held | Push, siblings: Sequence[Held], body: str) -> Array:
+    def couple_point(self, of: ConstraintRow | AppliedLoad, siblings: Sequence[ConstraintRow], body: str) -> Array:
         """Where to draw a couple: at its joint, else in the middle of its body."""
         for row in siblings:
             for point in points_of(row.measure):

@@ -15,7 +15,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.combination import Composed
-from freebody.numeric.engine.course import Course, Happening, Rotation, Status
+from freebody.numeric.engine.course import Event, Rotation, Status, Trajectory
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def _knows_time(simulator: Simulator) -> bool:
     return any("t" in free_symbols(expr) for expr in said)
 
 
-def staying(course: Course, times: Array, happenings: tuple[Happening, ...]) -> Course:
+def staying(course: Trajectory, times: Array, happenings: tuple[Event, ...]) -> Trajectory:
     """The first instant of a course at all of some times."""
     n = len(times)
 

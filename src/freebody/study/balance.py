@@ -22,11 +22,11 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import Momentum, Spin, is_among, point_about
+from freebody.questions.momentum import AngularMomentum, Momentum, is_among, point_about
 from freebody.questions.vectors import Group, components_of, cross, dot, place
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate, SymbolicModel
@@ -123,12 +123,12 @@ class Balance:
         return self.field.lowest_terms(total)
 
     @cached_property
-    def storing(self) -> tuple[Push, ...]:
+    def storing(self) -> tuple[AppliedLoad, ...]:
         """The loads whose work is a potential energy."""
         return tuple(push for push in self.system.pushes if is_conservative(self.system, push))
 
     @cached_property
-    def unwritten(self) -> tuple[Push, ...]:
+    def unwritten(self) -> tuple[AppliedLoad, ...]:
         """Those of them whose potential is not written down: an integral of the law."""
         return tuple(push for push in self.storing if not is_polynomial_law(push))
 
@@ -170,8 +170,8 @@ class Balance:
             statement = "d(P·e)/dt = F·e + P·de/dt"
         return Principle(statement, tuple(parts))
 
-    @_principle.register(Spin)
-    def _of_spin(self, q: Spin) -> Principle:
+    @_principle.register(AngularMomentum)
+    def _of_spin(self, q: AngularMomentum) -> Principle:
         n = self._n
         about, velocity = point_about(self.system, self.state, q)
         e = components_of(q.along, self.state, n) if q.along is not None else (self.field.one,)
@@ -261,7 +261,7 @@ class Balance:
                 yield from self._acting(row.connection, row.measure, self.state.multiplier(row), group)
 
     def _acting(
-        self, name: str, measure: Displacement | RateMeasure | object, size: Ratio, group: Group
+        self, name: str, measure: Displacement | NonholonomicForm | object, size: Ratio, group: Group
     ) -> Iterator[tuple[str, str, Wrench]]:
         for body in self._touched(measure):
             if is_among(body, group):
@@ -272,7 +272,7 @@ class Balance:
         moving = {b.name for b in self.system.moving}
         return dict.fromkeys(b for b, _slot in self.model.gradient(measure) if b in moving)  # type: ignore[arg-type]
 
-    def reaches_outside(self, row: Held, group: Group) -> bool:
+    def reaches_outside(self, row: ConstraintRow, group: Group) -> bool:
         """Whether a row exerts anything on a body that is not meant, the ground among these: the sum of its forces and
         moments on those that are meant does not vanish."""
         touched = list(self._touched(row.measure))
@@ -297,18 +297,18 @@ def _merged(parts: Iterable[tuple[str, Ratio]], zero: Ratio) -> tuple[tuple[str,
     return tuple((name, zero.field.lowest_terms(part)) for name, part in total.items() if not part.is_zero())
 
 
-def is_conservative(system: System, push: Push) -> bool:
+def is_conservative(system: System, push: AppliedLoad) -> bool:
     """Whether a load is a law of its own measure alone: then its work is that of a potential, in closed form or not.
     Forces and torques that are applied from outside are not counted among these."""
     if not system.loads[push.load].stores_energy:
         return False
-    if isinstance(push.measure, RateMeasure) or push.measures or push.general is not None:
+    if isinstance(push.measure, NonholonomicForm) or push.measures or push.general is not None:
         return False
     symbols = free_symbols(push.law)
     return not {"@rate", "t"} & symbols and "rate(" not in str(push.law)
 
 
-def is_polynomial_law(push: Push) -> bool:
+def is_polynomial_law(push: AppliedLoad) -> bool:
     try:
         law_polynomial(push)
     except CannotAnswer:

@@ -25,7 +25,7 @@ from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Point
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved
-from freebody.questions.momentum import Spin, point_about
+from freebody.questions.momentum import AngularMomentum, point_about
 from freebody.questions.reading import Question
 from freebody.study.balance import Balance, IsVector, Principle
 from freebody.study.constancy import (
@@ -443,8 +443,8 @@ class Judge:
         """What the conditions mean for one kind of quantity."""
         yield from ()
 
-    @_in_words.register(Spin)
-    def _of_moments(self, q: Spin, cases: Sequence[Case]) -> Iterator[str]:
+    @_in_words.register(AngularMomentum)
+    def _of_moments(self, q: AngularMomentum, cases: Sequence[Case]) -> Iterator[str]:
         """Where a condition brings the mass centre to the point about which the moment is taken."""
         if not isinstance(q.body, str | None) or not isinstance(q.about, Point):
             return
@@ -452,7 +452,7 @@ class Judge:
         if len(bodies) != 1 or bodies[0].mass_center == q.about:
             return
         about, _v = point_about(self.system, self.setup.state, q)
-        middle, _w = point_about(self.system, self.setup.state, Spin(bodies[0].name))
+        middle, _w = point_about(self.system, self.setup.state, AngularMomentum(bodies[0].name))
         apart = [g - o for g, o in zip(middle, about, strict=True)]
         if all(self.model.field.element(x).is_zero() for x in apart):
             return

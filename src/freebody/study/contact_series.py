@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import free_symbols
-from freebody.model.elements import Rub
+from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _stem(name: str) -> str:
     return name
 
 
-def used_friction(result: Simulation, rub: Rub, column: Mapping[str, int]) -> Array:
+def used_friction(result: Simulation, rub: DryFriction, column: Mapping[str, int]) -> Array:
     """(n_times,) |T| / (static coefficient times load); NaN where nothing presses, or the
     limit is a law of time or of measures."""
     multipliers, number = result.course.multipliers, result.simulator.numbers.number

@@ -33,8 +33,8 @@ import xarray
 
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
-from freebody.model.elements import RATE, VALUE, Held, Push, RateMeasure
-from freebody.numeric.engine.course import Course, Rotation
+from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
+from freebody.numeric.engine.course import Rotation, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.numeric.spatial import matrices_of, vectors_of
@@ -96,7 +96,7 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
     return xarray.Dataset(data, coords=coordinates, attrs=attributes)
 
 
-def _bodies(course: Course) -> dict[str, Any]:
+def _bodies(course: Trajectory) -> dict[str, Any]:
     """Poses of the bodies and their rates."""
     data: dict[str, Any] = {}
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
@@ -111,7 +111,7 @@ def _bodies(course: Course) -> dict[str, Any]:
     return data
 
 
-def _bodies_in_space(course: Course, rotation: Rotation) -> dict[str, Any]:
+def _bodies_in_space(course: Trajectory, rotation: Rotation) -> dict[str, Any]:
     data: dict[str, Any] = {}
     axes = ("time", "body", "axis")
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):
@@ -136,7 +136,7 @@ def _named(unit: str, long_name: str) -> dict[str, str]:
     return {"units": unit, "long_name": long_name}
 
 
-def reaction_names(rows: Sequence[Held]) -> list[str]:
+def reaction_names(rows: Sequence[ConstraintRow]) -> list[str]:
     """What the reaction of each held row is called: `rope.tension`, `contact.normal_force` by its name, or `A.x` by its
     component where a connection has several of the same name."""
     called = [(row.connection, row.reaction) for row in rows]
@@ -153,7 +153,7 @@ def series_names(system: System) -> list[str]:
     return [*of_measures, *reaction_names(system.rows), *of_loads, "kinetic_energy", "potential_energy", "work"]
 
 
-def _single(system: System) -> list[Push]:
+def _single(system: System) -> list[AppliedLoad]:
     """Loads that act along one measure."""
     return [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
 
@@ -189,10 +189,10 @@ def _loads(result: Simulation) -> dict[str, Any]:
     return data
 
 
-def _law(result: Simulation, push: Push, found: dict[str, tuple[Array, Array, Array]]) -> Array:
+def _law(result: Simulation, push: AppliedLoad, found: dict[str, tuple[Array, Array, Array]]) -> Array:
     value, rate, _ = found[f"{push.name}@"]
     names: dict[str, Any] = {**result.simulator.numbers.values, "t": result.course.times, RATE.name: rate}
-    if not isinstance(push.measure, RateMeasure):
+    if not isinstance(push.measure, NonholonomicForm):
         names[VALUE.name] = value - result.simulator.reference.start_value(push.measure)
     for name, _measure in push.measures:
         names[name], names[f"rate({name})"] = found[name][0], found[name][1]

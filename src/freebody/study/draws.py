@@ -45,9 +45,9 @@ class Draw:
 
     def seen(self, snapshot: Snapshot) -> Snapshot:
         """The same instant, with accelerations and multipliers by the engine."""
-        from freebody.study.witness import Seen
+        from freebody.study.witness import NumericSnapshot
 
-        return Seen(snapshot, self._engine)
+        return NumericSnapshot(snapshot, self._engine)
 
     @cached_property
     def _engine(self) -> Engine:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.laws import stored_law
 from freebody.numeric.engine.stepping import EPSILON
 from freebody.numeric.jets import Array
@@ -70,7 +70,7 @@ def energy_balance(result: Simulation) -> EnergyBalance:
     found = observed(result, {name: push.measure for name, (push, _law) in stored.items()})
     potential = np.zeros_like(kinetic)
     for name, (push, (c0, c1)) in stored.items():
-        assert not isinstance(push.measure, RateMeasure)
+        assert not isinstance(push.measure, NonholonomicForm)
         x = found[name][0] - simulator.reference.start_value(push.measure)
         potential -= c0 * x + 0.5 * c1 * x * x
     loads = simulator.engine.layout.constant_force.reshape(-1, 3)

@@ -9,7 +9,7 @@ from typing import Any
 
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
 from freebody.language.notation import to_latex, to_python
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
@@ -90,7 +90,7 @@ def equations_of_motion(system: System) -> Equations:
 
 def _equations(system: System, model: SymbolicModel) -> Equations:
     state = SymbolicState(model)
-    rows = [row.measure for row in system.held if isinstance(row.measure, RateMeasure)]
+    rows = [row.measure for row in system.held if isinstance(row.measure, NonholonomicForm)]
     velocity = [tidy(model.field.lowest_terms(state.raw_rate(measure))) for measure in rows]
     forcing = [model.field.lowest_terms(model.in_independent_speeds(f)) for f in model.forcing]
     return Equations(

@@ -20,7 +20,7 @@ from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.equilibrium import Balance, Pose, Statics
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.jets import TIME, Array
@@ -254,7 +254,7 @@ class _Search:
         if self.dof > 1 and not guessed and not self.statics.is_single:
             yield f"found by {self.statics.n_searches} searches; with {self.dof} degrees of freedom there may be more"
         for row in self.system.held:
-            if isinstance(row.measure, RateMeasure):
+            if isinstance(row.measure, NonholonomicForm):
                 yield f"{row.connection} binds velocities only, so the system rests in other poses as well"
         if self.dof == 0:
             yield "nothing can move (0 degrees of freedom): this is the one pose, with its reactions"

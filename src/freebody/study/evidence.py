@@ -18,8 +18,8 @@ from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import Instant, SmallMotion
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
-from freebody.questions.reading import Event
-from freebody.questions.small_motion import Small
+from freebody.questions.reading import QuestionEvent
+from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answer import Evidence
 from freebody.study.at_rest import is_unstable_rest
 from freebody.study.centres import moving_for
@@ -55,7 +55,7 @@ def _size(values: tuple[float, ...]) -> float:
     return max((abs(v) for v in values), default=0.0)
 
 
-class Witness:
+class CrossCheck:
     """Collects comparisons for one question. Differences count by the size of the quantity in the draw, or, where
     it happens to cancel there, by a thousandth of its largest size in all draws; a difference that round-off makes of
     the parts of which the quantity is the sum is none."""
@@ -126,7 +126,7 @@ def at_instants(
 ) -> Evidence:
     """Compares at the start, or at a general pose and motion, of every draw."""
     where = "at the start" if at_start else "at random poses and speeds"
-    witness = Witness(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
+    witness = CrossCheck(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
     for k, draw in enumerate(setup.draws):
         snapshot = moving_for(quantity, draw.start()) if at_start else setup.anywhere[k]
         numeric = quantity.value(setup.system, draw.seen(snapshot))
@@ -139,13 +139,13 @@ def along_motion(
     setup: Setup,
     question: str,
     quantity: Quantity,
-    event: Event,
+    event: QuestionEvent,
     x: Ratio,
     time: Ratio | None,
     conditions: Sequence[Condition],
 ) -> Evidence:
     """Integrates from the start to the event and compares the time, or the quantity there."""
-    witness = Witness(question, "numerical integration from the start to the event", MOTION_TOLERANCE)
+    witness = CrossCheck(question, "numerical integration from the start to the event", MOTION_TOLERANCE)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -183,7 +183,9 @@ def _broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
     return merged([Condition(c.element, c.relation) for c in found])
 
 
-def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: Event) -> object:
+def _at_event(
+    setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: QuestionEvent
+) -> object:
     from freebody.study.witness import motion_to
 
     found = motion_to(draw.reference, start, until, event)
@@ -191,7 +193,7 @@ def _at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unt
     return quantity.counted(NumericPassage(setup, start, found.event, found.time, work))
 
 
-def work_until(setup: Setup, load: str, draw: Draw, event: Event, end: float) -> float:
+def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: float) -> float:
     """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
     from freebody.study.witness import motion_to
 
@@ -205,14 +207,14 @@ def work_until(setup: Setup, load: str, draw: Draw, event: Event, end: float) ->
     return half * float(np.tile(weights, N_PANELS) @ np.array(power))
 
 
-def number(setup: Setup, quantity: Quantity, event: Event | None) -> float | tuple[float, ...]:
+def number(setup: Setup, quantity: Quantity, event: QuestionEvent | None) -> float | tuple[float, ...]:
     """The quantity from the numeric route alone, at the start or at the event; a plain number without a formula.
     Raises CannotAnswer if the event does not happen within a minute."""
     return _number(quantity, setup, event, setup.draws[0])
 
 
 @singledispatch
-def _number(quantity: Quantity, setup: Setup, event: Event | None, draw: Draw) -> float | tuple[float, ...]:
+def _number(quantity: Quantity, setup: Setup, event: QuestionEvent | None, draw: Draw) -> float | tuple[float, ...]:
     start = draw.start()
     if event is None:
         values = _tuple(quantity.value(setup.system, draw.seen(moving_for(quantity, start))))
@@ -223,8 +225,10 @@ def _number(quantity: Quantity, setup: Setup, event: Event | None, draw: Draw) -
     return values[0] if len(values) == 1 else values
 
 
-@_number.register(Small)
-def _small_number(quantity: Small, setup: Setup, event: Event | None, draw: Draw) -> float | tuple[float, ...]:
+@_number.register(SmallOscillations)
+def _small_number(
+    quantity: SmallOscillations, setup: Setup, event: QuestionEvent | None, draw: Draw
+) -> float | tuple[float, ...]:
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
     try:
@@ -277,7 +281,7 @@ def small_oscillations(
     setup: Setup, question: str, x: Ratio | tuple[Ratio, ...], equilibrium: dict[int, Ratio], *, period: bool
 ) -> Evidence:
     """Compares angular frequencies, or the period, with a numerical linearisation of the full system."""
-    witness = Witness(question, "numerical linearisation about the same equilibrium", 1e-5)
+    witness = CrossCheck(question, "numerical linearisation about the same equilibrium", 1e-5)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -295,7 +299,7 @@ def small_oscillations(
 
 def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio) -> Evidence:
     """At the equilibrium the full system, at rest but for what is driven, must not accelerate."""
-    witness = Witness(question, "accelerations of the full system at rest there", 1e-7)
+    witness = CrossCheck(question, "accelerations of the full system at rest there", 1e-7)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -315,7 +319,7 @@ def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio
 
 def freedom(setup: Setup, question: str, dof: int) -> Evidence:
     """Coordinates minus the rank of the constraint Jacobian at random poses."""
-    witness = Witness(question, "rank of the constraint Jacobian at random poses", 1e-12)
+    witness = CrossCheck(question, "rank of the constraint Jacobian at random poses", 1e-12)
     for draw, snapshot in zip(setup.draws, _general(setup), strict=True):
         witness.compare(draw, (float(dof),), (float(rank_freedoms(snapshot)),))
     return witness.evidence()

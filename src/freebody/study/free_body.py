@@ -22,7 +22,7 @@ from freebody.language.expression import (
 from freebody.loads.gravity import Gravity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Rope
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
@@ -110,19 +110,19 @@ class FreeBody:
             yield from self._connection(list(group), only_outside=only_outside)
 
     @property
-    def rows(self) -> tuple[Held, ...]:
+    def rows(self) -> tuple[ConstraintRow, ...]:
         """What is held, and of what may touch or rub what is closed."""
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
         rubs = [rub.row for rub in self.system.rubs if not rub.of or rub.of in self.closed]
         return (*self.system.held, *bounds, *rubs)
 
-    def _is_internal(self, measure: Measure | RateMeasure) -> bool:
+    def _is_internal(self, measure: Measure | NonholonomicForm) -> bool:
         others = set(measure.bodies()) - set(self.bodies)
         small = ON_LINE * self.size
         return all(max(map(abs, self.snapshot.gradient(measure, body))) < small for body in others)
 
     # -- reactions ----------------------------------------------------------------------------
-    def _connection(self, rows: Sequence[Held], *, only_outside: bool) -> Iterator[Force]:
+    def _connection(self, rows: Sequence[ConstraintRow], *, only_outside: bool) -> Iterator[Force]:
         rope = None if self.system.space else rope_of(self.system, rows[0].connection)
         leads = rope.sign.leads if rope is not None and isinstance(rope.sign, Rope) else ()
         taut = [row for row in rows if row.component in {lead.row for lead in leads}]
@@ -133,7 +133,7 @@ class FreeBody:
             if not (only_outside and self._is_internal(row.measure)):
                 yield from self._reaction(row, rest)
 
-    def _string(self, row: Held, found: Sequence[Pull], *, only_outside: bool) -> Iterator[Force]:
+    def _string(self, row: ConstraintRow, found: Sequence[Pull], *, only_outside: bool) -> Iterator[Force]:
         """Its pulls at the bodies that are cut free, without those from each other."""
         label = self._label_of(row)
         own = [
@@ -150,7 +150,7 @@ class FreeBody:
             size = float(np.hypot(*pull))
             yield Force(row.name, scaled(label, size), body, away, _components(pull), (0.0,), about=row.reaction)
 
-    def _adds_up(self, row: Held, found: Sequence[tuple[str, Array, Array]]) -> bool:
+    def _adds_up(self, row: ConstraintRow, found: Sequence[tuple[str, Array, Array]]) -> bool:
         """Whether pulls at points are all that a row does to its bodies."""
         for body in dict.fromkeys(body for body, _at, _pull in found):
             f, m = self.action.wrench(row.measure, body)
@@ -164,20 +164,20 @@ class FreeBody:
                 return False
         return True
 
-    def _reaction(self, row: Held, siblings: Sequence[Held]) -> Iterator[Force]:
+    def _reaction(self, row: ConstraintRow, siblings: Sequence[ConstraintRow]) -> Iterator[Force]:
         for body in self.bodies:
             if body in set(row.measure.bodies()):
                 f, m = self.action.wrench(row.measure, body)
                 label = self._label_of(row)
                 yield from self._placed(row, siblings, body, row.sign * f, row.sign * m, label, "reaction")
 
-    def _label_of(self, row: Held) -> Label:
+    def _label_of(self, row: ConstraintRow) -> Label:
         symbol = self.symbols[row.name]
         given = self.labels.get(row.name, self.labels.get(symbol.name))
         return name(symbol.name if given is None else given)
 
     # -- loads --------------------------------------------------------------------------------
-    def _load(self, push: Push) -> Iterator[Force]:
+    def _load(self, push: AppliedLoad) -> Iterator[Force]:
         is_weight = isinstance(self.system.loads.get(push.load), Gravity)
         label, sign = self.load_symbols.of(push)
         about = "weight" if is_weight else f"load {push.load}"
@@ -190,11 +190,18 @@ class FreeBody:
 
     # -- where --------------------------------------------------------------------------------
     def _placed(
-        self, of: Held | Push, siblings: Sequence[Held], body: str, f: Array, m: Array, label: Label, kind: Kind
+        self,
+        of: ConstraintRow | AppliedLoad,
+        siblings: Sequence[ConstraintRow],
+        body: str,
+        f: Array,
+        m: Array,
+        label: Label,
+        kind: Kind,
     ) -> Iterator[Force]:
         """A force at its point of action, a couple, or both."""
         size, center = float(np.linalg.norm(f)), self.action.center(body)
-        about = of.reaction if isinstance(of, Held) else ""
+        about = of.reaction if isinstance(of, ConstraintRow) else ""
         turns = self.system.bodies[body].turns
         nothing = (0.0,) * len(m)
         rest = m if turns else np.zeros(len(m))
@@ -213,7 +220,7 @@ class FreeBody:
             still = (0.0,) * len(f)
             yield Force(of.name, label_m, body, away_components, still, _components(rest), kind, about=about)
 
-    def _lever(self, of: Held | Push, body: str, amount: float) -> Label | None:
+    def _lever(self, of: ConstraintRow | AppliedLoad, body: str, amount: float) -> Label | None:
         """The arm of a couple as the model writes it: R of R F."""
         if abs(amount - 1.0) < ROUND_OFF:
             return None

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from freebody.language.expression import free_symbols
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.system.system import System
 
 
@@ -100,7 +100,7 @@ class Gruebler:
 
 def gruebler(system: System) -> Gruebler:
     """Counts bodies and constraints, connection by connection."""
-    by_name: dict[str, list[Held]] = {name: [] for name in system.connections}
+    by_name: dict[str, list[ConstraintRow]] = {name: [] for name in system.connections}
     for row in system.held:
         by_name[row.connection].append(row)
     return Gruebler(
@@ -112,7 +112,7 @@ def gruebler(system: System) -> Gruebler:
     )
 
 
-def _held(system: System, name: str, rows: list[Held]) -> Holding:
+def _held(system: System, name: str, rows: list[ConstraintRow]) -> Holding:
     from freebody.measures.geometry import GROUND
 
     bodies = list(dict.fromkeys(body for row in rows for body in row.measure.bodies()))
@@ -125,10 +125,10 @@ def _held(system: System, name: str, rows: list[Held]) -> Holding:
         between,
         tuple(row.component for row in rows),
         any(is_driven(row) for row in rows),
-        any(isinstance(row.measure, RateMeasure) for row in rows),
+        any(isinstance(row.measure, NonholonomicForm) for row in rows),
     )
 
 
-def is_driven(row: Held) -> bool:
+def is_driven(row: ConstraintRow) -> bool:
     """Whether a held measure is led through time."""
     return row.target is not None and "t" in free_symbols(row.target)

@@ -24,7 +24,7 @@ from freebody.connections.driver import Driver
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, Symbol, number
 from freebody.language.units import DIMENSIONLESS
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.equilibrium import Pose
 from freebody.numeric.jets import TIME, Array, Jet
 from freebody.numeric.placing import ACCEPTED, Equation
@@ -187,7 +187,7 @@ class _Follower:
         q = self.free.assemble()
         self.start = Pose(q, self.free.geometry(q, np.zeros_like(q), 0.0).angles)
         rows = [
-            Held(
+            ConstraintRow(
                 c.name,
                 "driving torque" if c.measure.dimension == DIMENSIONLESS else "driving force",
                 c.measure,
@@ -199,7 +199,7 @@ class _Follower:
         self.rows = rows
         self.extended = replace(system, held=(*system.held, *rows))
         for row in system.held:
-            if isinstance(row.measure, RateMeasure):
+            if isinstance(row.measure, NonholonomicForm):
                 raise CannotAnswer(f"{row.connection} binds velocities only, so no pose follows from the motion alone")
         self._check_freedom(self.start)
 
@@ -340,7 +340,7 @@ class _Follower:
             accelerations,
         )
 
-    def _drivers(self) -> list[Held]:
+    def _drivers(self) -> list[ConstraintRow]:
         """The rows of the model's own drivers."""
         connections = self.system.connections
         return [row for row in self.system.held if isinstance(connections.get(row.connection), Driver)]

@@ -20,7 +20,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, RIGHT, UP, Components, Direction, Point
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.system.system import System
 
 Place = tuple[str, Components]  # a point by body and components
@@ -132,7 +132,7 @@ class _Graph:
 
     def __init__(self, system: System) -> None:
         self.system = system
-        self._rows: dict[str, list[Held]] = {}
+        self._rows: dict[str, list[ConstraintRow]] = {}
         for row in system.held:
             self._rows.setdefault(row.connection, []).append(row)
         self._group = {b.name: GROUND if b.fixed else b.name for b in system.bodies.values()}
@@ -191,7 +191,7 @@ class _Graph:
         keep, drop = (other, one) if other == GROUND else (one, other)
         self._group = {body: keep if group == drop else group for body, group in self._group.items()}
 
-    def _slides(self, connection: str, rows: Sequence[Held]) -> Iterator[_Slide]:
+    def _slides(self, connection: str, rows: Sequence[ConstraintRow]) -> Iterator[_Slide]:
         across = _across(rows)
         if across is None:
             return
@@ -213,7 +213,7 @@ def _place(point: Point) -> Place:
     return point.body, point.offset
 
 
-def coincident(rows: Sequence[Held]) -> tuple[Point, Point] | None:
+def coincident(rows: Sequence[ConstraintRow]) -> tuple[Point, Point] | None:
     """The two points that rows of one connection hold together along both axes of the ground."""
     held = [row.measure for row in rows if row.target is None]
     plain = [m for m in held if isinstance(m, Displacement) and m.along.body == GROUND]
@@ -221,9 +221,9 @@ def coincident(rows: Sequence[Held]) -> tuple[Point, Point] | None:
     return next(iter(same)) if {m.along for m in plain} == {RIGHT, UP} and len(same) == 1 else None
 
 
-def distance_kept(rows: Sequence[Held]) -> tuple[Point, Point] | None:
+def distance_kept(rows: Sequence[ConstraintRow]) -> tuple[Point, Point] | None:
     """The ends of a single row that holds a distance."""
-    if len(rows) != 1 or isinstance(rows[0].measure, RateMeasure):
+    if len(rows) != 1 or isinstance(rows[0].measure, NonholonomicForm):
         return None
     m = _inner(rows[0].measure)
     return (m.start, m.end) if isinstance(m, Distance) else None
@@ -234,14 +234,14 @@ def _inner(measure: Measure) -> Measure:
     return measure.terms[0][1] if isinstance(measure, Combination) and len(measure.terms) == 1 else measure
 
 
-def _angle(measure: Measure | RateMeasure) -> Angle | None:
-    inner = None if isinstance(measure, RateMeasure) else _inner(measure)
+def _angle(measure: Measure | NonholonomicForm) -> Angle | None:
+    inner = None if isinstance(measure, NonholonomicForm) else _inner(measure)
     return inner if isinstance(inner, Angle) else None
 
 
-def _across(rows: Sequence[Held]) -> Displacement | None:
+def _across(rows: Sequence[ConstraintRow]) -> Displacement | None:
     """The displacement across a straight guide: a row alone, or with one that holds the angle."""
-    measures = [_inner(row.measure) for row in rows if not isinstance(row.measure, RateMeasure)]
+    measures = [_inner(row.measure) for row in rows if not isinstance(row.measure, NonholonomicForm)]
     across = [m for m in measures if isinstance(m, Displacement)]
     others = [m for m in measures if not isinstance(m, Displacement)]
     if len(rows) != len(measures) or len(across) != 1 or not all(isinstance(m, Angle) for m in others):

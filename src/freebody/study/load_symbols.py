@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, Number, Product, Symbol, free_symbols, negate, substitute
 from freebody.measures.combination import Composed
-from freebody.model.elements import RATE, VALUE, Held, Push
+from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.present.picture.label import Label, formula, name
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
@@ -24,7 +24,7 @@ class LoadSymbols:
     symbols: Mapping[str, ReactionSymbol]
     given: Mapping[str, str]
 
-    def of(self, push: Push) -> tuple[Label, int]:
+    def of(self, push: AppliedLoad) -> tuple[Label, int]:
         """The label, and whether its force acts with the gradient of the measure (+1) or against it."""
         given = self.given.get(push.name, self.given.get(push.load))
         law, sign = self._law(push)
@@ -39,7 +39,7 @@ class LoadSymbols:
         called = load if load in self.system.loads else load.partition(".")[0]
         return name(f"F_{re.sub(r'[^0-9A-Za-z]', '_', called)}")
 
-    def _law(self, push: Push) -> tuple[Expr | None, int]:
+    def _law(self, push: AppliedLoad) -> tuple[Expr | None, int]:
         """None where the model has no name for what a law depends on."""
         law = push.in_symbols
         for symbol in sorted(s for s in free_symbols(law) if s.startswith(_LOAD)):
@@ -60,7 +60,7 @@ class LoadSymbols:
                 return None, 1
         return without_sign(law)
 
-    def _pressed(self, rub: str) -> Held | None:
+    def _pressed(self, rub: str) -> ConstraintRow | None:
         """The row whose reaction presses where something rubs."""
         connection, _, component = rub.partition(".")
         own = [row for row in self.system.rows if row.connection == connection and row.reaction == "normal force"]

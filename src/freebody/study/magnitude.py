@@ -17,7 +17,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.model.elements import RATE, VALUE, Push
+from freebody.model.elements import RATE, VALUE, AppliedLoad
 from freebody.numeric.snapshot import Snapshot
 
 
@@ -72,7 +72,7 @@ def _per_length(dimension: Dimension, length: float) -> float:
     return length if dimension == DIMENSIONLESS else 1.0
 
 
-def _law(push: Push, seen: Snapshot) -> float:
+def _law(push: AppliedLoad, seen: Snapshot) -> float:
     """The law of a load, or, where it is one of its own measure, what a measure as large as the system makes of it."""
     found = abs(seen.law(push))
     needed = free_symbols(push.law)

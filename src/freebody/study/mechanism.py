@@ -14,7 +14,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import own_measures
@@ -145,7 +145,7 @@ def motions_of(
         found = replace(found, linkages=_in_numbers(system, reference, q))
     if free == 1 and len(system.moving) <= _MOST_LISTED:
         found = replace(found, **_at_pose(system, reference, q, drivers, given))
-    if given is None or any(isinstance(row.measure, RateMeasure) for row in system.held):
+    if given is None or any(isinstance(row.measure, NonholonomicForm) for row in system.held):
         if along is not None:
             raise CannotAnswer(f"{along} cannot be followed: connections that hold velocities have no curve of poses")
         return found
@@ -227,7 +227,7 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
     """A driver, or a named measure; with it all drivers are left out that would hold the motion."""
     known: dict[str, Measure] = {}
     for row in system.held:
-        if is_driven(row) and not isinstance(row.measure, RateMeasure):
+        if is_driven(row) and not isinstance(row.measure, NonholonomicForm):
             known[row.connection] = row.measure
     if along in known:
         return _input(reference, q, along, known[along], (along,))
@@ -254,7 +254,7 @@ def _own_input(
     drivers: Sequence[str],
 ) -> Input | None:
     """The only driver, else the first independent coordinate."""
-    if len(drivers) == 1 and not any(isinstance(r.measure, RateMeasure) for r in system.held if is_driven(r)):
+    if len(drivers) == 1 and not any(isinstance(r.measure, NonholonomicForm) for r in system.held if is_driven(r)):
         return _input_along(system, reference, q, drivers[0], drivers)
     if drivers or not independent:
         return None

@@ -17,7 +17,7 @@ import numpy as np
 from freebody.assess.counts import judge_count
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
-from freebody.model.elements import RateMeasure, Start
+from freebody.model.elements import NonholonomicForm, Start
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.mobility.described import described
@@ -279,7 +279,7 @@ def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, ba
         notes.append(f"without {', '.join(count.drivers)}: {free} degree{'s' * (free != 1)} of freedom")
     if system.space and motions is not None and n_idle and nearby - n_idle == 1:
         notes.append("the motion is not followed, since idle freedoms come with it")
-    holds_rates = any(isinstance(row.measure, RateMeasure) for row in system.held)
+    holds_rates = any(isinstance(row.measure, NonholonomicForm) for row in system.held)
     reachable = reachable_dimensions(reference, q) if holds_rates and not count.drivers else None
     over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else ""
     if over_driven:

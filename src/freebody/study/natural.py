@@ -9,12 +9,12 @@ from typing import Any
 from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.elements import Push
+from freebody.model.elements import AppliedLoad
 from freebody.model.spins import body_axes
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import SYSTEM_CENTER, Momentum, Spin, is_among
+from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, is_among
 from freebody.questions.vectors import Group, axes_of
 from freebody.study.setup import Setup
 from freebody.system.system import System
@@ -53,11 +53,11 @@ def _momenta(system: System, group: Group, words: str) -> Iterator[tuple[Quantit
         yield Momentum(group, direction), f"linear momentum{words} along {name}"
     for about, name in _centers(system, group):
         if not system.space:
-            yield Spin(group, about), f"angular momentum{words} about {name}"
+            yield AngularMomentum(group, about), f"angular momentum{words} about {name}"
             continue
         own = _own_axes(system, group) if about == SYSTEM_CENTER or name == "its mass center" else []
         for along, direction in (*axes, *own):
-            yield Spin(group, about, along=direction), f"angular momentum{words} about {name} along {along}"
+            yield AngularMomentum(group, about, along=direction), f"angular momentum{words} about {name} along {along}"
 
 
 def _own_axes(system: System, group: Group) -> list[tuple[str, Direction]]:
@@ -119,7 +119,7 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
         yield SYSTEM_CENTER, "its mass center"
 
 
-def _is_weight(system: System, push: Push) -> bool:
+def _is_weight(system: System, push: AppliedLoad) -> bool:
     return system.loads[push.load].kind == "gravity"
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.engine import Observer
 from freebody.numeric.jets import Array
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def observed(
-    result: Simulation, measures: Mapping[str, Measure | RateMeasure]
+    result: Simulation, measures: Mapping[str, Measure | NonholonomicForm]
 ) -> dict[str, tuple[Array, Array, Array]]:
     """(n_times,) value, rate and second derivative of each measure. The value of a measure that has a rate only is
     NaN."""

@@ -13,7 +13,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast
 
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.system.system import System
@@ -78,7 +78,7 @@ def _joined(system: System) -> Iterator[set[str]]:
         yield set(system.measures[name].bodies())
 
 
-def _bodies_of(system: System, row: Held) -> set[str]:
+def _bodies_of(system: System, row: ConstraintRow) -> set[str]:
     """The bodies between which a row is; of its ends, some are called by lines."""
     return {*row.measure.bodies(), *(end for end in row.ends if end in system.bodies)}
 

@@ -14,7 +14,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Direction, Point
 from freebody.measures.lead import Lead
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.system.system import System
 
@@ -22,7 +22,7 @@ Number = Callable[[Expr], float]
 _ALIKE = 1e-9
 
 
-def own_measures(measure: Measure | RateMeasure) -> Iterator[tuple[Expr, Measure]]:
+def own_measures(measure: Measure | NonholonomicForm) -> Iterator[tuple[Expr, Measure]]:
     """The measures that a measure is made of, with their coefficients."""
     match measure:
         case Combination(terms):
@@ -31,14 +31,14 @@ def own_measures(measure: Measure | RateMeasure) -> Iterator[tuple[Expr, Measure
         case Composed():
             for _name, part in measure.measures:
                 yield from own_measures(part)
-        case RateMeasure(terms):
+        case NonholonomicForm(terms):
             for _coefficient, part in terms:
                 yield from own_measures(part)
         case _:
             yield ONE, measure
 
 
-def points_of(measure: Measure | RateMeasure) -> tuple[Point, ...]:
+def points_of(measure: Measure | NonholonomicForm) -> tuple[Point, ...]:
     """In the order of the measure; of a displacement first what is displaced."""
     found: list[Point] = []
     for _coefficient, own in own_measures(measure):
@@ -53,7 +53,11 @@ def points_of(measure: Measure | RateMeasure) -> tuple[Point, ...]:
 
 
 def touching_point(
-    row: Held, siblings: Sequence[Held], system: System, number: Number, place: Callable[[Point], Array]
+    row: ConstraintRow,
+    siblings: Sequence[ConstraintRow],
+    system: System,
+    number: Number,
+    place: Callable[[Point], Array],
 ) -> Array | None:
     """(2 or 3,) [m] where a circle touches a line, a plane or another circle, if that is what a row holds."""
     own = [measure for _coefficient, measure in own_measures(row.measure)]
@@ -78,7 +82,7 @@ def _between(
     start: Point,
     end: Point,
     target: float,
-    siblings: Sequence[Held],
+    siblings: Sequence[ConstraintRow],
     system: System,
     number: Number,
     place: Callable[[Point], Array],
@@ -95,7 +99,9 @@ def _between(
     return None
 
 
-def _rolling_radii(siblings: Sequence[Held], start: Point, end: Point, number: Number) -> Iterator[tuple[float, float]]:
+def _rolling_radii(
+    siblings: Sequence[ConstraintRow], start: Point, end: Point, number: Number
+) -> Iterator[tuple[float, float]]:
     """Radii of the circles that roll off in another row of the same connection; negative for the inner one."""
     for row in siblings:
         own = list(own_measures(row.measure))

@@ -14,14 +14,14 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.language.expression import free_symbols
 from freebody.measures.base import Measure
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
-from freebody.numeric.engine.course import Course, Happening, Status
+from freebody.numeric.engine.course import Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
@@ -112,9 +112,9 @@ class Simulator:
         near: Array | None = None,
         first_step: float = 0.0,
         **given: Any,
-    ) -> Course:
+    ) -> Trajectory:
         """The motion to `until` [s] as arrays. outputs: times at which it is wanted [s]. state, start, near: of a
-        motion that goes on, from its `Course`. first_step: [s], chosen if it is zero. given: fields of the options."""
+        motion that goes on, from its `Trajectory`. first_step: [s], chosen if it is zero. given: of the options."""
         options = replace(options or SimulationOptions(), **given)
         near = self._near if near is None else near
         self.engine.count_from(near)
@@ -141,7 +141,7 @@ class Simulation:
 
     system: System
     simulator: Simulator
-    course: Course
+    course: Trajectory
     options: SimulationOptions
     trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
     steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
@@ -162,7 +162,7 @@ class Simulation:
         return f"<pre>{escape(repr(self))}</pre>{svg[svg.index('<svg') :]}"
 
     @property
-    def rows(self) -> tuple[Held, ...]:
+    def rows(self) -> tuple[ConstraintRow, ...]:
         """The rows whose multipliers the course has: what is held, and what is bounded or rubs where single contacts
         are followed."""
         return self.system.held if self.simulator.bounded is None else self.system.rows
@@ -180,7 +180,7 @@ class Simulation:
         return self.course.message
 
     @property
-    def events(self) -> tuple[Happening, ...]:
+    def events(self) -> tuple[Event, ...]:
         return self.course.happenings
 
     @property
@@ -445,13 +445,13 @@ def _last_state(result: Simulation) -> Array:
     return y
 
 
-def _first_instant(course: Course) -> Course:
+def _first_instant(course: Trajectory) -> Trajectory:
     arrays = ("times", "poses", "velocities", "accelerations", "multipliers", "unique", "work")
     rotation = None if course.rotation is None else course.rotation.first()
     return replace(course, rotation=rotation, **{name: getattr(course, name)[:1] for name in arrays})
 
 
-def _trusted_until(simulator: Simulator, course: Course, finer: Course) -> float:
+def _trusted_until(simulator: Simulator, course: Trajectory, finer: Trajectory) -> float:
     """The first output time at which two runs have parted, or the end."""
     times, first, second = np.intersect1d(course.times, finer.times, return_indices=True)
     engine = simulator.engine

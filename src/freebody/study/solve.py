@@ -18,9 +18,9 @@ from freebody.measures.combination import Composed
 from freebody.progress import busy_with
 from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
-from freebody.questions.freedom import Freedom
+from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium, Small
+from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study import evidence as proof
 from freebody.study.answer import NOT_VALID, Answer, Evidence
 from freebody.study.assumed import assumed_at_start
@@ -378,8 +378,8 @@ class _Solver:
         notes = [remark] if remark else []
         return _Found(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant, at_start=at_start)
 
-    @_found.register(Freedom)
-    def _freedom(self, q: Freedom) -> _Found:
+    @_found.register(DegreesOfFreedom)
+    def _freedom(self, q: DegreesOfFreedom) -> _Found:
         dof = self.model.degrees_of_freedom
         return _Found(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
 
@@ -435,8 +435,8 @@ class _Solver:
             )
 
     # -- small oscillations and equilibrium ---------------------------------------------------
-    @_found.register(Small)
-    def _small(self, q: Small) -> _Found:
+    @_found.register(SmallOscillations)
+    def _small(self, q: SmallOscillations) -> _Found:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
         conditions: list[Condition] = [*found.rest.exists]

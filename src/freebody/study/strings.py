@@ -12,7 +12,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point, position
 from freebody.measures.lead import Lead
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Rope, Shown, in_numbers
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -32,8 +32,8 @@ def rope_of(system: System, connection: str) -> Glyph | None:
 
 
 def pulls(
-    rope: Glyph, rows: Sequence[Held], reference: Reference, snapshot: Snapshot
-) -> Iterator[tuple[Held, list[Pull]]]:
+    rope: Glyph, rows: Sequence[ConstraintRow], reference: Reference, snapshot: Snapshot
+) -> Iterator[tuple[ConstraintRow, list[Pull]]]:
     """For each row of a string, in order: its pulls at bodies."""
     system = reference.system
     places = Places(system, reference.number)

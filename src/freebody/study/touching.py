@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from freebody.model.elements import Bound
+from freebody.model.elements import UnilateralConstraint
 from freebody.numeric.reference import Snapshot
 
 _TOUCHES = 1e-6  # of the size of a system
@@ -13,7 +13,7 @@ def closed_bounds(snapshot: Snapshot) -> frozenset[str]:
     return frozenset(bound.name for bound in snapshot.reference.system.bounds if _is_closed(bound, snapshot))
 
 
-def _is_closed(bound: Bound, snapshot: Snapshot) -> bool:
+def _is_closed(bound: UnilateralConstraint, snapshot: Snapshot) -> bool:
     slack = _TOUCHES * snapshot.reference.sizes.length
     gap = snapshot.reference.gap(bound.row, snapshot.geometry).value
     return abs(gap) < slack and all(

@@ -14,14 +14,14 @@ import numpy as np
 
 from freebody.budgets import allowed, exhausted
 from freebody.errors import BudgetExhausted, CannotAnswer
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.engine import dynamics
-from freebody.numeric.engine.course import Course, Status
+from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine, Watch
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.questions.reading import Event
+from freebody.questions.reading import QuestionEvent
 
 MOST_STEPS = 100_000  # of a motion to an event
 N_LINKS = 33  # snapshots along a motion, by which angles are counted on
@@ -30,7 +30,7 @@ _TURN = "turn"
 TOUCH = 1e-8  # what a measure may miss a value by where it turns, by the size of the event
 
 
-class Seen(Snapshot):
+class NumericSnapshot(Snapshot):
     """A snapshot whose accelerations and multipliers the engine finds."""
 
     def __init__(self, snapshot: Snapshot, engine: Engine) -> None:
@@ -58,7 +58,7 @@ class Seen(Snapshot):
             _ = self._dynamics  # refuses what contradicts itself, or can move without inertia
         return found
 
-    def multiplier(self, row: Held) -> float:
+    def multiplier(self, row: ConstraintRow) -> float:
         _accelerations, multipliers, is_plain = self._solved
         value = float(multipliers[self.place_of(row)])
         if is_plain:
@@ -72,11 +72,13 @@ class Found:
     """The event of a motion, and the states before it."""
 
     time: float
-    event: Seen
-    links: tuple[Seen, ...]
+    event: NumericSnapshot
+    links: tuple[NumericSnapshot, ...]
 
 
-def motion_to(reference: Reference, start: Snapshot, until: float, event: Event, times: Array | None = None) -> Found:
+def motion_to(
+    reference: Reference, start: Snapshot, until: float, event: QuestionEvent, times: Array | None = None
+) -> Found:
     """The motion from a start to the first time after it at which a measure, or its rate, has the value of the event;
     a value that is only touched is reached where the measure turns. times: where states are wanted before. Raises
     CannotAnswer if the event does not happen until `until`, BudgetExhausted if it was not reached within the budget of
@@ -104,7 +106,7 @@ def motion_to(reference: Reference, start: Snapshot, until: float, event: Event,
 
 def _followed(
     reference: Reference, start: Snapshot, until: float, watches: Sequence[Watch], times: Array | None
-) -> tuple[Course, tuple[Seen, ...]]:
+) -> tuple[Trajectory, tuple[NumericSnapshot, ...]]:
     """A motion, and its states at the wanted times and at what is watched."""
     engine = Engine(reference.numbers(), watches)
     y = engine.state(*reference.by_body(start.q, start.v))
@@ -112,16 +114,18 @@ def _followed(
     outputs = np.linspace(start.t, until, N_LINKS) if times is None else times
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(MOST_STEPS))
     course = engine.run(y, until, options, start=start.t, outputs=outputs)
-    links: list[Seen] = []
+    links: list[NumericSnapshot] = []
     near = start
     for k, t in enumerate(course.times):
         q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
-        near = Seen(reference.snapshot(q, v, float(t), near), engine)
+        near = NumericSnapshot(reference.snapshot(q, v, float(t), near), engine)
         links.append(near)
     return course, tuple(links)
 
 
-def _turn_at(course: Course, links: Sequence[Seen], event: Event, target: float, size: float) -> Found | None:
+def _turn_at(
+    course: Trajectory, links: Sequence[NumericSnapshot], event: QuestionEvent, target: float, size: float
+) -> Found | None:
     """The first instant after the start at which the measure of an event turns at its value."""
     turns = {h.time for h in course.happenings if h.name == _TURN and h.time > links[0].t}
     for k, link in enumerate(links):
@@ -130,7 +134,7 @@ def _turn_at(course: Course, links: Sequence[Seen], event: Event, target: float,
     return None
 
 
-def _until_turn(here: Seen, event: Event, size: float) -> float | None:
+def _until_turn(here: NumericSnapshot, event: QuestionEvent, size: float) -> float | None:
     """How long at most until a measure turns that has passed a value by less than counts; None if it does not."""
     if event.order:
         return None

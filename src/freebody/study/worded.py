@@ -17,7 +17,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.notation import to_text
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.reference import Reference
 from freebody.symbolic.field import DivisorVanishes
 from freebody.symbolic.tidy import tidy
@@ -63,7 +63,7 @@ def _shown(error: DivisorVanishes) -> str:
 
 def without_value(system: System) -> Iterator[str]:
     """Measures of connections, loads and the user that have no value, or no gradient, at the start."""
-    named: list[tuple[str, Measure | RateMeasure]] = [(row.name, row.measure) for row in system.rows]
+    named: list[tuple[str, Measure | NonholonomicForm]] = [(row.name, row.measure) for row in system.rows]
     named += [(push.name, push.measure) for push in system.pushes]
     named += [*system.measures.items()]
     with suppress(FreebodyError, ArithmeticError, ValueError):

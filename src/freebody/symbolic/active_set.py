@@ -22,7 +22,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from freebody.model.elements import Rub
+from freebody.model.elements import DryFriction
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, slope, without_roots_below
@@ -55,7 +55,9 @@ class Reduced:
 class RestEquations:
     """The equations of a system at rest in its start pose, over the field of a symbolic model."""
 
-    def __init__(self, state: SymbolicState, rubs: Sequence[Rub], asked: tuple[str, Ratio] | None = None) -> None:
+    def __init__(
+        self, state: SymbolicState, rubs: Sequence[DryFriction], asked: tuple[str, Ratio] | None = None
+    ) -> None:
         """asked: a row whose reaction (positive as people count it) is taken as given by an element."""
         self.state = state
         self.asked = asked
@@ -96,11 +98,11 @@ class RestEquations:
         """In the start pose and at rest."""
         return without_roots_below(self.field.lowest_terms(self.state.here(x)))
 
-    def coefficient(self, rub: Rub, direction: int) -> Ratio:
+    def coefficient(self, rub: DryFriction, direction: int) -> Ratio:
         names = {name: self.here(m.value(self.state.model.geometry)) for name, m in rub.measures}
         return self.here(self.state.model.geometry.apply(rub.coefficient(direction, at_rest=True), names))
 
-    def load(self, rub: Rub, failure: Failure) -> tuple[Row, Ratio]:
+    def load(self, rub: DryFriction, failure: Failure) -> tuple[Row, Ratio]:
         """The load of dry friction as multipliers with coefficients, and a constant."""
         if not rub.load:
             return {}, self.field.one

@@ -31,7 +31,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, Vector
 from freebody.measures.geometry import ZERO as NOTHING
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
 from freebody.symbolic.field import Field, Generator, NoValue, Ratio
 from freebody.symbolic.functions import cos_sin
@@ -366,7 +366,7 @@ class SymbolicModel:
         """Measures that are unknowns from the beginning."""
         return set()
 
-    def _holds_by_construction(self, row: Held) -> bool:
+    def _holds_by_construction(self, row: ConstraintRow) -> bool:
         return False
 
     def _held_value(self, measure: Measure) -> Ratio:
@@ -378,7 +378,7 @@ class SymbolicModel:
         self._defined_lines = set()
         equations: list[Equation] = list(given)
         for row in self.system.held:
-            if not isinstance(row.measure, RateMeasure) and not self._holds_by_construction(row):
+            if not isinstance(row.measure, NonholonomicForm) and not self._holds_by_construction(row):
                 self._tangent_label, self._tangent_of = row.connection, row.measure
                 equations.append(Equation(row.name, self._held_value(row.measure) - self._target(row)))
         constraints = equations + self._definitions
@@ -466,7 +466,7 @@ class SymbolicModel:
         """The angle q with a cos q + b sin q + d = 0, on the branch of the samples; None where that is not clear."""
         return None
 
-    def _target(self, row: Held) -> Ratio:
+    def _target(self, row: ConstraintRow) -> Ratio:
         """What a row is held at; the start value of an incremental one is a constant of its own unless it is
         zero at every sample."""
         if row.in_symbols is not None:
@@ -683,7 +683,7 @@ class SymbolicModel:
             f.clear_rate(speed)  # of an earlier pass
         totals: list[tuple[str, Ratio]] = [(loop.name, f.rate(loop.value)) for loop in self.elimination.loops]
         for row in self.system.held:
-            if isinstance(row.measure, RateMeasure):
+            if isinstance(row.measure, NonholonomicForm):
                 total = f.zero if row.in_symbols is None else -self.geometry.scalar(row.in_symbols)
                 for coefficient, measure in row.measure.terms:
                     total = total + coefficient.value(self.geometry) * f.rate(self.value_of(measure))
@@ -1044,7 +1044,7 @@ class SymbolicModel:
                 total[body][k] = total[body][k] + law * slope
         return total
 
-    def gradient(self, measure: Measure | RateMeasure) -> dict[tuple[str, str], Ratio]:
+    def gradient(self, measure: Measure | NonholonomicForm) -> dict[tuple[str, str], Ratio]:
         """Derivatives of a measure by the coordinates of the bodies (of its rate by their velocities)."""
         if measure not in self._gradients:
             self._gradients[measure] = self._gradient(measure)
@@ -1054,8 +1054,8 @@ class SymbolicModel:
     def _gradients(self) -> dict[Any, dict[tuple[str, str], Ratio]]:
         return {}
 
-    def _gradient(self, measure: Measure | RateMeasure) -> dict[tuple[str, str], Ratio]:
-        if isinstance(measure, RateMeasure):
+    def _gradient(self, measure: Measure | NonholonomicForm) -> dict[tuple[str, str], Ratio]:
+        if isinstance(measure, NonholonomicForm):
             total: dict[tuple[str, str], Ratio] = {}
             for coefficient, part in measure.terms:
                 c = coefficient.value(self.geometry)
@@ -1065,18 +1065,18 @@ class SymbolicModel:
         dual: Dual = measure.value(self.dual)
         return {slot: slope for slot, slope in dual.slope.items() if not slope.is_zero()}
 
-    def law(self, push: Push) -> Ratio:
+    def law(self, push: AppliedLoad) -> Ratio:
         """Generalized force of a load; in coordinates, speeds and time."""
         return self.geometry.apply(push.in_symbols, self._law_values(push))
 
-    def law_needs(self, push: Push) -> list[tuple[Ratio, str]]:
+    def law_needs(self, push: AppliedLoad) -> list[tuple[Ratio, str]]:
         """(element, relation to 0) without which the law has no value as it is written."""
         return self.geometry.needs(push.in_symbols, self._law_values(push))
 
-    def _law_values(self, push: Push) -> dict[str, Ratio]:
+    def _law_values(self, push: AppliedLoad) -> dict[str, Ratio]:
         values: dict[str, Ratio] = {}
         needed = free_symbols(push.in_symbols)
-        if not isinstance(push.measure, RateMeasure):
+        if not isinstance(push.measure, NonholonomicForm):
             if "@value" in needed:
                 value = self.value_of(push.measure)
                 values["@value"] = value - self.start_constant(push)
@@ -1088,9 +1088,9 @@ class SymbolicModel:
             values[f"rate({name})"] = self.rate(value)
         return values
 
-    def start_constant(self, push: Push) -> Ratio:
+    def start_constant(self, push: AppliedLoad) -> Ratio:
         """The start value of a measure of which only changes count (a spring relaxed at the start)."""
-        if isinstance(push.measure, RateMeasure) or not push.measure.incremental:
+        if isinstance(push.measure, NonholonomicForm) or not push.measure.incremental:
             return self.field.zero
         if all(abs(s.constants.get(push.name, 0.0)) < ROUND_OFF for s in self.samples):
             return self.field.zero
@@ -1159,7 +1159,7 @@ class SymbolicModel:
                 rows.append(row)
         return solve(f, rows, list(columns.values()), self.vanishes), columns
 
-    def multiplier(self, row: Held) -> Ratio:
+    def multiplier(self, row: ConstraintRow) -> Ratio:
         """The multiplier of a row. Raises CannotAnswer naming the connections where it is not unique."""
         solved, columns = self._multipliers
         column = columns[row.name]

@@ -20,8 +20,8 @@ from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.measures.geometry import Pose
-from freebody.model.elements import RateMeasure
-from freebody.questions.reading import Event
+from freebody.model.elements import NonholonomicForm
+from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
@@ -264,7 +264,7 @@ class Motion:
         self._sqrt = functions(model.field, model.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
-    def reach(self, event: Event) -> Reached:
+    def reach(self, event: QuestionEvent) -> Reached:
         """The first time after the start at which a measure or its rate reaches a value; where it has the value at the
         start, the next time. Raises NeverHappens where it is proved that there is none."""
         value = self.model.value_of(event.measure)
@@ -360,7 +360,7 @@ class Motion:
         return None
 
     # -- a place ------------------------------------------------------------------------------
-    def _reach_place(self, value: Ratio, target: Ratio, event: Event) -> Reached:
+    def _reach_place(self, value: Ratio, target: Ratio, event: QuestionEvent) -> Reached:
         present = self.field.ingredients(value)
         found = [c for c in self.model.coordinates if c.index in present]
         bound = [c for c in self.model.dependent if c.index in present]
@@ -504,7 +504,7 @@ class Motion:
         return self._rate_by_energy(c, wanted)
 
     # -- first integral -----------------------------------------------------------------------
-    def _place_by_energy(self, c: Coordinate, at: Ratio, event: Event) -> Reached:
+    def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
         speed, needs, says = self._way(c).to(at)
         why = f"no closed form was found for the time to '{event.text}': {_INTEGRAL}"
@@ -538,7 +538,7 @@ class Motion:
     def _potential(self, values: dict[int, Ratio]) -> Ratio:
         """Minus the work function of all loads; each must be a function of its own measure."""
         state = SymbolicState(self.model, values)
-        if _is_driven(self.model) or any(isinstance(row.measure, RateMeasure) for row in self.model.system.held):
+        if _is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
             raise CannotAnswer("a driver or a velocity constraint is at work, so energy is no first integral")
         total = self.field.zero
         for push in self.model.system.pushes:

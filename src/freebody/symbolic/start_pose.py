@@ -16,7 +16,7 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import Pose, Vector
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.functions import cos_sin
@@ -127,7 +127,7 @@ class StartPose:
         g = self._geometry
         found: list[Equation] = []
         for row in self._system.held:
-            if isinstance(row.measure, RateMeasure) or row.measure.incremental:
+            if isinstance(row.measure, NonholonomicForm) or row.measure.incremental:
                 continue
             with suppress(CannotAnswer, ZeroDivisionError):
                 target = self.field.zero if row.in_symbols is None else g.scalar(row.in_symbols)

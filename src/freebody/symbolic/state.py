@@ -22,7 +22,7 @@ from freebody.language.expression import (
 )
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 
@@ -49,20 +49,20 @@ class SymbolicState:
     def value(self, measure: Measure) -> Ratio:
         return self.here(self.model.value_of(measure))
 
-    def raw_rate(self, measure: Measure | RateMeasure) -> Ratio:
+    def raw_rate(self, measure: Measure | NonholonomicForm) -> Ratio:
         """The rate with the speeds of dependent coordinates as they are."""
         m = self.model
-        if isinstance(measure, RateMeasure):
+        if isinstance(measure, NonholonomicForm):
             total = m.field.zero
             for coefficient, part in measure.terms:
                 total = total + coefficient.value(m.geometry) * m.rate(m.value_of(part))
             return total
         return m.rate(m.value_of(measure))
 
-    def rate(self, measure: Measure | RateMeasure) -> Ratio:
+    def rate(self, measure: Measure | NonholonomicForm) -> Ratio:
         return self.here(self.model.in_independent_speeds(self.raw_rate(measure)))
 
-    def acceleration(self, measure: Measure | RateMeasure) -> Ratio:
+    def acceleration(self, measure: Measure | NonholonomicForm) -> Ratio:
         m = self.model
         second = m.rate(self.raw_rate(measure))
         if second.generators() & set(m.accelerations):
@@ -71,7 +71,7 @@ class SymbolicState:
             second = m.field.lowest_terms(m.in_independent_speeds(second))
         return self.here(second)
 
-    def gradient(self, measure: Measure | RateMeasure, body: str) -> tuple[Ratio, ...]:
+    def gradient(self, measure: Measure | NonholonomicForm, body: str) -> tuple[Ratio, ...]:
         slopes, pose = self.model.gradient(measure), self.model.geometry.pose(body)
         zero = self.model.field.zero
         along = tuple(slopes.get((body, slot), zero) for slot in self.model.slots)
@@ -80,17 +80,17 @@ class SymbolicState:
             along = (*along[:3], moment.x, moment.y, zero if moment.z is None else moment.z)
         return tuple(map(self.here, along))
 
-    def multiplier(self, row: Held) -> Ratio:
+    def multiplier(self, row: ConstraintRow) -> Ratio:
         return self.here(self.model.multiplier(row))
 
-    def law(self, push: Push) -> Ratio:
+    def law(self, push: AppliedLoad) -> Ratio:
         return self.here(self.model.law(push))
 
-    def potential(self, push: Push) -> Ratio:
+    def potential(self, push: AppliedLoad) -> Ratio:
         """-integral of the law over its measure, for laws that are polynomials in it."""
         field = self.model.field
         coefficients = law_polynomial(push)
-        assert not isinstance(push.measure, RateMeasure)
+        assert not isinstance(push.measure, NonholonomicForm)
         value = self.model.value_of(push.measure) - self.model.start_constant(push)
         total = field.zero
         for k, coefficient in enumerate(coefficients):
@@ -101,9 +101,9 @@ class SymbolicState:
         return self.model.field.sqrt(x, self.model.is_turned)
 
 
-def law_polynomial(push: Push) -> list[Expr]:
+def law_polynomial(push: AppliedLoad) -> list[Expr]:
     """Coefficients c_k of a law sum c_k value^k. Raises CannotAnswer if the load has no such potential."""
-    if isinstance(push.measure, RateMeasure):
+    if isinstance(push.measure, NonholonomicForm):
         raise CannotAnswer(f"{push.load} turns with a body and has no potential energy")
     symbols = free_symbols(push.law)
     if push.measures or push.general is not None or {"@rate", "t"} & symbols or "rate(" in str(push.law):

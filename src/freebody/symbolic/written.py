@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -45,13 +45,13 @@ def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) 
     for expr in model.lengths:
         for x, relation in model.geometry.needs(expr, {}):
             yield x, relation, "geometry"
-    rows = [row.measure for row in model.system.held if not isinstance(row.measure, RateMeasure)]
+    rows = [row.measure for row in model.system.held if not isinstance(row.measure, NonholonomicForm)]
     for measure in (*rows, *measures):
         yield from _of_measure(model, measure)
     for push in model.system.pushes if with_loads else ():
         for x, relation in model.law_needs(push):
             yield x, relation, f"law of {push.load}"
-        if not isinstance(push.measure, RateMeasure):
+        if not isinstance(push.measure, NonholonomicForm):
             yield from _of_measure(model, push.measure)
 
 

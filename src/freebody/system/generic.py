@@ -30,7 +30,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.geometry import GROUND, Components, Direction, Point
-from freebody.model.elements import Held, Line, Parameter, Plane, RateMeasure, RigidBody
+from freebody.model.elements import ConstraintRow, Line, NonholonomicForm, Parameter, Plane, RigidBody
 from freebody.model.names import Names
 from freebody.model.rotations import dot
 from freebody.system.modes import sticking_row
@@ -62,7 +62,7 @@ class GenericModel:
 
     system: System
     data: Mapping[str, Datum]
-    assembled: tuple[Held, ...]
+    assembled: tuple[ConstraintRow, ...]
 
 
 def generic_model(system: System, values: Mapping[str, float] | None = None) -> GenericModel:
@@ -176,7 +176,9 @@ class _GenericReader(Reader):
             raise ModelError([self.document.locate(p) for p in names.problems], self.file)
         wanted = {row.name for row in self.like.held}
         held = tuple(row for row in rows if row.name in wanted)
-        assembled = tuple(row for row in rows if not (isinstance(row.measure, RateMeasure) or row.measure.incremental))
+        assembled = tuple(
+            row for row in rows if not (isinstance(row.measure, NonholonomicForm) or row.measure.incremental)
+        )
         for name, parameter in self.like.parameters.items():
             names.data[name] = Datum(name, "parameter", "", name, names.numbers.get(name, parameter.value))
         system = replace(
@@ -195,7 +197,7 @@ class _GenericReader(Reader):
         )
         return GenericModel(system, names.data, assembled)
 
-    def _bounded_rows(self, connections: Mapping[str, Connection]) -> list[Held]:
+    def _bounded_rows(self, connections: Mapping[str, Connection]) -> list[ConstraintRow]:
         """Rows of contacts, stops and dry friction that the system holds, as in one of its modes."""
         wanted = {row.name for row in self.like.held}
         contacts, limits, brakes = self._bounds(connections)
@@ -253,8 +255,8 @@ class _GenericReader(Reader):
         finally:
             self.names.owner = ""
 
-    def _rows(self, connections: Mapping[str, Connection]) -> list[Held]:
-        rows: list[Held] = []
+    def _rows(self, connections: Mapping[str, Connection]) -> list[ConstraintRow]:
+        rows: list[ConstraintRow] = []
         for name, connection in connections.items():
             self.names.owner = name
             with self.names.at("connections", name, connection.kind):
@@ -265,7 +267,7 @@ class _GenericReader(Reader):
         self.names.owner, self.names.has_axis = "", False
         return rows
 
-    def _as_called(self, name: str, made: list[Held]) -> list[Held]:
+    def _as_called(self, name: str, made: list[ConstraintRow]) -> list[ConstraintRow]:
         """Rows with the names that the model has for them: those across an axis are called by where it points."""
         known = [row for row in self.like.held if row.connection == name]
         if len(known) != len(made):
@@ -285,9 +287,9 @@ class _GenericReader(Reader):
         body.points[f"@{name}"] = self.names.fresh_point(on, f"point of the guide {name}", default)
         return connection.model_copy(update={"through": f"{on}.@{name}"})
 
-    def _aimed(self, row: Held) -> Held:
+    def _aimed(self, row: ConstraintRow) -> ConstraintRow:
         """A target that time or an angle decides may be anything."""
-        if row.target is None or isinstance(row.measure, RateMeasure):
+        if row.target is None or isinstance(row.measure, NonholonomicForm):
             return row
         is_angle = row.measure.dimension == DIMENSIONLESS
         functions = {TIME} | {p.name for p in self.names.parameters.values() if p.form is not None}

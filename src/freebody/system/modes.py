@@ -17,7 +17,7 @@ from freebody.language.units import FORCE
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import ONE
-from freebody.model.elements import Held, Parameter, Push, RateMeasure, Rub
+from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm, Parameter
 from freebody.system.system import System
 
 
@@ -37,12 +37,12 @@ class Mode:
         return dict(self.rubs)
 
 
-def ideal_bounds(system: System) -> tuple[Held, ...]:
+def ideal_bounds(system: System) -> tuple[ConstraintRow, ...]:
     """Rows of the connections that cannot pull: ideal strings and rolling contacts. They are closed at the start."""
     return tuple(row for row in system.held if row.unilateral)
 
 
-def is_held_in(row: Held, mode: Mode) -> bool:
+def is_held_in(row: ConstraintRow, mode: Mode) -> bool:
     """Whether a row of the system is held in a mode: one that cannot pull, or needs such a one, only while that is
     closed."""
     if row.unilateral:
@@ -50,10 +50,10 @@ def is_held_in(row: Held, mode: Mode) -> bool:
     return not row.needs or f"{row.connection}.{row.needs}" in mode.closed
 
 
-def sticking_row(rub: Rub) -> Held:
+def sticking_row(rub: DryFriction) -> ConstraintRow:
     """The row that holds a slip where it is."""
     measure = rub.row.measure
-    if isinstance(measure, RateMeasure) or measure.incremental:
+    if isinstance(measure, NonholonomicForm) or measure.incremental:
         return rub.row
     return replace(rub.row, measure=kept(measure))
 
@@ -63,19 +63,19 @@ def kept(measure: Measure) -> Measure:
     return Combination(((ONE, measure),), measure.dimension)
 
 
-def load_symbol(rub: Rub) -> str:
+def load_symbol(rub: DryFriction) -> str:
     """The name of the load of a sliding friction; no user can type it."""
     return f"@load of {rub.name}"
 
 
-def in_mode(system: System, mode: Mode) -> tuple[System, dict[str, Rub]]:
+def in_mode(system: System, mode: Mode) -> tuple[System, dict[str, DryFriction]]:
     """The system in one mode, without bounds or dry friction of its own, and the rubs whose load its symbols name."""
     states = mode.states
     held = [row for row in system.held if is_held_in(row, mode)]
     held += [bound.row for bound in system.bounds if bound.name in mode.closed]
     pushes = list(system.pushes)
     parameters = dict(system.parameters)
-    loads: dict[str, Rub] = {}
+    loads: dict[str, DryFriction] = {}
     for rub in system.rubs:
         state = states.get(rub.name)
         if state == 0:
@@ -87,7 +87,7 @@ def in_mode(system: System, mode: Mode) -> tuple[System, dict[str, Rub]]:
                 parameters[name] = Parameter(name, FORCE, None, "nonnegative")
                 law = law * Symbol(name)
                 loads[name] = rub
-            pushes.append(Push("", rub.row.measure, law, rub.measures, load=rub.name))
+            pushes.append(AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name))
     alone = replace(
         system,
         held=tuple(held),

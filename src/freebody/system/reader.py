@@ -36,18 +36,18 @@ from freebody.model.chains import read_chain
 from freebody.model.elements import (
     RATE,
     VALUE,
+    AppliedLoad,
     Attitude,
-    Bound,
-    Held,
+    ConstraintRow,
+    DryFriction,
     Line,
     Parameter,
     Plane,
-    Push,
     RigidBody,
     Rotation,
-    Rub,
     Sign,
     Start,
+    UnilateralConstraint,
 )
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
@@ -652,8 +652,8 @@ class Reader:
                         names.problem(f"{name} is named twice; choose another name for the angle of {body.name}")
                     names.measures[name] = measure
 
-    def _held(self, connections: Mapping[str, Connection]) -> tuple[list[Held], list[tuple[str, Measure]]]:
-        rows: list[Held] = []
+    def _held(self, connections: Mapping[str, Connection]) -> tuple[list[ConstraintRow], list[tuple[str, Measure]]]:
+        rows: list[ConstraintRow] = []
         offered: list[tuple[str, Measure]] = []
         for name, connection in connections.items():
             with self.names.at("connections", name, connection.kind):
@@ -694,11 +694,11 @@ class Reader:
 
     def _bounds(
         self, connections: Mapping[str, Connection]
-    ) -> tuple[tuple[Pair, ...], tuple[Bound, ...], tuple[Rub, ...]]:
+    ) -> tuple[tuple[Pair, ...], tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
         """What may touch, other limits, and dry friction."""
         contacts: list[Pair] = []
-        limits: list[Bound] = []
-        brakes: list[Rub] = []
+        limits: list[UnilateralConstraint] = []
+        brakes: list[DryFriction] = []
         forms = self._forms()
         for name, connection in connections.items():
             with self.names.at("connections", name, connection.kind):
@@ -712,7 +712,7 @@ class Reader:
                     brakes.append(replace(rub, static=static, kinetic=kinetic))
         return tuple(contacts), tuple(limits), tuple(brakes)
 
-    def _in_numbers(self, row: Held) -> Held:
+    def _in_numbers(self, row: ConstraintRow) -> ConstraintRow:
         """A row with the forms of functions of time in its target."""
         forms = self._forms()
         if row.target is None or not free_symbols(row.target) & forms.keys():
@@ -722,8 +722,8 @@ class Reader:
     def _forms(self) -> dict[str, Expr]:
         return {p.name: p.form for p in self.names.parameters.values() if p.form is not None}
 
-    def _pushes(self, loads: Mapping[str, Load]) -> list[Push]:
-        found: list[Push] = []
+    def _pushes(self, loads: Mapping[str, Load]) -> list[AppliedLoad]:
+        found: list[AppliedLoad] = []
         forms = self._forms()
         for name, load in loads.items():
             with self.names.at("loads", name, load.kind):
@@ -795,7 +795,9 @@ class Reader:
                 )
 
 
-def _rows_to_ask_for(contacts: tuple[Pair, ...], limits: tuple[Bound, ...], brakes: tuple[Rub, ...]) -> list[Held]:
+def _rows_to_ask_for(
+    contacts: tuple[Pair, ...], limits: tuple[UnilateralConstraint, ...], brakes: tuple[DryFriction, ...]
+) -> list[ConstraintRow]:
     """Rows that questions can name; of a crowd of contacts nobody asks for one."""
     bounds, rubs = list(limits), list(brakes)
     for pair in contacts if len(contacts) <= MOST_ASKED else ():
@@ -805,7 +807,7 @@ def _rows_to_ask_for(contacts: tuple[Pair, ...], limits: tuple[Bound, ...], brak
     return [item.row for item in (*bounds, *rubs)]
 
 
-def _in_own_measure(push: Push) -> Push:
+def _in_own_measure(push: AppliedLoad) -> AppliedLoad:
     """A law in a named measure that is the one it pushes is a law of its own measure."""
     own = [name for name, measure in push.measures if measure == push.measure]
     if not own:

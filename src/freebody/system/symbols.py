@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from freebody.language.parser import GREEK
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.system.system import System
 
 # The letter of a kind of reaction; others are a force F or a moment M.
@@ -64,7 +64,7 @@ def _taken(system: System) -> set[str]:
     return names | set(GREEK.values())
 
 
-def _wishes(row: Held, system: System) -> Iterator[str]:
+def _wishes(row: ConstraintRow, system: System) -> Iterator[str]:
     """Names from the shortest to the most particular one."""
     letter = LETTERS.get(row.reaction, "M" if "moment" in row.reaction or "torque" in row.reaction else "F")
     connection = row.connection
@@ -88,7 +88,7 @@ def _is_wanted(name: str, place: int, by: str, wishes: Mapping[str, list[str]]) 
     return any(name in names[: place + 1] for row, names in wishes.items() if row != by)
 
 
-def _telling_ends(row: Held, system: System) -> list[str]:
+def _telling_ends(row: ConstraintRow, system: System) -> list[str]:
     """The ends of a row's section by which people would call it: what hangs there before what it runs over."""
     bodies = [system.bodies[end] for end in row.ends if end in system.bodies]
     moving = [body for body in bodies if not body.fixed]

@@ -22,7 +22,15 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE, ZERO, Components, Direction, Point
-from freebody.model.elements import Attitude, Bound, Held, Parameter, Push, RigidBody, Rub
+from freebody.model.elements import (
+    AppliedLoad,
+    Attitude,
+    ConstraintRow,
+    DryFriction,
+    Parameter,
+    RigidBody,
+    UnilateralConstraint,
+)
 from freebody.model.glyphs import Shown
 from freebody.model.names import Names, did_you_mean
 from freebody.model.rotations import Columns
@@ -38,8 +46,8 @@ class System:
     about: str
     parameters: Mapping[str, Parameter]
     bodies: Mapping[str, RigidBody]
-    held: tuple[Held, ...]
-    pushes: tuple[Push, ...]
+    held: tuple[ConstraintRow, ...]
+    pushes: tuple[AppliedLoad, ...]
     measures: Mapping[str, Measure]
     offered: tuple[tuple[str, Measure], ...]
     start: Mapping[str, Expr]  # of named measures
@@ -54,8 +62,8 @@ class System:
     unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
     mode: str | None = None  # the assembly mode at the start, by name
     contacts: tuple[Pair, ...] = ()  # outlines that may touch
-    limits: tuple[Bound, ...] = ()  # bounds other than contacts: stops
-    brakes: tuple[Rub, ...] = ()  # dry friction other than that of contacts
+    limits: tuple[UnilateralConstraint, ...] = ()  # bounds other than contacts: stops
+    brakes: tuple[DryFriction, ...] = ()  # dry friction other than that of contacts
     space: bool = False  # three dimensions
     up: Components = (ZERO, ONE)  # the vertical, for pictures and heights
     attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
@@ -127,22 +135,22 @@ class System:
         return tuple(b for b in self.bodies.values() if not b.fixed)
 
     @cached_property
-    def bounds(self) -> tuple[Bound, ...]:
+    def bounds(self) -> tuple[UnilateralConstraint, ...]:
         """All one-sided measures: stops, and every place where two outlines can touch."""
         return self._sites[0]
 
     @cached_property
-    def rubs(self) -> tuple[Rub, ...]:
+    def rubs(self) -> tuple[DryFriction, ...]:
         """All dry friction, in joints and in contacts."""
         return self._sites[1]
 
     @property
-    def rows(self) -> tuple[Held, ...]:
+    def rows(self) -> tuple[ConstraintRow, ...]:
         """The rows whose multipliers a motion has: what is held, what is bounded, what rubs."""
         return self._rows
 
     @cached_property
-    def _rows(self) -> tuple[Held, ...]:
+    def _rows(self) -> tuple[ConstraintRow, ...]:
         return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
 
     @cached_property
@@ -155,7 +163,7 @@ class System:
         )
 
     @cached_property
-    def _sites(self) -> tuple[tuple[Bound, ...], tuple[Rub, ...]]:
+    def _sites(self) -> tuple[tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
         bounds, rubs = list(self.limits), list(self.brakes)
         for pair in self.contacts:
             more_bounds, more_rubs = pair.elements()

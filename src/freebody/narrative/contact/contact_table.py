@@ -13,7 +13,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
-from freebody.model.elements import Held, Push, Rub
+from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.formal import FormalState
@@ -32,7 +32,7 @@ _MOVING = 0.4
 class Law:
     """F = factor * R of a friction that slides: R the reaction of the row `load`; without one F = factor."""
 
-    rub: Rub
+    rub: DryFriction
     sense: int  # of the slip
     coefficient: Ratio
     factor: Ratio
@@ -48,11 +48,11 @@ class ContactTable(Table):
         self.phase = phase
         self.symbols = reaction_symbols(phase.base)
         self.laws = {law.rub.name: law for law in _laws(phase)}
-        sliding: dict[str, Held] = {name: law.rub.row for name, law in self.laws.items()}
+        sliding: dict[str, ConstraintRow] = {name: law.rub.row for name, law in self.laws.items()}
         self.rows = {**{row.name: row for row in phase.system.held}, **sliding}
 
     @cached_property
-    def loads(self) -> list[tuple[Push, Ratio, dict[Slot, Ratio]]]:
+    def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
         """Every load of the model; frictions are none."""
         return [
             (p, self.model.law(p), self.model.gradient(p.measure))
@@ -85,7 +85,7 @@ def _laws(phase: Phase) -> list[Law]:
     return found
 
 
-def _load(phase: Phase, rub: Rub) -> tuple[str, bool]:
+def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
     """The row that presses, and whether its reaction is negative."""
     if not rub.load:
         return "", False
@@ -103,7 +103,7 @@ class ContactState(FormalState):
 
     table: ContactTable
 
-    def law(self, push: Push) -> Ratio:
+    def law(self, push: AppliedLoad) -> Ratio:
         if push.load in self.table.laws:
             row = self.table.laws[push.load].rub.row
             return row.sign * self.table.reactions[push.load]

@@ -16,14 +16,14 @@ from freebody.language.expression import Expr, add
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
-from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.questions.instant import names_of, side_of
 from freebody.questions.base import Quantity
-from freebody.questions.course import Change, EnergyLost, Turns, When
+from freebody.questions.course import Change, EnergyLost, Revolutions, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
 from freebody.questions.reading import Question
@@ -36,7 +36,9 @@ from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
 
-def asked_side(context: Context, way: Way, leg: Leg, script: Script, question: Question) -> Expr | tuple[Expr, ...]:
+def asked_side(
+    context: Context, way: PhaseSequence, leg: PhaseSegment, script: Script, question: Question
+) -> Expr | tuple[Expr, ...]:
     """The symbol of what is asked (those of its components), introduced with its meaning on the way."""
     own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
     name = context.symbol(own, f"{own}_asked")
@@ -53,7 +55,7 @@ def asked_side(context: Context, way: Way, leg: Leg, script: Script, question: Q
     return side_of(name, n)
 
 
-def _number(way: Way, question: Question, world: World) -> Any:
+def _number(way: PhaseSequence, question: Question, world: World) -> Any:
     """What is asked, by the numeric route."""
     return question.quantity.counted(_Passage(way.system, world))
 
@@ -103,7 +105,7 @@ class _Passage:
 def tell_answer(
     context: Context,
     script: Script,
-    way: Way,
+    way: PhaseSequence,
     question: Question,
     answer: Answer,
     ends: list[dict[str, int]],
@@ -121,7 +123,7 @@ class _Tell:
 
     context: Context
     script: Script
-    way: Way
+    way: PhaseSequence
     question: Question
     given: Answer
     ends: list[dict[str, int]]
@@ -163,8 +165,8 @@ class _Tell:
         with self.stage() as left:
             self.line(left, "answer.lost", uses)
 
-    @answer.register(Turns)
-    def _turns(self, q: Turns) -> None:
+    @answer.register(Revolutions)
+    def _turns(self, q: Revolutions) -> None:
         with self.stage() as left:
             _difference(self.script, self.way, left, self.given, Angle(q.body), "answer.turns", self.lines, q.body)
 
@@ -179,7 +181,7 @@ class _Tell:
             self.line(left, "answer.work", self.lines, load=q.of)
 
 
-def _time(script: Script, way: Way, left: Any, answer: Answer, ends: list[dict[str, int]]) -> None:
+def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: list[dict[str, int]]) -> None:
     times = tuple(end["time"] for end in ends if "time" in end)
     if len(times) < len(way.legs):
         assert answer.expression is not None
@@ -189,7 +191,7 @@ def _time(script: Script, way: Way, left: Any, answer: Answer, ends: list[dict[s
     script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # type: ignore[arg-type]
 
 
-def _energies(script: Script, way: Way, ends: list[dict[str, int]]) -> tuple[int, ...]:
+def _energies(script: Script, way: PhaseSequence, ends: list[dict[str, int]]) -> tuple[int, ...]:
     """T + V at the start and at the event."""
     first, last = way.legs[0], way.legs[-1]
     found: list[int] = []
@@ -220,7 +222,14 @@ def _energies(script: Script, way: Way, ends: list[dict[str, int]]) -> tuple[int
 
 
 def _difference(
-    script: Script, way: Way, left: Any, answer: Answer, measure: Any, key: str, lines: tuple[int, ...], body: str
+    script: Script,
+    way: PhaseSequence,
+    left: Any,
+    answer: Answer,
+    measure: Any,
+    key: str,
+    lines: tuple[int, ...],
+    body: str,
 ) -> None:
     """A measure at the event less the same at the start; by phases where what counts has no sign."""
     assert answer.expression is not None
@@ -244,7 +253,12 @@ def shown_parts(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
 
 
 def _instant(
-    script: Script, way: Way, left: Any, answer: Answer, lines: tuple[int, ...], forces: dict[int, tuple[Ratio, int]]
+    script: Script,
+    way: PhaseSequence,
+    left: Any,
+    answer: Answer,
+    lines: tuple[int, ...],
+    forces: dict[int, tuple[Ratio, int]],
 ) -> None:
     """A property of the instant of the event: general, then with the state there."""
     leg = way.legs[-1]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.language.expression import Call, Expr, Symbol, negate
-from freebody.model.elements import Rub
+from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced
-from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.script import Argument, Script
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
@@ -36,7 +36,7 @@ _KEYS = (
 )
 
 
-def tell_sticking(script: Script, way: Way, leg: Leg) -> list[int]:
+def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list[int]:
     """What friction that holds must transmit when a phase begins: no slip needs |F| <= mu N. Returns the lines."""
     found: list[int] = []
     sticking = [leg.phase.rubs[n] for n, s in leg.phase.mode.states.items() if s == 0 and n not in leg.phase.dropped]
@@ -49,7 +49,7 @@ def tell_sticking(script: Script, way: Way, leg: Leg) -> list[int]:
     return found
 
 
-def _tell_limit(script: Script, way: Way, leg: Leg, rub: Rub) -> int:
+def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryFriction) -> int:
     f, newton = leg.phase.model.field, leg.newton
     names = newton.table.symbols
     with on_the_way(script, leg.glossary):
@@ -97,7 +97,7 @@ def _tell_limit(script: Script, way: Way, leg: Leg, rub: Rub) -> int:
             )
 
 
-def tell_conditions(script: Script, way: Way, lines: Mapping[str, tuple[int, ...]]) -> None:
+def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tuple[int, ...]]) -> None:
     """The inequalities of the answer, solved. lines: from which they follow, by the key of what they are for."""
     found = relations(way.tree, way.piece.conditions)
     if not found:

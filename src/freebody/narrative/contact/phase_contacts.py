@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from freebody.language.expression import Call, Expr, Symbol, number
-from freebody.model.elements import Rub
-from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.model.elements import DryFriction
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Legend, Listing, Script, Sentence
 from freebody.study.phases.words import label, rolls
@@ -15,7 +15,9 @@ from freebody.symbolic.tidy import tidy
 ZERO = number(0)
 
 
-def tell_contacts(script: Script, way: Way, leg: Leg, before: tuple[int, ...]) -> tuple[dict[str, int], list[int]]:
+def tell_contacts(
+    script: Script, way: PhaseSequence, leg: PhaseSegment, before: tuple[int, ...]
+) -> tuple[dict[str, int], list[int]]:
     """States and reasons; returns the lines of the slip velocities by friction, and those of their signs. before: lines
     with the state in which the phase begins."""
     phase = leg.phase
@@ -29,7 +31,7 @@ def tell_contacts(script: Script, way: Way, leg: Leg, before: tuple[int, ...]) -
     return found, signs
 
 
-def _states(leg: Leg) -> list[Sentence]:
+def _states(leg: PhaseSegment) -> list[Sentence]:
     """One sentence for every bound, ideal string and friction."""
     phase, found = leg.phase, list[Sentence]()
     unilateral = [row for row in phase.base.held if row.unilateral]
@@ -52,7 +54,9 @@ def _states(leg: Leg) -> list[Sentence]:
     return found
 
 
-def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tuple[int, ...]) -> tuple[int, int]:
+def _slip(
+    script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryFriction, state: int, before: tuple[int, ...]
+) -> tuple[int, int]:
     """The slip velocity in the coordinates, and its sign at the start of the phase."""
     phase = leg.phase
     rate = phase.model.field.lowest_terms(phase.state.rate(rub.row.measure))
@@ -82,7 +86,7 @@ def _slip(script: Script, way: Way, leg: Leg, rub: Rub, state: int, before: tupl
     return line, sign
 
 
-def slip_symbol(leg: Leg, rub: Rub) -> Expr:
+def slip_symbol(leg: PhaseSegment, rub: DryFriction) -> Expr:
     """How the slip velocity is written: as the rate of a coordinate where it is one."""
     plain = coordinate_rate(leg, leg.phase.state.rate(rub.row.measure))
     if plain is not None:
@@ -92,7 +96,7 @@ def slip_symbol(leg: Leg, rub: Rub) -> Expr:
     return Symbol(leg.free_name(name))
 
 
-def coordinate_rate(leg: Leg, x: Ratio) -> Expr | None:
+def coordinate_rate(leg: PhaseSegment, x: Ratio) -> Expr | None:
     """The rate of a coordinate by its symbol, where an element is one."""
     f = leg.phase.model.field
     for c in leg.phase.model.coordinates:

@@ -7,7 +7,7 @@ from freebody.language.expression import Call, Expr, Product, Sum, Symbol, add, 
 from freebody.language.notation.parts import signed_terms
 from freebody.narrative.contact.phase_contacts import ZERO, slip_symbol
 from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
-from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.study.phases.phase import Watch
@@ -18,7 +18,9 @@ from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
 
 
-def tell_event(script: Script, way: Way, leg: Leg, told: Told, lines: dict[str, int]) -> dict[str, int]:
+def tell_event(
+    script: Script, way: PhaseSequence, leg: PhaseSegment, told: Told, lines: dict[str, int]
+) -> dict[str, int]:
     """The event that ends a phase, when or where it comes, and the coordinates and speeds there; returns the lines of
     the state, by "time", the name of a coordinate, or its rate as x'. lines: of forces and slips, by name."""
     assert leg.first is not None
@@ -39,7 +41,7 @@ def tell_event(script: Script, way: Way, leg: Leg, told: Told, lines: dict[str, 
             return {**found, **_state(script, way, leg, told, found)}
 
 
-def _lines_of(leg: Leg, told: Told, element: Ratio) -> tuple[int, ...]:
+def _lines_of(leg: PhaseSegment, told: Told, element: Ratio) -> tuple[int, ...]:
     """The lines of the motion on which an element depends."""
     model = leg.phase.model
     used = model.field.ingredients(model.in_independent_speeds(element))
@@ -50,7 +52,7 @@ def _lines_of(leg: Leg, told: Told, element: Ratio) -> tuple[int, ...]:
     return tuple(found)
 
 
-def _watched(script: Script, way: Way, leg: Leg, watch: Watch) -> tuple[Expr, Ratio]:
+def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Watch) -> tuple[Expr, Ratio]:
     """What reaches zero (or its value): how it is written, and as an element that vanishes at the event."""
     phase, f = leg.phase, leg.phase.model.field
     symbols = leg.newton.table.symbols
@@ -79,7 +81,7 @@ def _watched(script: Script, way: Way, leg: Leg, watch: Watch) -> tuple[Expr, Ra
             return shown, f.lowest_terms(value)
 
 
-def _reserve(script: Script, leg: Leg, watch: Watch) -> Expr:
+def _reserve(script: Script, leg: PhaseSegment, watch: Watch) -> Expr:
     """What is left of the friction that can be transmitted."""
     rub = leg.phase.rubs[watch.name]
     names = leg.newton.table.symbols
@@ -92,7 +94,7 @@ def _reserve(script: Script, leg: Leg, watch: Watch) -> Expr:
     return limit + held
 
 
-def _gap(script: Script, leg: Leg, watch: Watch) -> Expr:
+def _gap(script: Script, leg: PhaseSegment, watch: Watch) -> Expr:
     row = leg.phase.bounds[watch.name].row
     symbol = Symbol(leg.free_name("d"))
     what = Sentence("symbol.gap", {"connection": label(watch.name)})
@@ -107,7 +109,7 @@ def _gap(script: Script, leg: Leg, watch: Watch) -> Expr:
     return symbol
 
 
-def _target(way: Way, leg: Leg) -> Ratio:
+def _target(way: PhaseSequence, leg: PhaseSegment) -> Ratio:
     """The value that is to be reached."""
     assert leg.first is not None
     f, event = leg.phase.model.field, way.question.event
@@ -118,7 +120,13 @@ def _target(way: Way, leg: Leg) -> Ratio:
 
 # -- events in time ---------------------------------------------------------------------------
 def _in_time(
-    script: Script, way: Way, leg: Leg, course: Uniform, symbol: Expr, element: Ratio, uses: tuple[int, ...]
+    script: Script,
+    way: PhaseSequence,
+    leg: PhaseSegment,
+    course: Uniform,
+    symbol: Expr,
+    element: Ratio,
+    uses: tuple[int, ...],
 ) -> dict[str, int]:
     assert leg.time is not None
     target = way.home(leg, _target(way, leg))
@@ -145,7 +153,7 @@ def _in_time(
     return {"time": time}
 
 
-def _is_told(leg: Leg, symbol: Expr) -> bool:
+def _is_told(leg: PhaseSegment, symbol: Expr) -> bool:
     """Whether the motion has said already how something goes with time."""
     names = {c.name for c in leg.phase.model.coordinates}
     match symbol:
@@ -159,7 +167,13 @@ def _is_told(leg: Leg, symbol: Expr) -> bool:
 
 # -- events at a place ------------------------------------------------------------------------
 def _on_the_way(
-    script: Script, way: Way, leg: Leg, course: Energy, symbol: Expr, element: Ratio, uses: tuple[int, ...]
+    script: Script,
+    way: PhaseSequence,
+    leg: PhaseSegment,
+    course: Energy,
+    symbol: Expr,
+    element: Ratio,
+    uses: tuple[int, ...],
 ) -> dict[str, int]:
     assert leg.first is not None
     zero, c = leg.first.zero, course.coordinate
@@ -227,7 +241,7 @@ def solved_argument(at: Ratio) -> tuple[str, Ratio] | None:
 
 
 # -- the state there --------------------------------------------------------------------------
-def _state(script: Script, way: Way, leg: Leg, told: Told, found: dict[str, int]) -> dict[str, int]:
+def _state(script: Script, way: PhaseSequence, leg: PhaseSegment, told: Told, found: dict[str, int]) -> dict[str, int]:
     """Coordinates and speeds at the event, as far as their motion was told."""
     assert leg.first is not None
     values, lines = leg.first.zero.values, dict[str, int]()

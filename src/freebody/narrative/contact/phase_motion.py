@@ -8,8 +8,8 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
-from freebody.model.elements import Push
-from freebody.narrative.contact.phase_way import Leg, Way, on_the_way
+from freebody.model.elements import AppliedLoad
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
@@ -43,8 +43,8 @@ class Told:
 
 def tell_motion(
     script: Script,
-    way: Way,
-    leg: Leg,
+    way: PhaseSequence,
+    leg: PhaseSegment,
     accelerations: dict[str, int],
     before: tuple[int, ...],
     needed: set[str],
@@ -79,7 +79,14 @@ def _name(e: Expr) -> str:
 
 # -- constant accelerations -------------------------------------------------------------------
 def _integrate(
-    script: Script, way: Way, leg: Leg, c: Coordinate, course: Uniform, told: Told, uses: tuple[int, ...], place: bool
+    script: Script,
+    way: PhaseSequence,
+    leg: PhaseSegment,
+    c: Coordinate,
+    course: Uniform,
+    told: Told,
+    uses: tuple[int, ...],
+    place: bool,
 ) -> None:
     """u = u0 + a t, q = q0 + u0 t + a t^2/2."""
     q, u, a = (
@@ -109,7 +116,7 @@ def in_time(coefficients: list[Ratio], t: Expr) -> Expr:
 
 
 # -- energy -----------------------------------------------------------------------------------
-def energy_parts(leg: Leg) -> tuple[Ratio, Ratio]:
+def energy_parts(leg: PhaseSegment) -> tuple[Ratio, Ratio]:
     """Kinetic and potential energy in the coordinates; of loads of the model only."""
     phase, f = leg.phase, leg.phase.model.field
     parts = [value_in_mode(EnergyOf(what), phase.base, phase.system, phase.state) for what in PARTS]
@@ -117,7 +124,7 @@ def energy_parts(leg: Leg) -> tuple[Ratio, Ratio]:
     return kinetic, potential
 
 
-def tell_energies(script: Script, leg: Leg) -> tuple[int, int]:
+def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
     """T and V as lines: T body by body, then in the coordinates."""
     context = _as_context(leg)
     parts: list[int] = []
@@ -135,14 +142,14 @@ def tell_energies(script: Script, leg: Leg) -> tuple[int, int]:
     return found[0], found[1]
 
 
-def _as_context(leg: Leg) -> Context:
+def _as_context(leg: PhaseSegment) -> Context:
     """The mode of a phase as a system of its own."""
     context = Context(leg.phase.base)
     context.setup, context.glossary, context.newton = leg.phase.setup, leg.glossary, leg.newton
     return context
 
 
-def _reads_energy(leg: Leg, what: Part) -> Callable[[World], float]:
+def _reads_energy(leg: PhaseSegment, what: Part) -> Callable[[World], float]:
     base = leg.phase.base
 
     def read(world: World) -> float:
@@ -152,7 +159,9 @@ def _reads_energy(leg: Leg, what: Part) -> Callable[[World], float]:
     return read
 
 
-def _energy_integral(script: Script, way: Way, leg: Leg, course: Energy, told: Told, before: tuple[int, ...]) -> None:
+def _energy_integral(
+    script: Script, way: PhaseSequence, leg: PhaseSegment, course: Energy, told: Told, before: tuple[int, ...]
+) -> None:
     """T + V is what it was, but for the work of friction; solved for the square of the speed."""
     f, c, phase = leg.phase.model.field, course.coordinate, leg.phase
     kinetic, potential = energy_parts(leg)
@@ -189,7 +198,7 @@ def _energy_integral(script: Script, way: Way, leg: Leg, course: Energy, told: T
             )
 
 
-def _work(leg: Leg, pushes: list[Push]) -> Ratio | None:
+def _work(leg: PhaseSegment, pushes: list[AppliedLoad]) -> Ratio | None:
     """Of loads that are no part of V, since the phase began."""
     if not pushes:
         return None
@@ -200,7 +209,7 @@ def _work(leg: Leg, pushes: list[Push]) -> Ratio | None:
     return f.lowest_terms(total)
 
 
-def shown_in_home(way: Way, leg: Leg, x: Ratio) -> Expr:
+def shown_in_home(way: PhaseSequence, leg: PhaseSegment, x: Ratio) -> Expr:
     """By the parameters of the model where nothing moves in it, else with the coordinates."""
     model = leg.phase.model
     moving = {k for c in model.coordinates for k in (c.index, c.speed)}
@@ -209,7 +218,7 @@ def shown_in_home(way: Way, leg: Leg, x: Ratio) -> Expr:
     return way.shown(leg, x)
 
 
-def require_course(leg: Leg) -> None:
+def require_course(leg: PhaseSegment) -> None:
     """Raises CannotAnswer where a phase has no motion in closed form."""
     try:
         _ = leg.phase.course

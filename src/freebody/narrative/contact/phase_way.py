@@ -18,7 +18,7 @@ from freebody.narrative.lines.script import Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.phases.events import First
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.pieces import Piece, pieces
+from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.tree import NO_FORM, Node, tree_of, why
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
@@ -26,7 +26,7 @@ from freebody.system.system import System
 
 
 @dataclass
-class Leg:
+class PhaseSegment:
     """One phase of the way, with what it is written by. first: what ends it, where the way goes on or stops there."""
 
     number: int
@@ -62,7 +62,7 @@ class Leg:
         return name
 
 
-class Way:
+class PhaseSequence:
     """From the start to where a question is answered."""
 
     def __init__(self, system: System, question: Question) -> None:
@@ -70,24 +70,26 @@ class Way:
         self.question = question
         try:
             self.tree = tree_of(system)
-            self.piece: Piece = pieces(self.tree, question)[0]
+            self.piece: AnswerBranch = pieces(self.tree, question)[0]
         except NO_FORM as error:
             raise CannotAnswer(why(error)) from None
         self.runs = Runs(self.tree, self.piece, question.event)
         self.legs = [self._leg(k) for k in range(len(self.piece.nodes))]
 
-    def _leg(self, k: int) -> Leg:
+    def _leg(self, k: int) -> PhaseSegment:
         node, phase = self.piece.nodes[k], self.piece.nodes[k].phase
         is_last = k == len(self.piece.nodes) - 1
         first = self.piece.first if is_last else self._between(node, self.piece.nodes[k + 1])
         time = None if first is None or first.zero.time is None else self.tree.to_home(phase, first.zero.time)
         return self.leg(k + 1, node, first, time, k)
 
-    def leg(self, number: int, node: Node, first: First | None, time: Ratio | None, place: int) -> Leg:
+    def leg(self, number: int, node: Node, first: First | None, time: Ratio | None, place: int) -> PhaseSegment:
         """A phase with its glossaries; both know the same symbols."""
         glossary, course = Glossary(node.phase.setup), CourseGlossary(node.phase, self.runs, place)
         course.meanings = glossary.meanings
-        made = Leg(number, node, first, time, glossary, course, ContactNewton(node.phase, glossary), self.tree.closed)
+        made = PhaseSegment(
+            number, node, first, time, glossary, course, ContactNewton(node.phase, glossary), self.tree.closed
+        )
         made.newton.is_drawn = node.phase.mode.closed == self.tree.closed
         if number > 1:
             what = Sentence("symbol.since", {"phase": f"@{number}"})
@@ -116,11 +118,11 @@ class Way:
                     return node
         return None
 
-    def home(self, leg: Leg, x: Ratio) -> Ratio:
+    def home(self, leg: PhaseSegment, x: Ratio) -> Ratio:
         """An element of the parameters in the field that all phases share."""
         return self.tree.to_home(leg.phase, x)
 
-    def shown(self, leg: Leg, x: Ratio) -> Expr:
+    def shown(self, leg: PhaseSegment, x: Ratio) -> Expr:
         return readable(self.home(leg, x))
 
 

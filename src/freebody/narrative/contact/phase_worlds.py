@@ -17,12 +17,12 @@ from freebody.narrative.lines.glossary import Glossary, World
 from freebody.narrative.lines.script import When
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.reading import Event
+from freebody.questions.reading import QuestionEvent
 from freebody.study.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
 from freebody.study.phases.phase import Phase
-from freebody.study.phases.pieces import Piece
+from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.tree import Tree
 from freebody.study.phases.witness import NumericMode, Seen, Stage, follow
 
@@ -61,7 +61,7 @@ class CourseWorld(World):
 class Runs:
     """The runs of a piece of an answer."""
 
-    def __init__(self, tree: Tree, piece: Piece, event: Event | None) -> None:
+    def __init__(self, tree: Tree, piece: AnswerBranch, event: QuestionEvent | None) -> None:
         self.tree = tree
         self.piece = piece
         self.event = event

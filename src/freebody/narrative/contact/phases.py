@@ -12,7 +12,7 @@ from freebody.narrative.contact.phase_conditions import tell_conditions, tell_st
 from freebody.narrative.contact.phase_contacts import tell_contacts
 from freebody.narrative.contact.phase_event import tell_event
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
-from freebody.narrative.contact.phase_way import Leg, Way
+from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import Script, Sentence, Sheet, Stage
 from freebody.questions.reading import Question
@@ -33,7 +33,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(answer.reason or "there is no closed form")
     if context.system.space:
         raise CannotAnswer("no derivation of a motion in phases is written for space yet")
-    way = Way(context.system, question)
+    way = PhaseSequence(context.system, question)
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
     if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
         raise CannotAnswer(
@@ -62,7 +62,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     return script.stages
 
 
-def _overview(script: Script, way: Way) -> None:
+def _overview(script: Script, way: PhaseSequence) -> None:
     """The phases one after the other."""
     with script.stage("stage.phases", "hint.phases"):
         script.say("phases.plan")
@@ -74,7 +74,7 @@ def _overview(script: Script, way: Way) -> None:
         script.add(Sheet(header, rows))
 
 
-def _end_words(leg: Leg) -> Sentence:
+def _end_words(leg: PhaseSegment) -> Sentence:
     if leg.first is None:
         return Sentence("phases.lasts")
     watch = leg.first.watch
@@ -83,7 +83,7 @@ def _end_words(leg: Leg) -> Sentence:
 
 
 def _tell_phase(
-    script: Script, way: Way, leg: Leg, before: tuple[int, ...]
+    script: Script, way: PhaseSequence, leg: PhaseSegment, before: tuple[int, ...]
 ) -> tuple[dict[str, int], Values, tuple[int, ...]]:
     """One phase, from its contacts to the state at its end."""
     require_course(leg)
@@ -106,11 +106,11 @@ def _tell_phase(
     return tell_event(script, way, leg, told, {**slips, **by_name}), values, tuple(signs)
 
 
-def _accelerations(leg: Leg) -> list[tuple[Coordinate, int]]:
+def _accelerations(leg: PhaseSegment) -> list[tuple[Coordinate, int]]:
     return list(zip(leg.phase.model.coordinates, leg.phase.model.accelerations, strict=True))
 
 
-def _needed(way: Way, leg: Leg) -> tuple[set[str], set[str]]:
+def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
     """Coordinates whose motion is needed, and those of which the place is, not only the velocity."""
     model, assert_first = leg.phase.model, leg.first
     assert assert_first is not None
@@ -136,14 +136,14 @@ def _needed(way: Way, leg: Leg) -> tuple[set[str], set[str]]:
     return moving, places
 
 
-def _moves(leg: Leg, c: Coordinate) -> bool:
+def _moves(leg: PhaseSegment, c: Coordinate) -> bool:
     course = leg.phase.course
     if not isinstance(course, Uniform):
         return True
     return not (course.start.of(c.speed).is_zero() and course.accelerations[c.speed].is_zero())
 
 
-def _wanted(way: Way, leg: Leg, moving: set[str]) -> list[int]:
+def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int]:
     """Accelerations and reactions that the phase needs."""
     assert leg.first is not None
     watch, newton, found = leg.first.watch, leg.newton, list[int]()
@@ -158,7 +158,7 @@ def _wanted(way: Way, leg: Leg, moving: set[str]) -> list[int]:
     return list(dict.fromkeys(found))
 
 
-def _after(script: Script, way: Way) -> tuple[int, ...]:
+def _after(script: Script, way: PhaseSequence) -> tuple[int, ...]:
     """Whether what follows can be what is said: that rolling goes on needs friction enough."""
     asked, node = way.question.transition, way.following
     if asked is None or asked.kind != "rolls" or node is None:
@@ -172,7 +172,7 @@ def _after(script: Script, way: Way) -> tuple[int, ...]:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instant(context: Context, way: Way, script: Script, answer: Answer) -> list[Stage]:
+def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[Stage]:
     """In the phase in which the motion begins."""
     leg, question = way.legs[0], way.question
     with script.stage("stage.phase_contacts", "hint.phase_contacts", phase="@1"):

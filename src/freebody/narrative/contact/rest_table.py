@@ -16,7 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import Push, RateMeasure, Rub
+from freebody.model.elements import AppliedLoad, DryFriction, NonholonomicForm
 from freebody.narrative.principles.planner import Array, Entry, Plan, is_multiple
 from freebody.narrative.principles.table import Pair, Principle, Slot, Table
 from freebody.narrative.principles.wide_planner import WidePlanner
@@ -33,7 +33,7 @@ _TERM = 0.05  # for a force in an equation
 class Limit:
     """F = factor * R at its limit, R the reaction of the row `load`, or F = factor without one; sense: of the slip."""
 
-    rub: Rub
+    rub: DryFriction
     sense: int
     coefficient: Ratio
     factor: Ratio
@@ -53,12 +53,12 @@ class RestTable(Table):
     def here(self, x: Ratio) -> Ratio:
         return self.equations.here(x)
 
-    def gradient(self, measure: Measure | RateMeasure) -> dict[Slot, Ratio]:
+    def gradient(self, measure: Measure | NonholonomicForm) -> dict[Slot, Ratio]:
         found = {slot: self.here(x) for slot, x in self.model.gradient(measure).items()}
         return {slot: x for slot, x in found.items() if not x.is_zero()}
 
     @cached_property
-    def loads(self) -> list[tuple[Push, Ratio, dict[Slot, Ratio]]]:
+    def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
         return [(p, self.here(self.model.law(p)), self.gradient(p.measure)) for p in self.system.pushes]
 
     def position(self, body: str) -> Pair:

@@ -19,7 +19,7 @@ from freebody.narrative.lines.script import Sentence, When
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
-from freebody.questions.reading import Event
+from freebody.questions.reading import QuestionEvent
 from freebody.study.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -147,7 +147,7 @@ class Glossary:
         self.setup = setup
         self.meanings: dict[str, Meaning] = {}
         self.formulas: dict[str, Expr] = {}  # checked formulas of symbols that are differentiated
-        self.event: Event | None = None
+        self.event: QuestionEvent | None = None
 
     def introduce(self, meaning: Meaning) -> Expr:
         """Adds a symbol; one that is known keeps its meaning."""
@@ -265,7 +265,7 @@ class Glossary:
                 found[-1].is_integrated = True
         return found
 
-    def at_event(self, event: Event | None) -> None:
+    def at_event(self, event: QuestionEvent | None) -> None:
         """From now on "event" means this one."""
         if event != self.event:
             self.event = event

@@ -15,10 +15,10 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
 from freebody.measures.geometry import ZERO
-from freebody.model.elements import Push, RigidBody
+from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Equilibrium, Small
+from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.setup import Setup
 from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
 from freebody.symbolic.field import Generator, Ratio
@@ -102,7 +102,7 @@ class Marked:
             inertia = self._times("inertia", body.name, inertia)
         return replace(body, mass=mass, inertia=inertia)
 
-    def _push(self, push: Push) -> Push:
+    def _push(self, push: AppliedLoad) -> AppliedLoad:
         general = None if push.general is None else self._times("load", push.name, push.general)
         return replace(push, law=self._times("load", push.name, push.law), general=general)
 
@@ -156,8 +156,8 @@ class Marked:
         state = SymbolicState(self.model, start.values) if question.at_start else SymbolicState(self.model)
         return self._value(question, state)
 
-    @_form.register(Small)
-    def _frequencies(self, q: Small, question: Question, start: StartState) -> Elements:
+    @_form.register(SmallOscillations)
+    def _frequencies(self, q: SmallOscillations, question: Question, start: StartState) -> Elements:
         model = self.model
         roots = [model.field.sqrt(s, model.is_negative) for s in small_oscillations(model, start).squares]
         if q.what == "period":

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.numeric.jets import Array
@@ -142,7 +142,7 @@ class BodyEquations:
         return [self.field.lowest_terms(self.model.in_independent_speeds(x)) for x in found]
 
 
-def _words(row: Held) -> Sentence:
+def _words(row: ConstraintRow) -> Sentence:
     """What a reaction is called."""
     args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
     axis = row.component.split()[-1]

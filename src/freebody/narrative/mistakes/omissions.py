@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Push, RigidBody
+from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Factor, Marked
 from freebody.narrative.mistakes.slips import Mistake
@@ -130,7 +130,7 @@ class Omissions:
         return {name for name in names if not self.system.bodies[name].fixed}
 
     # -- loads --------------------------------------------------------------------------------
-    def _weights(self, body: str) -> list[Push]:
+    def _weights(self, body: str) -> list[AppliedLoad]:
         gravity = {name for name, load in self.system.loads.items() if load.kind == "gravity"}
         return [p for p in self.system.pushes if p.load in gravity and body in set(p.measure.bodies())]
 

@@ -18,7 +18,7 @@ from freebody.language.units import DIMENSIONLESS, INERTIA, LENGTH, MASS
 from freebody.narrative.lines.script import Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Small
+from freebody.questions.small_motion import SmallOscillations
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.model import SymbolicModel
 
@@ -151,8 +151,8 @@ def _of_kind(q: Quantity, f: Field) -> Iterator[Mistake]:
     yield from ()
 
 
-@_of_kind.register(Small)
-def _of_frequencies(q: Small, f: Field) -> Iterator[Mistake]:
+@_of_kind.register(SmallOscillations)
+def _of_frequencies(q: SmallOscillations, f: Field) -> Iterator[Mistake]:
     """Revolutions taken for radians, or the other way round."""
     key = "mistake.turn" if q.what == "period" else "mistake.hertz"
     yield Mistake(Sentence(key), factor=1 / (2 * f.pi))

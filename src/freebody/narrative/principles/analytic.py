@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
@@ -138,7 +138,7 @@ def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
             f"{names} are bound by closed loops, and {what} are written for independent coordinates here"
         )
     rows = model.system.held
-    if any(isinstance(row.measure, RateMeasure) for row in rows):
+    if any(isinstance(row.measure, NonholonomicForm) for row in rows):
         raise CannotAnswer(f"a constraint on velocities is at work; {what} are written for holonomic systems here")
     if what.startswith("the rate") and any(is_driven(row) for row in rows):
         raise CannotAnswer("a driver does work that is not known beforehand; take newton or lagrange")

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.narrative.principles.table import Table
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.state import SymbolicState
@@ -27,11 +27,11 @@ class FormalState(SymbolicState):
         super().__init__(table.model)
         self.table = table
 
-    def acceleration(self, measure: Measure | RateMeasure) -> Ratio:
+    def acceleration(self, measure: Measure | NonholonomicForm) -> Ratio:
         m = self.model
         return m.field.lowest_terms(m.in_independent_speeds(m.rate(self.raw_rate(measure))))
 
-    def multiplier(self, row: Held) -> Ratio:
+    def multiplier(self, row: ConstraintRow) -> Ratio:
         return row.sign * self.table.reactions[row.name]
 
     def sqrt(self, x: Any) -> Ratio:

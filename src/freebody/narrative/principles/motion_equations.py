@@ -12,7 +12,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, add, negate, number
 from freebody.language.notation.parts import signed_terms
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import Row
@@ -59,7 +59,7 @@ def loop_lines(context: Context, script: Script) -> list[int]:
         args = {"connection": loop.name.split(".")[0]}
         found.append(script.line(*balanced(tidy(value)), why="unclosed.loop", args=args))
     for row in context.system.held:
-        if isinstance(row.measure, RateMeasure):
+        if isinstance(row.measure, NonholonomicForm):
             rate = readable(f.lowest_terms(context.setup.state.raw_rate(row.measure)))
             if not rate.is_zero() and row.target is None:
                 args = {"connection": row.connection, "component": row.component}

@@ -11,7 +11,7 @@ import numpy as np
 from freebody.errors import RoutesDisagree
 from freebody.language.expression import Expr, Sum, Symbol, add, negate
 from freebody.language.notation.parts import signed_terms
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Argument, Diagram, Legend, Script, Sentence
 from freebody.narrative.principles.elimination import Row, Solver, Unknowns, positive_first
@@ -473,7 +473,7 @@ def _times(term: Term, factor: Ratio) -> Term:
     return Term(coefficient, term.symbol, term.generator, term.explicit, term.body, term.is_turning)
 
 
-def _is_like(a: Held, b: Held) -> bool:
+def _is_like(a: ConstraintRow, b: ConstraintRow) -> bool:
     return (a.connection, a.reaction) == (b.connection, b.reaction)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from freebody.language.expression import Symbol
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import named
@@ -25,7 +25,7 @@ def introduce_reactions(context: Context, script: Script, rows: Iterable[str], k
         named(context, script, *meanings)
 
 
-def words_of(context: Context, row: Held) -> Sentence:
+def words_of(context: Context, row: ConstraintRow) -> Sentence:
     """What a reaction is, in words."""
     args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
     axis = row.component.split()[-1]
@@ -37,7 +37,7 @@ def words_of(context: Context, row: Held) -> Sentence:
     return Sentence("symbol.reaction", args)
 
 
-def _unit(row: Held) -> str:
+def _unit(row: ConstraintRow) -> str:
     return "N m" if "moment" in row.reaction or "torque" in row.reaction else "N"
 
 

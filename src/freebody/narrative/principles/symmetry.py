@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.principles.table import Table
 
@@ -70,7 +70,7 @@ def _loads(table: Table, name: str) -> list[tuple[Expr, str]]:
     return sorted(((p.law, p.load) for p in acting), key=lambda pair: (str(pair[0]), pair[1]))
 
 
-def _signature(row: Held, body: str) -> tuple[object, ...]:
+def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:
     others = frozenset(b for b in row.measure.bodies() if b != body)
     return row.component, row.reaction, row.sign, type(row.measure).__name__, others
 

@@ -23,7 +23,7 @@ from typing import Literal
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held, Push, RateMeasure
+from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.narrative.lines.script import Sentence
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -73,7 +73,7 @@ class Table:
         self.model = model
         self.system: System = model.system
         self.symbols = reaction_symbols(self.system)
-        self.rows: dict[str, Held] = {row.name: row for row in self.system.held}
+        self.rows: dict[str, ConstraintRow] = {row.name: row for row in self.system.held}
 
     # -- what acts ----------------------------------------------------------------------------
     @cached_property
@@ -95,12 +95,12 @@ class Table:
         return [name for name, slopes in self.directions.items() if any(b == body for b, _slot in slopes)]
 
     @cached_property
-    def loads(self) -> list[tuple[Push, Ratio, dict[Slot, Ratio]]]:
+    def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
         """Every load with its law and its direction."""
         return [(p, self.model.law(p), self.gradient(p.measure)) for p in self.system.pushes]
 
     # -- geometry -----------------------------------------------------------------------------
-    def gradient(self, measure: Measure | RateMeasure) -> dict[Slot, Ratio]:
+    def gradient(self, measure: Measure | NonholonomicForm) -> dict[Slot, Ratio]:
         """Force and moment per unit of what pushes a measure, by body and slot."""
         return self.model.gradient(measure)
 

@@ -24,7 +24,7 @@ from freebody.narrative.principles.table import Table
 from freebody.numeric.jets import Array
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
-from freebody.questions.momentum import Momentum, Spin, is_among
+from freebody.questions.momentum import AngularMomentum, Momentum, is_among
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
 from freebody.study.answer import Answer
@@ -166,8 +166,8 @@ class _Telling:
     def _say_principle(self, q: Quantity, principle: Principle | None) -> None:
         self.script.say(_key(q, "principle"))
 
-    @_say_principle.register(Spin)
-    def _say_of_moments(self, q: Spin, principle: Principle | None) -> None:
+    @_say_principle.register(AngularMomentum)
+    def _say_of_moments(self, q: AngularMomentum, principle: Principle | None) -> None:
         moves = principle is not None and any("v × P" in name for name, _x in principle.parts)
         own_centre = q.about is None and isinstance(q.body, str)
         key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
@@ -342,8 +342,8 @@ def _forces_on(q: Momentum) -> tuple[str, Group]:
     return "conserved.no_force", q.body
 
 
-@_acting_on.register(Spin)
-def _moments_on(q: Spin) -> tuple[str, Group]:
+@_acting_on.register(AngularMomentum)
+def _moments_on(q: AngularMomentum) -> tuple[str, Group]:
     return "conserved.no_moment" if q.along is None else "conserved.no_moment_along", q.body
 
 

@@ -29,7 +29,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium
-from freebody.questions.small_motion import Small as SmallQuantity
+from freebody.questions.small_motion import SmallOscillations as SmallQuantity
 from freebody.study.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium, linearised, small_oscillations

@@ -17,7 +17,7 @@ from freebody.narrative.principles.loops import loop_lines
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import SYSTEM_CENTER, Momentum, Spin, is_among, point_about
+from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, is_among, point_about
 from freebody.questions.reading import Question
 from freebody.questions.vectors import ORIGIN, place
 from freebody.symbolic.tidy import tidy
@@ -153,8 +153,8 @@ def _momentum(q: Momentum, context: Context, script: Script) -> tuple[list[int],
     return lines, []
 
 
-@_told.register(Spin)
-def _spin(q: Spin, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
+@_told.register(AngularMomentum)
+def _spin(q: AngularMomentum, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """H = I w + r x m v of every body that is meant, and the symbols of these parts."""
     if q.about == SYSTEM_CENTER:
         return [], []
@@ -169,7 +169,7 @@ def _spin(q: Spin, context: Context, script: Script) -> tuple[list[int], list[Ex
     return lines, symbols
 
 
-def _spin_of(context: Context, script: Script, q: Spin, body: RigidBody) -> list[int]:
+def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBody) -> list[int]:
     system, f = context.system, context.setup.model.field
     mass, _m, inertia = context.setup.model.inertias[body.name]
     x, y = _velocity(context, body.name)
@@ -186,7 +186,7 @@ def _spin_of(context: Context, script: Script, q: Spin, body: RigidBody) -> list
         return []
     point = q.about if isinstance(q.about, Point) else body.mass_center if isinstance(q.body, str) else None
     symbol, what = _name(context, "H", body.name), Sentence("symbol.spin_of", {"body": body.name})
-    context.glossary.introduce(Meaning(symbol, what, Spin(body.name, point or ORIGIN), "kg m^2/s"))
+    context.glossary.introduce(Meaning(symbol, what, AngularMomentum(body.name, point or ORIGIN), "kg m^2/s"))
     script.add(Legend(((symbol, what, "kg m^2/s"),)))
     moving = [*x, *y, *([turning] if turning is not None else [])]
     context.newton.introduce_terms(script, moving)

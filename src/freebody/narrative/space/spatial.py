@@ -22,8 +22,8 @@ from freebody.narrative.space.spatial_frames import axes_of
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import Momentum, Spin
-from freebody.questions.motion import OfMeasure, OfPoint, Turning
+from freebody.questions.momentum import AngularMomentum, Momentum
+from freebody.questions.motion import AngularVelocity, OfMeasure, OfPoint
 from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -139,15 +139,15 @@ class SpatialTelling:
 
         return Momenta(self.context, self.script, self.kinematics).momenta(q)
 
-    @_told.register(Spin)
-    def _spin(self, q: Spin) -> Parts:
+    @_told.register(AngularMomentum)
+    def _spin(self, q: AngularMomentum) -> Parts:
         from freebody.narrative.space.spatial_momentum import Momenta
 
         return Momenta(self.context, self.script, self.kinematics).spins(q)
 
     # -- turning ------------------------------------------------------------------------------
-    @_told.register(Turning)
-    def _turning(self, q: Turning) -> Parts:
+    @_told.register(AngularVelocity)
+    def _turning(self, q: AngularVelocity) -> Parts:
         kinematics, axes = self.kinematics, axes_of(q.basis)
         bodies = [b for b in (q.body, q.relative_to) if not self.context.system.bodies[b].fixed]
         lines: list[int] = []
@@ -169,7 +169,7 @@ class SpatialTelling:
         is_plain = len(totals) == 1 and not q.size and not (is_component and q.order == 2)
         return Parts(tuple(dict.fromkeys(lines)), totals[0] if is_plain else None)
 
-    def _say_of_axes(self, q: Turning, body: str) -> None:
+    def _say_of_axes(self, q: AngularVelocity, body: str) -> None:
         """How an angular acceleration follows from an angular velocity along the same axes."""
         if q.along is not None and not q.size:
             self.script.say("space.differentiate_component")
@@ -222,8 +222,8 @@ def _turns_by_itself(q: Quantity, telling: SpatialTelling, question: Question, m
     return False
 
 
-@_turns_by_itself.register(Turning)
-def _told_by_euler(q: Turning, telling: SpatialTelling, question: Question, method: Method) -> bool:
+@_turns_by_itself.register(AngularVelocity)
+def _told_by_euler(q: AngularVelocity, telling: SpatialTelling, question: Question, method: Method) -> bool:
     if not turns_freely(telling.context, q):
         return False
     refuse(method, ("newton",), "the turning of a free body")

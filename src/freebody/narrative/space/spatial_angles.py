@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Argument, Legend, Sentence
 from freebody.narrative.principles.motion_equations import balanced, readable
@@ -108,11 +108,11 @@ class Angles:
         return self.script.line(left, value, why="space.tangent", args={"line": place}, uses=(place,))
 
     # -- which equation -----------------------------------------------------------------------
-    def _row_for(self, name: str) -> Held | None:
+    def _row_for(self, name: str) -> ConstraintRow | None:
         """The held row that binds an angle with the fewest others that are bound as well."""
-        best: tuple[tuple[int, int], Held] | None = None
+        best: tuple[tuple[int, int], ConstraintRow] | None = None
         for row in self.context.system.held:
-            if isinstance(row.measure, RateMeasure) or row.name in self.model.tree.rows:
+            if isinstance(row.measure, NonholonomicForm) or row.name in self.model.tree.rows:
                 continue
             try:
                 equation = self.model.raw_equation(row)

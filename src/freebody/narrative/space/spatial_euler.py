@@ -23,14 +23,14 @@ from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
 from freebody.questions.momentum import is_among
-from freebody.questions.motion import OfPoint, Turning
+from freebody.questions.motion import AngularVelocity, OfPoint
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 
-def turns_freely(context: Context, q: Turning) -> bool:
+def turns_freely(context: Context, q: AngularVelocity) -> bool:
     """Whether the angular acceleration of a body is asked along its own principal axes, and nothing held turns it."""
     if q.order != 2 or q.size or q.along is not None or q.relative_to != GROUND:
         return False
@@ -52,7 +52,9 @@ def _is_free(context: Context, body: str) -> bool:
     return all(x.is_zero() for x in model.inertias[body][6:])
 
 
-def by_euler(context: Context, script: Script, kinematics: SpatialKinematics, question: Question, q: Turning) -> None:
+def by_euler(
+    context: Context, script: Script, kinematics: SpatialKinematics, question: Question, q: AngularVelocity
+) -> None:
     """The angular acceleration along the body's own axes, from Euler's equations."""
     model, f = kinematics.model, kinematics.field
     axes = axes_of_body(context, q.body)
@@ -100,7 +102,7 @@ def omega_symbols(context: Context, kinematics: SpatialKinematics, body: str) ->
     """Components of an angular velocity along the body's own axes, without saying by which angles."""
 
     def reads(world: World) -> Sequence[float]:
-        return tuple(Turning(body, 1).value(context.system, world.snapshot))
+        return tuple(AngularVelocity(body, 1).value(context.system, world.snapshot))
 
     axes = axes_of_body(context, body)
     return kinematics.introduce(f"omega_{body}", "omega", body, axes, reads, "rad/s")

@@ -15,7 +15,7 @@ from freebody.connections.rolling import Rolling
 from freebody.language.expression import Call, Expr, Symbol, add, number, rate_key
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.elements import Plane, RateMeasure, RigidBody
+from freebody.model.elements import NonholonomicForm, Plane, RigidBody
 from freebody.model.state import State
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
@@ -25,7 +25,7 @@ from freebody.narrative.principles.kinematics import scaled
 from freebody.narrative.principles.motion_equations import balanced, readable
 from freebody.narrative.space.spatial_angles import Angles
 from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
-from freebody.questions.motion import OfPoint, Turning, rates_of
+from freebody.questions.motion import AngularVelocity, OfPoint, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.eom import primitive_part
 from freebody.symbolic.field import Ratio
@@ -134,7 +134,7 @@ class SpatialKinematics(Frames):
             lines.append(self.script.line(*balanced(tidy(rate)), why="space.loop_rate", args=args, uses=(place,)))
         rolling: dict[str, None] = {}
         for row in self.context.system.held:
-            if isinstance(row.measure, RateMeasure):
+            if isinstance(row.measure, NonholonomicForm):
                 rolling[row.connection] = None
         for connection in rolling:
             lines += self._rolling(connection)
@@ -183,7 +183,7 @@ class SpatialKinematics(Frames):
         """What a connection says of velocities, row by row."""
         found: list[int] = []
         for row in self.context.system.held:
-            if row.connection == connection and isinstance(row.measure, RateMeasure):
+            if row.connection == connection and isinstance(row.measure, NonholonomicForm):
                 rate = self.field.lowest_terms(self.state.raw_rate(row.measure))
                 if not rate.is_zero():
                     args: dict[str, Argument] = {"connection": connection, "component": f"@{row.component}"}
@@ -256,7 +256,7 @@ class SpatialKinematics(Frames):
 
 def _turning(context: Context, body: str) -> Callable[[World], Sequence[float]]:
     def reads(world: World) -> Sequence[float]:
-        return tuple(Turning(body, 1).value(context.system, world.snapshot))
+        return tuple(AngularVelocity(body, 1).value(context.system, world.snapshot))
 
     return reads
 

@@ -18,7 +18,7 @@ from freebody.narrative.questions.state import Parts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import Momentum, Spin, is_among
+from freebody.questions.momentum import AngularMomentum, Momentum, is_among
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -107,7 +107,7 @@ class Momenta:
         return read
 
     # -- momenta ------------------------------------------------------------------------------
-    def spins(self, q: Spin) -> Parts:
+    def spins(self, q: AngularMomentum) -> Parts:
         """Angular momenta about mass centres, then what each body contributes."""
         bodies = self.bodies(q.body)
         own: dict[str, tuple[int, ...]] = {}
@@ -126,7 +126,7 @@ class Momenta:
         axes = axes_of_body(self.context, b.name)
         velocity = tuple(self.model.in_independent_speeds(v) for v in self.model.velocities[b.name])
         H = self.model.momentum(b.name, velocity)[3:]
-        q = Spin(b.name, None)
+        q = AngularMomentum(b.name, None)
 
         def reads(world: World) -> Sequence[float]:
             return tuple(q.value(self.context.system, world.snapshot))
@@ -135,12 +135,12 @@ class Momenta:
         args: dict[str, Argument] = {"body": b.name, "line": uses[0]}
         return self.script.line(symbols, self.kinematics.shown(H), why="space.spin_is", args=args, uses=uses)
 
-    def _places(self, b: RigidBody, q: Spin) -> tuple[int, ...]:
+    def _places(self, b: RigidBody, q: AngularMomentum) -> tuple[int, ...]:
         if q.about is None and isinstance(q.body, str):
             return ()
         return self._velocity(b)
 
-    def _shares(self, q: Spin, bodies: Sequence[RigidBody], own: dict[str, tuple[int, ...]]) -> Parts:
+    def _shares(self, q: AngularMomentum, bodies: Sequence[RigidBody], own: dict[str, tuple[int, ...]]) -> Parts:
         lines: list[int] = []
         terms: list[Expr] = []
         for b in bodies:

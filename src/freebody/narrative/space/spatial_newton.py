@@ -24,7 +24,7 @@ from freebody.narrative.principles.table import Principle, Slot
 from freebody.narrative.space.spatial_frames import Reads, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_table import SpatialPlanner, SpatialPrinciple, SpatialTable
-from freebody.questions.momentum import Spin
+from freebody.questions.momentum import AngularMomentum
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -131,7 +131,7 @@ class SpatialNewton:
         return found
 
     def _read_spin(self, b: RigidBody) -> Reads:
-        q = Spin(b.name, None)
+        q = AngularMomentum(b.name, None)
         return lambda world: tuple(q.value(self.context.system, world.snapshot))
 
     # -- principles ---------------------------------------------------------------------------
@@ -224,6 +224,6 @@ class SpatialNewton:
 
 def _spin_rate(context: Context, b: RigidBody) -> Reads:
     """dH/dt by ground components: differences of the numeric route."""
-    q = Spin(b.name, None)
+    q = AngularMomentum(b.name, None)
 
     return rates_of_vector(lambda world: tuple(q.value(context.system, world.snapshot)))

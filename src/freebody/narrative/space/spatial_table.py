@@ -18,7 +18,7 @@ import numpy as np
 from freebody.language.expression import Symbol
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Point
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.planner import MORE_BODIES, Array, Planner
@@ -119,7 +119,7 @@ class SpatialTable(Table):
             point = measure.of if measure.of.body in bodies else measure.origin
             if point.body in bodies:
                 yield self._place(point, Sentence("space.joint", {"connection": connection}))
-        elif isinstance(measure, RateMeasure):
+        elif isinstance(measure, NonholonomicForm):
             rolling = self.kinematics.rolling_body(connection)
             if rolling is not None and rolling[0].name in bodies:
                 center = self._coordinates(rolling[0].center)

@@ -8,13 +8,13 @@ from freebody.numeric.contact.bounded import Bounded
 from freebody.numeric.contact.problem import State
 from freebody.numeric.contact.ranges import Feasible, force_ranges
 from freebody.numeric.contact.record import ABSENT
-from freebody.numeric.engine.course import Course
+from freebody.numeric.engine.course import Trajectory
 
 ROUND_OFF = 1e-12
 _STATE_OF_SLIP = {0: State.STICKING, 1: State.FORWARD, -1: State.BACKWARD}
 
 
-def admissible_reactions(bounded: Bounded, course: Course, k: int) -> dict[str, tuple[float, float]]:
+def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[str, tuple[float, float]]:
     """By the name of its row the least and the largest reaction at output k, positive as it is named, of every row that
     is held or rubs there: infinite where nothing bounds it, the same twice where it is unique. {} if none exist."""
     assert course.contact is not None

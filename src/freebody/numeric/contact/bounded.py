@@ -14,8 +14,8 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.measures.turned import carriers
-from freebody.model.elements import Bound, Held, RateMeasure
-from freebody.model.elements import Rub as RubElement
+from freebody.model.elements import ConstraintRow, NonholonomicForm, UnilateralConstraint
+from freebody.model.elements import DryFriction as RubElement
 from freebody.numeric.contact.problem import ContactProblem, Rub
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.engine import Engine, Rows, Watch, packed
@@ -29,7 +29,7 @@ TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a
 
 
 @dataclass(frozen=True)
-class Barrier:
+class UnilateralRow:
     """A bound in numbers: gap = sign * row, >= 0."""
 
     name: str
@@ -42,14 +42,14 @@ class Barrier:
     within: tuple[tuple[int, float, float], ...]  # rows that must be between two values
     family: str
     obstacle: str
-    bound: Bound
+    bound: UnilateralConstraint
     is_ideal: bool = False
     grips: tuple[int, ...] = ()  # places of rows that are held with it
     radius: float = np.nan  # of a gap that is a distance without it
 
 
 @dataclass(frozen=True)
-class Drag:
+class FrictionRow:
     """Dry friction in numbers: the row of its slip, and the place of the row that keeps it."""
 
     name: str
@@ -94,7 +94,7 @@ class Bounded:
     """All rows of a system, its barriers and drags."""
 
     def __init__(
-        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()
+        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
     ) -> None:
         system = numbers.system
         n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
@@ -108,7 +108,7 @@ class Bounded:
         self._packing = packing = packed(numbers, watches, tracked)
         self.rows = system.rows
         places = {row.name: k for k, row in enumerate(self.rows)}
-        ideal = [Bound(row) for row in system.held if row.unilateral]
+        ideal = [UnilateralConstraint(row) for row in system.held if row.unilateral]
         # in the order of their names: where several outcomes are alike, none in the file chooses one
         bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
         rubs = sorted(enumerate(system.rubs), key=lambda numbered: numbered[1].name)
@@ -130,7 +130,7 @@ class Bounded:
         self.barriers = [self._barrier(b, places[b.name], grips.get(b.name, ()), b in ideal) for b in bounds]
         number = {barrier.name: k for k, barrier in enumerate(self.barriers)}
         self.drags = [
-            Drag(
+            FrictionRow(
                 rub.name,
                 (rub.row.ends[0], rub.row.ends[1]) if len(rub.row.ends) > 1 else (rub.row.connection, ""),
                 self.written.row_of_rub(k),
@@ -150,7 +150,9 @@ class Bounded:
         row = self.rows[loads[0]] if len(loads) == 1 else None
         return row.sign if row is not None and row.unilateral else 0
 
-    def _barrier(self, bound: Bound, place: int, grips: tuple[int, ...], is_ideal: bool) -> Barrier:
+    def _barrier(
+        self, bound: UnilateralConstraint, place: int, grips: tuple[int, ...], is_ideal: bool
+    ) -> UnilateralRow:
         number, row = self.numbers.number, bound.row
         kind = "string" if row.reaction == "tension" else "stop" if row.reaction.startswith("stop") else "contact"
         ends = (
@@ -162,7 +164,7 @@ class Bounded:
             bodies = list(dict.fromkeys(row.measure.bodies()))
             ends = (bodies[0], bodies[1] if len(bodies) > 1 else row.connection)
         tolerance = TOUCHING * self.numbers.length
-        return Barrier(
+        return UnilateralRow(
             bound.name,
             ends,
             kind,
@@ -365,7 +367,7 @@ class Bounded:
         )
         return max(static, kinetic), kinetic
 
-    def is_angle(self, row: Held) -> bool:
+    def is_angle(self, row: ConstraintRow) -> bool:
         return row.measure.dimension == DIMENSIONLESS
 
     def keep(self, drag: int, now: Instant) -> None:
@@ -393,6 +395,6 @@ class Problem:
         return replace(self, matrices=replace(self.matrices, b=b))
 
 
-def within(barrier: Barrier, rows: Floats, slack: float = 0.0) -> bool:
+def within(barrier: UnilateralRow, rows: Floats, slack: float = 0.0) -> bool:
     """Whether a barrier exists, by the rows of an engine at the instant that it looked at last."""
     return all(low - slack <= rows[row, dynamics.VALUE] <= high + slack for row, low, high in barrier.within)

@@ -19,7 +19,7 @@ from freebody.numeric.contact.record import Phase, merged
 from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, Transition
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine import dynamics
-from freebody.numeric.engine.course import Collision, Course, Happening, Status
+from freebody.numeric.engine.course import Collision, Event, Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.motion import stopped
@@ -43,7 +43,7 @@ class Hybrid:
         self.bounded, self.options = bounded, options
         self.transition = Transition(bounded, options.law, jams=options.jams)
         self.phases: list[Phase] = []
-        self.events: list[Happening] = []
+        self.events: list[Event] = []
         self.collisions: list[Collision] = []
         self.several: float | None = None  # when first several outcomes were consistent
         self.ahead: tuple[float, float] | None = None  # when the most energy was there for a moment, and how much
@@ -56,7 +56,7 @@ class Hybrid:
 
     def run(
         self, y: Floats, start: float, until: float, outputs: Floats, near: Floats, progress: Progress | None = None
-    ) -> Course:
+    ) -> Trajectory:
         """The motion from a state; outputs: times at which it is wanted."""
         self.bounded.free.compile(is_guarded=True)
         began = time.perf_counter()
@@ -98,7 +98,7 @@ class Hybrid:
             if is_open:
                 self._share(engine, mode, y, t)
             is_soft = bool(mode.closed) and is_open
-            course: Course = engine.run(
+            course: Trajectory = engine.run(
                 y,
                 until,
                 replace(self.options, max_seconds=left, max_steps=steps_left),
@@ -315,7 +315,7 @@ class Hybrid:
         )
 
     # -- the result ---------------------------------------------------------------------------
-    def _course(self, status: Status, message: str, wall: float) -> Course:
+    def _course(self, status: Status, message: str, wall: float) -> Trajectory:
         events = tuple(sorted(self.events, key=lambda e: e.time))
         grew = [c for c in self.collisions if c.energy_grew]
         if grew:

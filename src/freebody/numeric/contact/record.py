@@ -6,9 +6,9 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import Bounded, Drag, ModeOf
+from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf
 from freebody.numeric.engine import stepping
-from freebody.numeric.engine.course import Collision, ContactRecord, Course, Happening, Rotation, Status, Tracks
+from freebody.numeric.engine.course import Collision, ContactRecord, Event, Rotation, Status, Tracks, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
 
@@ -19,7 +19,7 @@ ABSENT = 2  # in `ContactRecord.slips`: no friction
 class Phase:
     """A part of a motion in one mode."""
 
-    course: Course
+    course: Trajectory
     engine: Engine
     mode: ModeOf
 
@@ -30,12 +30,12 @@ def merged(
     status: Status,
     message: str,
     wall: float,
-    events: tuple[Happening, ...],
+    events: tuple[Event, ...],
     collisions: tuple[Collision, ...],
-) -> Course:
+) -> Trajectory:
     """One course of all phases. At an instant between two phases it has the state after it; multipliers are those of
     all rows that may be held, zero where they are not, and friction forces where friction slides."""
-    parts: list[tuple[Course, slice]] = []
+    parts: list[tuple[Trajectory, slice]] = []
     for k, phase in enumerate(phases):
         times = phase.course.times
         following = phases[k + 1].course.times[0] if k + 1 < len(phases) else np.inf
@@ -54,7 +54,7 @@ def merged(
     last = courses[-1]
     times = joined("times")
     with_tracks = [c.tracks for c in courses if len(c.tracks.times)]
-    return Course(
+    return Trajectory(
         status=status,
         message=message,
         times=times,
@@ -94,7 +94,7 @@ def merged(
     )
 
 
-def _rotation(parts: list[tuple[Course, slice]]) -> Rotation | None:
+def _rotation(parts: list[tuple[Trajectory, slice]]) -> Rotation | None:
     """How bodies turn along all phases, in space."""
     known = [(course.rotation, part) for course, part in parts if course.rotation is not None and part.stop > 0]
     if not known:
@@ -146,7 +146,7 @@ def _share(bounded: Bounded, group: tuple[int, ...], multipliers: Floats, unique
         unique[:, bounded.drags[k].keeps] = 0.0
 
 
-def _load(bounded: Bounded, phase: Phase, drag: Drag, state: int, multipliers: Floats) -> Floats:
+def _load(bounded: Bounded, phase: Phase, drag: FrictionRow, state: int, multipliers: Floats) -> Floats:
     """(n_times,) size of the force of a friction that slides in a direction."""
     if drag.loads:
         c = bounded.numbers.number(drag.rub.coefficient(state))

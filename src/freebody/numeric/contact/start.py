@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.model.elements import Bound, RateMeasure
+from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
@@ -23,7 +23,7 @@ PENETRATION = 1e-9  # by the size of the system: less than this is round-off
 N_ROUNDS = 12
 MOST_PAIRS = 2000
 
-Extra = list[tuple[Measure | RateMeasure, float]]
+Extra = list[tuple[Measure | NonholonomicForm, float]]
 
 
 def assembled_touching(reference: Reference) -> Array:
@@ -36,7 +36,7 @@ def assembled_touching(reference: Reference) -> Array:
         q = reference.assemble()
         _refuse_penetration(reference, q, bounds)
         return q
-    closed: dict[str, Bound] = {}
+    closed: dict[str, UnilateralConstraint] = {}
     turning = _turning(reference, bounds, closing)
     q = reference.assemble()
     for _ in range(N_ROUNDS):
@@ -49,7 +49,7 @@ def assembled_touching(reference: Reference) -> Array:
     return q
 
 
-def _placed(reference: Reference, closed: Mapping[str, Bound], turning: dict[str, str]) -> Array:
+def _placed(reference: Reference, closed: Mapping[str, UnilateralConstraint], turning: dict[str, str]) -> Array:
     """The pose with the closed bounds; bodies without an angle, of which one corner touches, do not turn yet."""
     upright: Extra = []
     for family, body in turning.items():
@@ -80,18 +80,18 @@ def is_crowd(system: System) -> bool:
     return len(system.contacts) > MOST_PAIRS
 
 
-def _extra(reference: Reference, closed: Mapping[str, Bound]) -> Extra:
+def _extra(reference: Reference, closed: Mapping[str, UnilateralConstraint]) -> Extra:
     return [(b.row.measure, 0.0 if b.row.target is None else reference.number(b.row.target)) for b in closed.values()]
 
 
 def _next(
     reference: Reference,
     q: Array,
-    bounds: tuple[Bound, ...],
+    bounds: tuple[UnilateralConstraint, ...],
     closing: set[str],
-    closed: dict[str, Bound],
+    closed: dict[str, UnilateralConstraint],
     turning: dict[str, str],
-) -> Bound | None:
+) -> UnilateralConstraint | None:
     """What must be closed next: the nearest place of a family that does not touch yet, the deepest one that would be
     inside, and a second corner of a body whose angle nobody gave, which then lies flat."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
@@ -114,14 +114,16 @@ def _next(
     return None
 
 
-def _foot(reference: Reference, g: JetGeometry, own: list[Bound], name: str) -> list[Bound]:
+def _foot(
+    reference: Reference, g: JetGeometry, own: list[UnilateralConstraint], name: str
+) -> list[UnilateralConstraint]:
     """The two corners of the side on which a polygon will lie: of the lower sides the one that is turned least."""
     body = reference.system.bodies[name]
     by_corner = {b.row.ends[0].partition(".")[2]: b for b in own}
     heights = {corner: gap_of(reference, g, b) for corner, b in by_corner.items()}
     middle = sum(heights.values()) / len(heights)
     corners = list(body.corners)
-    best: tuple[float, list[Bound]] | None = None
+    best: tuple[float, list[UnilateralConstraint]] | None = None
     for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
         length = math.dist(*([reference.number(c) for c in body.points[corner]] for corner in (a, b)))
         slope = abs(heights[a] - heights[b]) / length
@@ -131,12 +133,12 @@ def _foot(reference: Reference, g: JetGeometry, own: list[Bound], name: str) -> 
     return best[1]
 
 
-def _reach(reference: Reference, g: JetGeometry, bound: Bound, gap: float) -> float:
+def _reach(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, gap: float) -> float:
     """How near a place is to touching; edges that face away come last."""
     return gap if not bound.obstacle or gap >= -PENETRATION * reference.sizes.length else math.inf
 
 
-def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str]) -> dict[str, str]:
+def _turning(reference: Reference, bounds: tuple[UnilateralConstraint, ...], closing: set[str]) -> dict[str, str]:
     """Families of a polygon on a line whose angle nobody gave: it will lie flat; with the body."""
     system = reference.system
     found: dict[str, str] = {}
@@ -154,16 +156,16 @@ def _turning(reference: Reference, bounds: tuple[Bound, ...], closing: set[str])
     return found
 
 
-def gap_of(reference: Reference, g: JetGeometry, bound: Bound) -> float:
+def gap_of(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
     """The gap of a bound [m or rad]."""
     value = reference.jet(g, bound.row.measure, bound.name).value
     target = 0.0 if bound.row.target is None else reference.number(bound.row.target)
-    if bound.row.target is None and not isinstance(bound.row.measure, RateMeasure):
+    if bound.row.target is None and not isinstance(bound.row.measure, NonholonomicForm):
         target = reference.start_value(bound.row.measure)
     return bound.row.sign * (value - target)
 
 
-def far_sides(reference: Reference, q: Array, bounds: Sequence[Bound]) -> set[str]:
+def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstraint]) -> set[str]:
     """Of the two sides of a rod that a corner or a circle touches, that on which it is not: one thing is touched once.
     It is on the side that it would pass through: with the narrower gap, then where it approaches, then where the loads
     drive it; where nothing tells, the side whose name comes last is the far one."""
@@ -179,7 +181,7 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[Bound]) -> set[st
     size, fastest = reference.sizes.length, float(np.abs(v / reference.sizes.unit_moves).max(initial=0.0))
     hardest = float(np.abs(driven / reference.sizes.unit_moves).max(initial=0.0))
 
-    def depth(bound: Bound) -> tuple[int, int, int, str]:
+    def depth(bound: UnilateralConstraint) -> tuple[int, int, int, str]:
         """What is least for the side that is touched, in parts of what is round-off."""
         slope, bias = slopes[bound.name], bound.row.sign * jets[bound.name].bias
         tells = gap_of(reference, g, bound) / size, float(slope @ v) / fastest if fastest else 0.0
@@ -195,7 +197,7 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[Bound]) -> set[st
     return found
 
 
-def _exists(reference: Reference, g: JetGeometry, bound: Bound) -> bool:
+def _exists(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> bool:
     tolerance = PENETRATION * reference.sizes.length
     for span in bound.within:
         value = reference.jet(g, span.measure, bound.name).value
@@ -206,12 +208,12 @@ def _exists(reference: Reference, g: JetGeometry, bound: Bound) -> bool:
     return True
 
 
-def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...]) -> None:
+def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[UnilateralConstraint, ...]) -> None:
     """What is inside another body, and how deep. A corner is inside a polygon if it is behind all of its edges: then
     the least deep of them counts. Two polygons overlap if no edge of either has all of the other before it, which they
     may without a corner inside."""
     g = reference.geometry(q, np.zeros_like(q), 0.0)
-    faced: dict[str, list[tuple[float, Bound]]] = {}
+    faced: dict[str, list[tuple[float, UnilateralConstraint]]] = {}
     found: list[str] = []
     for bound in bounds:
         gap = gap_of(reference, g, bound)
@@ -232,7 +234,7 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Bound, ...
         )
 
 
-def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[Bound, ...]) -> list[str]:
+def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[UnilateralConstraint, ...]) -> list[str]:
     """Polygons that overlap: by the separating axis theorem the widest of the narrowest gaps of all edges is
     negative."""
     bodies = reference.system.bodies
@@ -253,7 +255,7 @@ def _overlaps(reference: Reference, g: JetGeometry, bounds: tuple[Bound, ...]) -
     return found
 
 
-def _said(bound: Bound, depth: float) -> str:
+def _said(bound: UnilateralConstraint, depth: float) -> str:
     row = bound.row
     unit = {LENGTH: "m", DIMENSIONLESS: "rad"}.get(row.measure.dimension, "")
     if row.reaction.startswith("stop"):

@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from freebody.numeric.engine.cells import Floats
-from freebody.numeric.engine.course import Course, Rotation
+from freebody.numeric.engine.course import Rotation, Trajectory
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.rotation import (
     from_quaternion,
@@ -28,7 +28,7 @@ STILL = np.array([1.0, 0.0, 0.0, 0.0])  # the quaternion of no turn
 
 
 class Track(NamedTuple):
-    """Bodies along a motion, as a `Course` has them."""
+    """Bodies along a motion, as a `Trajectory` has them."""
 
     poses: Floats
     velocities: Floats
@@ -62,11 +62,11 @@ class Border(Protocol):
         """Poses and velocities of a state; the inverse of `state`."""
         ...
 
-    def states(self, course: Course, part: slice = ALL) -> Floats:
+    def states(self, course: Trajectory, part: slice = ALL) -> Floats:
         """(n_times, n_y) states along a motion, without the work done."""
         ...
 
-    def accelerations(self, course: Course) -> Floats:
+    def accelerations(self, course: Trajectory) -> Floats:
         """(n_times, n_coordinates) accelerations along a motion."""
         ...
 
@@ -104,7 +104,7 @@ class PlaneBorder:
         n = self.n_coordinates
         return y[: n - 3].reshape(-1, 3).copy(), y[n : 2 * n - 3].reshape(-1, 3).copy()
 
-    def states(self, course: Course, part: slice = ALL) -> Floats:
+    def states(self, course: Trajectory, part: slice = ALL) -> Floats:
         n = self.n_coordinates
         n_times = len(course.times[part])
         states = np.zeros((n_times, self.n_y))
@@ -112,7 +112,7 @@ class PlaneBorder:
         states[:, n : 2 * n] = course.velocities[part].reshape(n_times, n)
         return states
 
-    def accelerations(self, course: Course) -> Floats:
+    def accelerations(self, course: Trajectory) -> Floats:
         return np.ascontiguousarray(course.accelerations.reshape(len(course.times), self.n_coordinates))
 
     def track(self, states: Floats, accelerations: Floats) -> Track:
@@ -161,7 +161,7 @@ class SpaceBorder:
             poses[k, 3:] = rotation_vector(from_quaternion(q))
         return poses, velocities
 
-    def states(self, course: Course, part: slice = ALL) -> Floats:
+    def states(self, course: Trajectory, part: slice = ALL) -> Floats:
         assert course.rotation is not None
         n, rotation = self.n_coordinates, course.rotation
         n_times = len(course.times[part])
@@ -174,7 +174,7 @@ class SpaceBorder:
         states[:, 2 * n + 1 :] = frames[:, :-1].reshape(n_times, -1)
         return states
 
-    def accelerations(self, course: Course) -> Floats:
+    def accelerations(self, course: Trajectory) -> Floats:
         assert course.rotation is not None
         frames = product(course.rotation.quaternions, self._own)
         turning = turned(inverse(frames), course.rotation.accelerations)

@@ -34,7 +34,7 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True)
-class Happening:
+class Event:
     """An event of a motion. kind: "rising", "falling", "touch" (zero without a crossing), "start" (zero when the motion
     begins) or "zero" (zero all along, said once); of contacts and friction what happens to them: "touches", "rebounds",
     "comes to rest", "parts", "starts to slip", "stops slipping", "slips back", "goes taut", "goes slack"; "starts to
@@ -117,7 +117,7 @@ class Rotation:
 
 
 @dataclass(frozen=True)
-class Course:
+class Trajectory:
     """A motion in arrays. The last body is the fixed one. SI units, angles in rad. In space poses, velocities and
     accelerations are x, y, z of the mass centres, and `rotation` has the rest."""
 
@@ -130,7 +130,7 @@ class Course:
     multipliers: Floats  # (n_times, n_held), in the order of the model
     unique: NDArray[np.bool_]  # (n_times, n_held)
     work: Floats  # (n_times,): by loads without a potential and by drivers, since the start [J]
-    happenings: tuple[Happening, ...]
+    happenings: tuple[Event, ...]
     n_steps: int
     n_evaluations: int
     n_rejected: int

@@ -12,10 +12,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.model.elements import RATE, VALUE, RateMeasure
+from freebody.model.elements import RATE, VALUE, NonholonomicForm
 from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.border import border_of
-from freebody.numeric.engine.course import Course
+from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.following import follow
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, Layout, room_for
@@ -40,7 +40,7 @@ class Watch:
     """Something whose zero is an event: a measure (order 0) or its rate (order 1) minus a value."""
 
     name: str
-    measure: Measure | RateMeasure
+    measure: Measure | NonholonomicForm
     order: int = 0
     value: float = 0.0
     direction: int = 0  # 1: rising only, -1: falling only
@@ -92,15 +92,15 @@ class Packed:
         n, n_bodies = self.n_coordinates, self.n_bodies + 1
         return y[:n].reshape(n_bodies, -1), y[n : 2 * n].reshape(n_bodies, -1)
 
-    def states(self, course: Course) -> Floats:
+    def states(self, course: Trajectory) -> Floats:
         """(n_times, n_y) states along a motion."""
         return self.border.states(course)
 
-    def state_at(self, course: Course, k: int) -> Floats:
+    def state_at(self, course: Trajectory, k: int) -> Floats:
         """The state at output k of a motion."""
         return self.border.states(course, slice(k, k + 1 or None))[0]
 
-    def accelerations(self, course: Course) -> Floats:
+    def accelerations(self, course: Trajectory) -> Floats:
         """(n_times, n_coordinates) accelerations along a motion."""
         return self.border.accelerations(course)
 
@@ -137,7 +137,9 @@ class Packed:
         self.room.measures[:, NEAR] = near
 
 
-def packed(numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | RateMeasure] = ()) -> Packing:
+def packed(
+    numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
+) -> Packing:
     """The held rows and loads of a system, and what is watched."""
     packing = Packing(numbers)
     for row in numbers.system.held:
@@ -155,14 +157,14 @@ def packed(numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Me
 class Observer(Packed):
     """Measures that are watched along a motion that is known."""
 
-    def __init__(self, numbers: Numbers, measures: Sequence[Measure | RateMeasure]) -> None:
+    def __init__(self, numbers: Numbers, measures: Sequence[Measure | NonholonomicForm]) -> None:
         packing = Packing(numbers)
         for measure in measures:
             packing.watch(measure)
         super().__init__(numbers, packing)
         self.measures = tuple(measures)
 
-    def along(self, course: Course) -> dict[Measure | RateMeasure, tuple[Floats, Floats, Floats]]:
+    def along(self, course: Trajectory) -> dict[Measure | NonholonomicForm, tuple[Floats, Floats, Floats]]:
         """(n_times,) value, rate and second derivative of each measure."""
         n_times, n_rows = len(course.times), len(self.room.rows)
         states, accelerations = self.states(course), self.accelerations(course)
@@ -188,7 +190,7 @@ class Engine(Packed):
         self,
         numbers: Numbers,
         watches: Sequence[Watch] = (),
-        tracked: Sequence[Measure | RateMeasure] = (),
+        tracked: Sequence[Measure | NonholonomicForm] = (),
         mode: Rows | None = None,
     ) -> None:
         """tracked: measures whose turns are to be counted in every step of a motion. mode: another choice of held rows
@@ -275,7 +277,7 @@ class Engine(Packed):
         push, rows = self.pushes[p], self.room.rows
         own = rows[self.layout.push[p, 0]]
         names = {**self.numbers.values, "t": t, RATE.name: float(own[dynamics.RATE])}
-        if not isinstance(push.measure, RateMeasure):
+        if not isinstance(push.measure, NonholonomicForm):
             names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(push.measure)
         for name, measure in push.measures:
             other = rows[self.rows[measure]]
@@ -356,7 +358,7 @@ class Engine(Packed):
         outputs: Floats | None = None,
         progress: Progress | None = None,
         guarded: Guarding | None = None,
-    ) -> Course:
+    ) -> Trajectory:
         """The motion from a state at the time `start` [s] to `until`, or to a terminal event. first_step: [s], chosen
         if it is zero. outputs: times at which the motion is wanted, besides its events and its end. guarded: what is
         known of the guards of the mode, of which the first violation is the end."""

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.numeric.engine import stepping
-from freebody.numeric.engine.course import Happening
+from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.search import Zero
 
@@ -55,7 +55,7 @@ def found_in_step(motion: Motion, until: float | None = None) -> bool:
             break
         watch = motion.engine.watches[k]
         t, state = _mended(motion, watch, k, zero, t0, h)
-        happening = Happening(t, watch.name, zero.kind, watch.is_terminal and zero.kind != "touch")
+        happening = Event(t, watch.name, zero.kind, watch.is_terminal and zero.kind != "touch")
         motion.add(happening, state)
         if happening.is_terminal:
             return True

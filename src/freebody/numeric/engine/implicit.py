@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, evaluate
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.layout import Floats, Layout
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
@@ -208,10 +208,10 @@ class Slopes:
         return result
 
 
-def _derivatives(push: Push) -> list[tuple[Expr, Any, bool]]:
+def _derivatives(push: AppliedLoad) -> list[tuple[Expr, Any, bool]]:
     """Of a law: the derivative, the measure by which it is taken (None: its own), and whether by its rate."""
     found: list[tuple[Expr, Any, bool]] = []
-    if not isinstance(push.measure, RateMeasure):
+    if not isinstance(push.measure, NonholonomicForm):
         found.append((differentiate(push.law, VALUE.name), None, False))
     found.append((differentiate(push.law, RATE.name), None, True))
     found += [(differentiate(push.law, name), measure, False) for name, measure in push.measures]

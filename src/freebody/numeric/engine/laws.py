@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.language.expression import ZERO, Expr, differentiate, free_symbols, has_jump, substitute
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.engine.tapes import constant_value
 
 
@@ -23,10 +23,10 @@ def linear_law(law: Expr, values: Mapping[str, float]) -> tuple[float, float, fl
     return None if a is None or b is None or c is None else (a, b, c)
 
 
-def stored_law(push: Push, values: Mapping[str, float]) -> tuple[float, float] | None:
+def stored_law(push: AppliedLoad, values: Mapping[str, float]) -> tuple[float, float] | None:
     """(c0, c1) of a load whose law is c0 + c1 value, so that its energy is stored; None for others, whose work is
     integrated with the motion."""
     linear = linear_law(push.law, values)
-    if linear is None or linear[2] != 0.0 or isinstance(push.measure, RateMeasure):
+    if linear is None or linear[2] != 0.0 or isinstance(push.measure, NonholonomicForm):
         return None
     return linear[:2]

@@ -12,11 +12,11 @@ import numpy as np
 from freebody.language.expression import free_symbols, has_jump
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.counting import Counting, bearings_at
-from freebody.numeric.engine.course import NO_TRACKS, Course, Happening, Status
+from freebody.numeric.engine.course import NO_TRACKS, Event, Status, Trajectory
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.patrol import Guarding, Patrol, Violation
+from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
 from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.options import SimulationOptions
 
@@ -61,18 +61,18 @@ class Motion:
         self.notes: list[str] = []
         self.counting: Counting | None = None
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
-        self.happenings: list[Happening] = []
+        self.happenings: list[Event] = []
         self.implicit: Implicit | None = None
-        self.patrol: Patrol | None = None
+        self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
 
     def guard(self, guarding: Guarding) -> None:
-        """The first violation of a guard of the layout ends the motion; see `Patrol`."""
-        self.patrol = Patrol(self, guarding)
+        """The first violation of a guard of the layout ends the motion; see `GuardMonitor`."""
+        self.patrol = GuardMonitor(self, guarding)
         self.run.count[stepping.IS_WATCHED] = 1
 
     # -- the loop -----------------------------------------------------------------------------
-    def course(self, began: float, progress: Progress | None) -> Course:
+    def course(self, began: float, progress: Progress | None) -> Trajectory:
         max_seconds, max_steps = self.options.max_seconds, self.options.max_steps
         clock, count = self.run.clock, self.run.count
         status, message, note = Status.FINISHED, "", ""
@@ -190,7 +190,7 @@ class Motion:
             search.calibrate(self.run, value)
             self.searches.append(search)
             if abs(value) <= search.zero:
-                self.happenings.append(Happening(self.start, watch.name, "start"))
+                self.happenings.append(Event(self.start, watch.name, "start"))
 
     def _store_start(self) -> None:
         """Output times that are not after the start get the start."""
@@ -252,7 +252,7 @@ class Motion:
     def say_zero(self, watch: Watch, t: float) -> None:
         """Notes, once, that something is zero throughout."""
         if all(h.name != watch.name or h.kind != "zero" for h in self.happenings):
-            self.happenings.append(Happening(t, watch.name, "zero"))
+            self.happenings.append(Event(t, watch.name, "zero"))
 
     def say_unsearched(self, what: str, part: float) -> None:
         """Notes that events may have been overlooked in the last step from a part of it on."""
@@ -264,7 +264,7 @@ class Motion:
         )
         self.notes.append(said)
 
-    def add(self, happening: Happening, state: Floats | None) -> None:
+    def add(self, happening: Event, state: Floats | None) -> None:
         """Notes an event, and the motion at its instant."""
         self.happenings.append(happening)
         if state is not None:
@@ -297,7 +297,7 @@ class Motion:
         return diagnosed(self.engine, self.run)
 
     # -- the result ---------------------------------------------------------------------------
-    def _collected(self, status: Status, message: str, wall: float) -> Course:
+    def _collected(self, status: Status, message: str, wall: float) -> Trajectory:
         e, run, n = self.engine, self.run, self.engine.n_coordinates
         tracks = NO_TRACKS if self.counting is None else self.counting.tracks()
         k = int(run.count[stepping.OUTPUTS])
@@ -331,7 +331,7 @@ class Motion:
             tracks = tracks.until(last)
             near = bearings_at(e, tracks.bearings[-1], T[-1:], Y[-1:])[0]
         track = e.border.track(Y, np.array(accelerations)[order].reshape(len(T), n))
-        return Course(
+        return Trajectory(
             status=status,
             message=message,
             times=T,

@@ -14,7 +14,14 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, Direction, Point
 from freebody.measures.turn import Alignment
-from freebody.model.elements import Bound, Component, Held, Push, RateMeasure, Rub
+from freebody.model.elements import (
+    AppliedLoad,
+    Component,
+    ConstraintRow,
+    DryFriction,
+    NonholonomicForm,
+    UnilateralConstraint,
+)
 from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
 from freebody.numeric.engine.layout import Floats
@@ -48,7 +55,7 @@ class Hold:
 
     where: Where
     target: Expr | None
-    held: Held
+    held: ConstraintRow
     is_place: bool
 
 
@@ -58,7 +65,7 @@ class Slide:
     its load is among them."""
 
     where: Where
-    rub: Rub
+    rub: DryFriction
     keeps: int
     loads: tuple[int, ...]
     sign: int
@@ -93,11 +100,11 @@ class Packing:
         self._base: dict[Base, int] = {}
         self.bases: list[Base] = []
         self.other: list[Composition | Product] = []
-        self.by_measure: dict[Measure | RateMeasure, Where] = {}
+        self.by_measure: dict[Measure | NonholonomicForm, Where] = {}
         self.held: list[Hold] = []
         self.rubs: list[Slide] = []
         self.watched: list[Where] = []
-        self.pushed: list[tuple[Where, Push, tuple[float, float, float] | None, bool]] = []
+        self.pushed: list[tuple[Where, AppliedLoad, tuple[float, float, float] | None, bool]] = []
 
     # -- measures -----------------------------------------------------------------------------
     def _body(self, name: str) -> int:
@@ -177,14 +184,14 @@ class Packing:
             return total
         return self._elementary(measure)
 
-    def row(self, measure: Measure | RateMeasure) -> Where:
+    def row(self, measure: Measure | NonholonomicForm) -> Where:
         """The row of a measure, made when it is first asked for."""
         if measure not in self.by_measure:
             self.by_measure[measure] = self._new_row(measure)
         return self.by_measure[measure]
 
-    def _new_row(self, measure: Measure | RateMeasure) -> Where:
-        if isinstance(measure, RateMeasure):
+    def _new_row(self, measure: Measure | NonholonomicForm) -> Where:
+        if isinstance(measure, NonholonomicForm):
             terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
             self.other.append(Product(terms))
             return "other", len(self.other) - 1
@@ -253,11 +260,11 @@ class Packing:
         return {old: new for new, old in enumerate(order)}
 
     # -- held rows and loads ------------------------------------------------------------------
-    def hold(self, held: Held) -> int:
+    def hold(self, held: ConstraintRow) -> int:
         """Enters a row that may be held, and gives its place among them; what it is held at, as far as it is constant,
         becomes part of the row."""
         row, target = self.row(held.measure), held.target
-        if isinstance(held.measure, RateMeasure):
+        if isinstance(held.measure, NonholonomicForm):
             return self._hold(row, target, held)
         offset = 0.0
         if target is None:
@@ -274,12 +281,12 @@ class Packing:
             row = "other", len(self.other) - 1
         return self._hold(row, target, held)
 
-    def _hold(self, row: Where, target: Expr | None, held: Held, *, is_place: bool = True) -> int:
-        is_place = is_place and not isinstance(held.measure, RateMeasure)
+    def _hold(self, row: Where, target: Expr | None, held: ConstraintRow, *, is_place: bool = True) -> int:
+        is_place = is_place and not isinstance(held.measure, NonholonomicForm)
         self.held.append(Hold(row, target, held, is_place))
         return len(self.held) - 1
 
-    def bound(self, bound: Bound) -> int:
+    def bound(self, bound: UnilateralConstraint) -> int:
         """Enters a row that is held while a bound is closed, and what says where the contact exists."""
         place = self.hold(bound.row)
         self.watched.append(self.held[place].where)
@@ -287,7 +294,7 @@ class Packing:
             self.watch(span.measure)
         return place
 
-    def rub(self, rub: Rub, loads: tuple[int, ...], sign: int) -> int:
+    def rub(self, rub: DryFriction, loads: tuple[int, ...], sign: int) -> int:
         """Enters dry friction, and gives the place of the row that keeps it where it is; what that is, `Written.keep`
         says. loads: places of the rows whose multipliers press; sign: of a single one that can only push."""
         where = self.row(rub.row.measure)
@@ -302,14 +309,14 @@ class Packing:
         self.rubs.append(Slide(where, rub, keeps, loads, sign))
         return keeps
 
-    def watch(self, measure: Measure | RateMeasure) -> None:
+    def watch(self, measure: Measure | NonholonomicForm) -> None:
         """Enters a measure whose value and rate are wanted."""
         self.watched.append(self.row(measure))
 
-    def push(self, push: Push) -> None:
+    def push(self, push: AppliedLoad) -> None:
         """Enters a load. One that never changes becomes a constant force."""
         linear = linear_law(push.law, self.numbers.values)
-        if linear is not None and not isinstance(push.measure, RateMeasure):
+        if linear is not None and not isinstance(push.measure, NonholonomicForm):
             if linear[1:] == (0.0, 0.0) and self._is_constant(push.measure, linear[0]):
                 return
             origin = self.numbers.start_value(push.measure)

@@ -158,7 +158,7 @@ class Gaps:
         return self._searches[k]
 
 
-class Patrol:
+class GuardMonitor:
     """The guards of one motion."""
 
     def __init__(self, motion: Motion, guarding: Guarding) -> None:

@@ -22,7 +22,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.geometry import Pose, SpatialPose, Vector
-from freebody.model.elements import Component, RateMeasure
+from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric.engine.layout import Floats, Ints, floats, ints
 from freebody.numeric.numbers import Numbers
 
@@ -65,13 +65,13 @@ class Writer:
         self._place = -1
 
     # -- programs -----------------------------------------------------------------------------
-    def program(self, measure: Measure | RateMeasure, order: int, sign: float = 1.0) -> Program:
+    def program(self, measure: Measure | NonholonomicForm, order: int, sign: float = 1.0) -> Program:
         """The value of a measure (order 0) or its rate (order 1), by a sign."""
-        node = self._rate_of(measure) if order or isinstance(measure, RateMeasure) else self._of(measure)
+        node = self._rate_of(measure) if order or isinstance(measure, NonholonomicForm) else self._of(measure)
         return self._written(sign * node)
 
-    def _rate_of(self, measure: Measure | RateMeasure) -> Node:
-        if isinstance(measure, RateMeasure):
+    def _rate_of(self, measure: Measure | NonholonomicForm) -> Node:
+        if isinstance(measure, NonholonomicForm):
             total = self.constant(0.0)
             for coefficient, part in measure.terms:
                 total = total + self._of(coefficient) * self._derivative(self._of(part))

@@ -14,7 +14,7 @@ import numpy as np
 
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
-from freebody.model.elements import VALUE, Push, RateMeasure, Rub
+from freebody.model.elements import VALUE, AppliedLoad, DryFriction, NonholonomicForm
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.complement import held_entries, schur_complement
 from freebody.numeric.engine.layout import Layout, floats, ints, pointers
@@ -208,7 +208,7 @@ class Written:
             if works or (linear is not None and linear[2] != 0.0):
                 rated.add(r)
             if linear is None:
-                is_place = not isinstance(push.measure, RateMeasure)
+                is_place = not isinstance(push.measure, NonholonomicForm)
                 origin = p.numbers.start_value(push.measure) if is_place else 0.0  # type: ignore[arg-type]
                 inputs = {VALUE.name: (r, -origin)}
                 tape = self._law(push.law, push, inputs, {"@rate": r}, rated)
@@ -218,7 +218,7 @@ class Written:
     def _law(
         self,
         law: Expr,
-        of: Push | Rub,
+        of: AppliedLoad | DryFriction,
         inputs: dict[str, tuple[int, float]],
         rates: dict[str, int],
         rated: set[int] | None = None,
@@ -231,7 +231,7 @@ class Written:
                 rated.add(row)
         return self._tapes.write(law, inputs, rates)
 
-    def _limit(self, rub: Rub) -> tuple[int, int]:
+    def _limit(self, rub: DryFriction) -> tuple[int, int]:
         """The tapes of the limits, at rest and in motion, of dry friction that nothing presses; else -1."""
         if rub.load:
             return -1, -1

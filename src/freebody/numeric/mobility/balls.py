@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from freebody.language.expression import Expr
-from freebody.model.elements import Held, RateMeasure, RigidBody, Rotation
+from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody, Rotation
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import Unclear
 from freebody.numeric.mobility.exact import (
@@ -49,7 +49,7 @@ class BallPose:
 class Balls:
     """Some rows of a system in balls. slopes: their gradients at the pose that is looked at, by speeds in floats."""
 
-    def __init__(self, reference: Reference, rows: Sequence[Held], t: float, slopes: Array) -> None:
+    def __init__(self, reference: Reference, rows: Sequence[ConstraintRow], t: float, slopes: Array) -> None:
         self.reference, self.rows, self.t = reference, rows, t
         self.slopes = _by_own_axes(reference, slopes)
         parameters, numbers = reference.system.parameters, reference.frame.values
@@ -165,14 +165,14 @@ class Balls:
         self._origins = {
             k: g.of(row.measure).value
             for k, row in enumerate(self.rows)
-            if not isinstance(row.measure, RateMeasure) and row.measure.incremental and row.target is None
+            if not isinstance(row.measure, NonholonomicForm) and row.measure.incremental and row.target is None
         }
 
     def gaps(self, pose: BallPose) -> list[Any]:
         """How far every row is from its target; zero for one that is only a rate."""
         g = self.geometry(pose, with_gradient=False)
         return [
-            BALLS.number(0) if isinstance(row.measure, RateMeasure) else g.gap(row, self._origins.get(k, 0)).value
+            BALLS.number(0) if isinstance(row.measure, NonholonomicForm) else g.gap(row, self._origins.get(k, 0)).value
             for k, row in enumerate(self.rows)
         ]
 
@@ -286,7 +286,7 @@ def refined(model: Balls, q: Array, tolerance: float) -> tuple[BallPose, str]:
     _pose, unknown = model.meant(q, 1e-12)
     # redundant rows that only keep their start values may contradict each other by the rounding of q: then they
     # count from a pose in which the others hold
-    closing = [not (isinstance(row.measure, RateMeasure) or row.measure.incremental) for row in model.rows]
+    closing = [not (isinstance(row.measure, NonholonomicForm) or row.measure.incremental) for row in model.rows]
     error: Unclear | None = None
     for free in (unknown, list(range(len(q)))):
         for some in (model,) if all(closing) else (model, model.fewer(closing)):

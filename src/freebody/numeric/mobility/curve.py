@@ -21,7 +21,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.measures.base import Measure
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array, Branch, JetGeometry
 from freebody.numeric.mobility.chart import Chart
@@ -67,7 +67,7 @@ class Mechanism:
         self.name = reference.name_of(measures[0]).replace("the measure", "the input")
         self.without = f"without {', '.join(released)}" if released else "with all connections"
         _refuse(reference, released)
-        rows = [row for row in reference.system.held if not isinstance(row.measure, RateMeasure)]
+        rows = [row for row in reference.system.held if not isinstance(row.measure, NonholonomicForm)]
         equations = zip(rows, reference.held_where(q, t), strict=True)
         self.equations = [equation for row, equation in equations if row.connection not in released]
         self.near = reference.geometry(q, np.zeros_like(q), t).angles
@@ -197,7 +197,7 @@ def _refuse(reference: Reference, released: Sequence[str]) -> None:
     for name in released:
         if name not in names:
             raise InputError(f"there is no connection {name} to release.{did_you_mean(name, names)}")
-    rates = [row.name for row in held if isinstance(row.measure, RateMeasure) and row.connection not in released]
+    rates = [row.name for row in held if isinstance(row.measure, NonholonomicForm) and row.connection not in released]
     if rates:
         raise CannotAnswer(
             f"{', '.join(rates)} holds a velocity, not a place, so poses alone do not say where the motion leads. "

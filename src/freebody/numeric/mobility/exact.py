@@ -19,7 +19,7 @@ from freebody.language.expression import Expr, evaluate
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Pose, SpatialPose, Vector
-from freebody.model.elements import Component, Held, Parameter, RateMeasure
+from freebody.model.elements import Component, ConstraintRow, NonholonomicForm, Parameter
 
 _flint: Any = flint
 BITS = 320  # of the balls; twice as many where that does not decide
@@ -271,18 +271,18 @@ class DualGeometry:
         self._poses: dict[str, Pose[Dual] | SpatialPose[Dual]] = {}
         self._scalars: dict[int, tuple[Expr, Dual]] = {}
 
-    def of(self, measure: Measure | RateMeasure | Component) -> Dual:
+    def of(self, measure: Measure | NonholonomicForm | Component) -> Dual:
         """Of a measure that is only a rate, the coefficients of the velocities in it as gradient."""
-        if not isinstance(measure, RateMeasure):
+        if not isinstance(measure, NonholonomicForm):
             return measure.value(self)
         total = Dual(self.arithmetic.number(0))
         for coefficient, term in measure.terms:
             total = total + self.of(term).chain(self.arithmetic.number(0), self.of(coefficient).value)
         return total
 
-    def gap(self, row: Held, origin: Any = 0) -> Dual:
+    def gap(self, row: ConstraintRow, origin: Any = 0) -> Dual:
         """How far a measure, counted from its origin, is from its target; angles up to full turns."""
-        if isinstance(row.measure, RateMeasure):
+        if isinstance(row.measure, NonholonomicForm):
             raise ValueError(f"{row.name} is only a rate")
         gap = self.of(row.measure) - origin
         if row.target is not None:

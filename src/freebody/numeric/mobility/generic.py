@@ -26,7 +26,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.measures.geometry import GROUND
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
@@ -132,7 +132,7 @@ class Framework:
             return best
         raise CannotAnswer(f"no random geometry was found in which all rows have a gradient: {why}")
 
-    def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[Held], Sequence[Held]]:
+    def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[ConstraintRow], Sequence[ConstraintRow]]:
         """The held rows of these names (None: all), and the rows that close where their connections are assembled."""
         held = self.model.system.held
         if names is None:
@@ -145,7 +145,12 @@ class Framework:
         return chosen, [row for row in self.model.assembled if row.connection in joined]
 
     def _rank(
-        self, held: Sequence[Held], closing: Sequence[Held], numbers: Array, open_rows: Sequence[Held], seed: int
+        self,
+        held: Sequence[ConstraintRow],
+        closing: Sequence[ConstraintRow],
+        numbers: Array,
+        open_rows: Sequence[ConstraintRow],
+        seed: int,
     ) -> Rank:
         with precision(BITS):
             balls, error = self._refined(closing, numbers)
@@ -236,7 +241,7 @@ class Framework:
         return numbers
 
     # -- fitting ------------------------------------------------------------------------------
-    def _fitted(self, rows: Sequence[Held], numbers: Array) -> Array:
+    def _fitted(self, rows: Sequence[ConstraintRow], numbers: Array) -> Array:
         """Changes symbols, and where these cannot do it poses too, until the rows close; the gaps that are left."""
         left = self.close(rows, numbers, self.symbols.values())
         if (left <= CLOSED).all():
@@ -248,7 +253,7 @@ class Framework:
         numbers[:] = before
         return left
 
-    def close(self, rows: Sequence[Held], numbers: Array, free: Iterable[int]) -> Array:
+    def close(self, rows: Sequence[ConstraintRow], numbers: Array, free: Iterable[int]) -> Array:
         """Changes free numbers in place, as little as possible, until rows close; the gaps that are left."""
         by = frozenset(free)
         gaps, gradients = self._gaps(rows, numbers, by)
@@ -261,7 +266,7 @@ class Framework:
         return left
 
     def _close_part(
-        self, rows: Sequence[Held], numbers: Array, by: frozenset[int], like: DualGeometry, changed: set[int]
+        self, rows: Sequence[ConstraintRow], numbers: Array, by: frozenset[int], like: DualGeometry, changed: set[int]
     ) -> Array:
         gaps, gradients = self._gaps(rows, numbers, by, like, changed)
         for _ in range(N_STEPS):
@@ -304,7 +309,7 @@ class Framework:
 
     def _gaps(
         self,
-        rows: Sequence[Held],
+        rows: Sequence[ConstraintRow],
         numbers: Array,
         by: frozenset[int],
         like: DualGeometry | None = None,
@@ -314,7 +319,7 @@ class Framework:
         duals = [g.gap(row) for row in rows]
         return np.array([dual.value for dual in duals], dtype=np.float64), [dual.gradient for dual in duals]
 
-    def _refined(self, rows: Sequence[Held], numbers: Array) -> tuple[list[Any], float]:
+    def _refined(self, rows: Sequence[ConstraintRow], numbers: Array) -> tuple[list[Any], float]:
         """The numbers as balls, changed until the rows close to many digits."""
         balls: list[Any] = [BALLS.number(Fraction(float(x))) for x in numbers]
         by = frozenset(self.symbols.values())

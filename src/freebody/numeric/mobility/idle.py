@@ -11,7 +11,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, position, unit
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.mobility.idle_in_space import AloneInSpace
 from freebody.numeric.mobility.rank import gradients
@@ -47,7 +47,7 @@ class _Alone:
     q: Array
     t: float
     body: str
-    rows: Sequence[Held]
+    rows: Sequence[ConstraintRow]
 
     @property
     def columns(self) -> list[int]:

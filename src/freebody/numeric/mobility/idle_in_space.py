@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.twists import Freedom, Screw, freedom
 from freebody.numeric.reference import Reference
@@ -27,7 +27,7 @@ class AloneInSpace:
     q: Array
     t: float
     body: str
-    rows: Sequence[Held]
+    rows: Sequence[ConstraintRow]
 
     def motions(self) -> Iterator[str]:
         """Its finite motions, in words: first turns about lines of its joints."""
@@ -55,7 +55,7 @@ class AloneInSpace:
     @cached_property
     def _own(self) -> dict[str, Freedom]:
         """What every connection alone leaves the body."""
-        by_name: dict[str, list[Held]] = {}
+        by_name: dict[str, list[ConstraintRow]] = {}
         for row in self.rows:
             by_name.setdefault(row.connection, []).append(row)
         return {name: freedom(self.reference, self.q, self.body, rows, self.t) for name, rows in by_name.items()}

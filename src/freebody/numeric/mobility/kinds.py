@@ -17,7 +17,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.generic import Framework
 from freebody.numeric.mobility.momentary import Neighbourhood
@@ -133,7 +133,7 @@ class _Study:
             raise CannotAnswer(rank.how.rpartition("; ")[2])
         return rank.rank
 
-    def _momentary(self, rows: Sequence[Held], connections: Sequence[str]) -> tuple[bool, bool]:
+    def _momentary(self, rows: Sequence[ConstraintRow], connections: Sequence[str]) -> tuple[bool, bool]:
         """Whether the last row is independent near by, and whether a freedom is only infinitesimal."""
         if self.around.is_rigid:
             return False, False
@@ -153,5 +153,5 @@ class _Study:
         return n_independent(scaled_rows(self.reference, q, [self.by_name[name] for name in names], self.t))
 
 
-def _is_driven(row: Held) -> bool:
+def _is_driven(row: ConstraintRow) -> bool:
     return row.target is not None and TIME in free_symbols(row.target)

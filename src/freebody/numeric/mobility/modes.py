@@ -27,7 +27,7 @@ from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point, position
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array, Branch, Jet
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.placing import ACCEPTED, Equation, Fit
@@ -121,7 +121,7 @@ class _Search:
     """The equations of one search."""
 
     def __init__(self, reference: Reference, q: Array, fixed: Sequence[tuple[Measure, float]], t: float) -> None:
-        rates = [row.name for row in reference.system.held if isinstance(row.measure, RateMeasure)]
+        rates = [row.name for row in reference.system.held if isinstance(row.measure, NonholonomicForm)]
         if rates:
             raise CannotAnswer(
                 f"{', '.join(rates)} holds a velocity, not a place, so poses are not finitely many. "

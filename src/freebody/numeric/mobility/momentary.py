@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.placing import Equation
@@ -44,7 +44,7 @@ class Neighbourhood:
     """How a mechanism, held by some rows, can move from a pose."""
 
     reference: Reference
-    held: Sequence[Held]
+    held: Sequence[ConstraintRow]
     q: Array
     t: float
 
@@ -74,7 +74,7 @@ class Neighbourhood:
         if self.is_rigid:
             return found
         sizes, g, frame = self.reference.sizes, self._geometry(np.zeros_like(self.q)), self.reference.frame
-        equations = [_kept(row, g) for row in self.held if not isinstance(row.measure, RateMeasure)]
+        equations = [_kept(row, g) for row in self.held if not isinstance(row.measure, NonholonomicForm)]
         for size in SIZES:
             for seed in range(N_SEEDS):
                 rng = np.random.default_rng(seed)
@@ -86,9 +86,9 @@ class Neighbourhood:
                     found.append((here, far / size))
         return found
 
-    def second_order(self, circuit: Sequence[Held]) -> tuple[bool, bool]:
+    def second_order(self, circuit: Sequence[ConstraintRow]) -> tuple[bool, bool]:
         """Whether Q of a circuit takes positive and negative values."""
-        if any(isinstance(row.measure, RateMeasure) for row in circuit):
+        if any(isinstance(row.measure, NonholonomicForm) for row in circuit):
             return False, False
         J = self._gradients(circuit) * self.reference.sizes.unit_moves
         scale = 1.0 / np.maximum(np.linalg.norm(J, axis=1), LEAST)
@@ -107,11 +107,11 @@ class Neighbourhood:
     def _geometry(self, v: Array) -> JetGeometry:
         return self.reference.geometry(self.q, v, self.t)
 
-    def _gradients(self, rows: Sequence[Held]) -> Array:
+    def _gradients(self, rows: Sequence[ConstraintRow]) -> Array:
         return gradients(self.reference, self.q, rows, self.t)
 
 
-def _kept(row: Held, g: JetGeometry) -> Equation:
+def _kept(row: ConstraintRow, g: JetGeometry) -> Equation:
     """A row stays where it is; the tangents that it meets are counted on from here."""
     return Equation.of(row.name, row.measure, Jet(g.of(row.measure).value))
 

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import FreebodyError, InputError
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.balls import Balls, refined, row_lengths
@@ -111,7 +111,7 @@ def _pose(q: Iterable[Any]) -> tuple[float, ...]:
     return tuple(float(x) for x in q)
 
 
-def rows_without(reference: Reference, without: Iterable[str]) -> list[Held]:
+def rows_without(reference: Reference, without: Iterable[str]) -> list[ConstraintRow]:
     """The held rows but those of these names, or of connections of these names."""
     held = reference.system.held
     known = {row.name for row in held} | {row.connection for row in held}
@@ -121,12 +121,12 @@ def rows_without(reference: Reference, without: Iterable[str]) -> list[Held]:
     return [row for row in held if row.name not in left_out and row.connection not in left_out]
 
 
-def scaled_rows(reference: Reference, q: Array, rows: Sequence[Held], t: float = 0.0) -> Array:
+def scaled_rows(reference: Reference, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
     """(n_rows, n_coordinates): gradients in coordinates by the size of the system, brought to unit length."""
     return unit_length(gradients(reference, q, rows, t) * reference.sizes.unit_moves)
 
 
-def gradients(reference: Reference, q: Array, rows: Sequence[Held], t: float = 0.0) -> Array:
+def gradients(reference: Reference, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
     """(n_rows, n_coordinates). Raises CannotAnswer where one is not finite."""
     g = reference.geometry(q, np.zeros_like(q), t)
     return stack([reference.gap(row, g).row(len(q)) for row in rows], len(q))
@@ -171,7 +171,7 @@ def _in_floats(J: Array, rank: int) -> tuple[Elimination, str]:
 
 # In balls ---------------------------------------------------------------------------------------
 def _in_balls(
-    reference: Reference, q: Array, t: float, rows: Sequence[Held]
+    reference: Reference, q: Array, t: float, rows: Sequence[ConstraintRow]
 ) -> tuple[Elimination | None, str, tuple[float, ...]]:
     """The rows eliminated at a pose known to many digits, how that was found, and the pose; None, and why not.
 

@@ -18,7 +18,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Point
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.scene import CHANGE, Bar, Change, Scene, leaves
 from freebody.tolerances import SAME_PLACE
@@ -107,8 +107,8 @@ def _round_bodies(scene: Scene) -> Iterator[str]:
             yield f"{listed(names)} have equal radii ({group[0][1]:.6g} m)"
 
 
-def _measures(measure: Measure | RateMeasure) -> Iterator[Measure]:
-    if not isinstance(measure, RateMeasure):
+def _measures(measure: Measure | NonholonomicForm) -> Iterator[Measure]:
+    if not isinstance(measure, NonholonomicForm):
         yield measure
     yield from leaves(measure)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, position
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.reasons import in_groups, listed
 from freebody.numeric.mobility.scene import joined, leaves
@@ -39,7 +39,7 @@ class SpatialScene:
         return self.reference.sizes.length
 
     @cached_property
-    def rows(self) -> Mapping[str, Sequence[Held]]:
+    def rows(self) -> Mapping[str, Sequence[ConstraintRow]]:
         held = self.reference.system.held
         return {name: [row for row in held if row.connection == name] for name in self.connections}
 

@@ -18,7 +18,7 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, position, unit
-from freebody.model.elements import Held, RateMeasure
+from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.exact import FLOATS, DualGeometry
 from freebody.numeric.mobility.generic import Framework, dense
@@ -104,7 +104,7 @@ class Scene:
         return self.framework.geometry(self.numbers.tolist(), (), FLOATS)
 
     @cached_property
-    def rows(self) -> Sequence[Held]:
+    def rows(self) -> Sequence[ConstraintRow]:
         return self.framework.rows_of(self.circuit)[0]
 
     @cached_property
@@ -213,13 +213,13 @@ class Scene:
         return n_independent(unit_length(J)) == len(held)
 
 
-def pinning(row: Held) -> Displacement | None:
+def pinning(row: ConstraintRow) -> Displacement | None:
     """The measure of a row that holds a point of one body on a point of another."""
     m = row.measure
     return m if isinstance(m, Displacement) and m.along in (RIGHT, UP) and row.target is None else None
 
 
-def joined(row: Held) -> set[str]:
+def joined(row: ConstraintRow) -> set[str]:
     """The bodies that a row sees; the ground only where it has a place or an angle of it."""
     found: set[str] = set()
     for m in leaves(row.measure):
@@ -230,9 +230,9 @@ def joined(row: Held) -> set[str]:
     return found
 
 
-def leaves(measure: Measure | RateMeasure) -> Iterator[Measure]:
+def leaves(measure: Measure | NonholonomicForm) -> Iterator[Measure]:
     """The measures of which a measure is made."""
-    if isinstance(measure, (RateMeasure, Combination)):
+    if isinstance(measure, (NonholonomicForm, Combination)):
         for _coefficient, term in measure.terms:
             yield from leaves(term)
     elif isinstance(measure, Composed):

@@ -17,7 +17,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.rank import gradients
 from freebody.numeric.reference import Reference
@@ -110,7 +110,7 @@ class Freedom:
         return np.asarray(r, np.float64) if rank == 3 and gap <= SAME_PLACE * self.size else None
 
 
-def freedom(reference: Reference, q: Array, body: str, rows: Sequence[Held], t: float = 0.0) -> Freedom:
+def freedom(reference: Reference, q: Array, body: str, rows: Sequence[ConstraintRow], t: float = 0.0) -> Freedom:
     """What rows leave a body of space."""
     columns = list(reference.columns(body))
     moves = reference.sizes.unit_moves[columns]

@@ -9,7 +9,7 @@ import numpy as np
 
 from freebody.language.expression import Expr, free_symbols
 from freebody.measures.base import Measure
-from freebody.model.elements import Bound, Held, RateMeasure, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, NonholonomicForm, UnilateralConstraint
 from freebody.numeric.engine.layout import floats, ints
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.tapes import Tapes
@@ -23,16 +23,18 @@ _NONE = -1
 class Parts:
     """A system by what time stepping does with it."""
 
-    joints: tuple[Held, ...]  # always held
-    bounds: tuple[Bound, ...]
-    rubs: tuple[Rub, ...]
+    joints: tuple[ConstraintRow, ...]  # always held
+    bounds: tuple[UnilateralConstraint, ...]
+    rubs: tuple[DryFriction, ...]
 
     @classmethod
-    def of(cls, held: Sequence[Held], limits: Sequence[Bound], brakes: Sequence[Rub]) -> Parts:
+    def of(
+        cls, held: Sequence[ConstraintRow], limits: Sequence[UnilateralConstraint], brakes: Sequence[DryFriction]
+    ) -> Parts:
         """Ideal strings and contacts are bounds; a row that needs one holds as long as that one presses, like friction
         without a limit."""
         joints = tuple(row for row in held if not row.unilateral and not row.needs)
-        bounds = tuple(Bound(row) for row in held if row.unilateral)
+        bounds = tuple(UnilateralConstraint(row) for row in held if row.unilateral)
         grips = tuple(_grip(row) for row in held if row.needs and not row.unilateral)
         return cls(joints, (*bounds, *limits), (*grips, *brakes))
 
@@ -50,7 +52,7 @@ class Parts:
                 packing.watch(measure)
 
     def fixtures(
-        self, numbers: Numbers, rows: Mapping[Measure | RateMeasure, int], place_of: Sequence[int]
+        self, numbers: Numbers, rows: Mapping[Measure | NonholonomicForm, int], place_of: Sequence[int]
     ) -> Fixtures:
         """rows: of measures in the layout; place_of: of the joints among its held rows."""
         tapes = Tapes(numbers.values)
@@ -73,11 +75,15 @@ class Parts:
         )
 
     def _bound(
-        self, bound: Bound, numbers: Numbers, rows: Mapping[Measure | RateMeasure, int], tapes: Tapes
+        self,
+        bound: UnilateralConstraint,
+        numbers: Numbers,
+        rows: Mapping[Measure | NonholonomicForm, int],
+        tapes: Tapes,
     ) -> tuple[tuple[int, ...], tuple[float, ...]]:
         target, row, tape, value = bound.row.target, bound.row, _NONE, 0.0
         if target is None:
-            value = 0.0 if isinstance(row.measure, RateMeasure) else numbers.start_value(row.measure)
+            value = 0.0 if isinstance(row.measure, NonholonomicForm) else numbers.start_value(row.measure)
         elif "t" in free_symbols(target):
             tape = tapes.write(target, {})
         else:
@@ -96,9 +102,9 @@ class Parts:
 
     def _rub(
         self,
-        rub: Rub,
+        rub: DryFriction,
         numbers: Numbers,
-        rows: Mapping[Measure | RateMeasure, int],
+        rows: Mapping[Measure | NonholonomicForm, int],
         tapes: Tapes,
         places: Mapping[str, int],
     ) -> tuple[tuple[int, ...], tuple[float, ...]]:
@@ -116,8 +122,8 @@ class Parts:
         return (row, *loads, *(_NONE,) * (2 - len(loads)), _NONE, _NONE, 0), tuple(coefficients)
 
 
-def _grip(row: Held) -> Rub:
+def _grip(row: ConstraintRow) -> DryFriction:
     from freebody.language.expression import number
 
     limit = number(int(NO_LIMIT))
-    return Rub(row, limit, limit, (f"{row.connection}.{row.needs}",))
+    return DryFriction(row, limit, limit, (f"{row.connection}.{row.needs}",))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import InputError
 from freebody.measures.base import Measure
-from freebody.numeric.engine.course import NO_TRACKS, Course, Status
+from freebody.numeric.engine.course import NO_TRACKS, Status, Trajectory
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.lending import OF_LIGHTEST
 from freebody.numeric.engine.measures_planar import NEAR
@@ -44,9 +44,9 @@ class ContactForces:
 
 @dataclass(frozen=True)
 class Stepped:
-    """A motion by time stepping: a `Course`, and what the contacts did. `course.work` includes `losses`."""
+    """A motion by time stepping: a `Trajectory`, and what the contacts did. `course.work` includes `losses`."""
 
-    course: Course
+    course: Trajectory
     scene: Scene = field(repr=False)
     step: float  # [s]
     contacts: ContactForces
@@ -290,7 +290,7 @@ class _Run:
         all_keys = np.concatenate(keys)
         forces = np.concatenate([f for _k, f in self._contacts])
         multipliers = self._multipliers(np.array(held).reshape(len(times), n_held), keys)
-        course = Course(
+        course = Trajectory(
             status=status,
             message=message,
             times=np.array(times),

@@ -20,7 +20,7 @@ from freebody.language.expression import ONE, ZERO, Expr, Symbol, differentiate,
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import Direction, Point
-from freebody.model.elements import Bound, Rub
+from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS
@@ -70,7 +70,7 @@ class Template:
         self._prepare()
 
     # -- reading ------------------------------------------------------------------------------
-    def _site(self, bound: Bound, rubs: list[Rub], edges: dict[str, int]) -> Site:
+    def _site(self, bound: UnilateralConstraint, rubs: list[DryFriction], edges: dict[str, int]) -> Site:
         row = bound.row
         assert not isinstance(row.measure, Combination)
         assert row.target is not None

@@ -9,7 +9,7 @@ import numpy as np
 from freebody.language.expression import differentiate, free_symbols
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import RATE, VALUE, Push, RateMeasure
+from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Equation, Spring
 from freebody.present.figures import Array, Place, positions
 from freebody.present.picture.arrows import Arrows, axes_cross
@@ -149,7 +149,7 @@ def _signs(at: Array, gravity: Array | None) -> Iterator[Shape | Wish]:
         yield Wish(name("g"), ((middle, side), (middle, -side)), 10.0, ink, weight=9.0)
 
 
-def constants_of(push: Push) -> Label | None:
+def constants_of(push: AppliedLoad) -> Label | None:
     """The stiffness and the damping of a linear law, by their symbols."""
     found: list[Label] = []
     for variable in (VALUE.name, RATE.name):
@@ -166,7 +166,7 @@ def constants_of(push: Push) -> Label | None:
     return Label((*found[0].runs, Run(", "), *found[1].runs), f"{found[0].latex},\\, {found[1].latex}")
 
 
-def _joined(measure: Measure | RateMeasure) -> Iterator[str]:
+def _joined(measure: Measure | NonholonomicForm) -> Iterator[str]:
     """The bodies that a measure joins, without one that only says in which direction."""
     if isinstance(measure, Displacement):
         yield from (measure.origin.body, measure.of.body)

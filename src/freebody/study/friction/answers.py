@@ -17,7 +17,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer, AnswerCase, Evidence
-from freebody.study.evidence import MIN_DRAWS, Witness
+from freebody.study.evidence import MIN_DRAWS, CrossCheck
 from freebody.study.friction.cases import Case, Compared, Ends, Limit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
 from freebody.study.friction.touching import Touching, touching
@@ -278,7 +278,7 @@ def _conditions(case: Case) -> tuple[str, ...]:
 def _evidence(question: str, limits: Sequence[Limit]) -> Evidence:
     """Every draw that belongs to a case, compared with the linear programs. Raises RoutesDisagree, or CannotAnswer if
     there were too few."""
-    witness = Witness(question, ROUTE, TOLERANCE)
+    witness = CrossCheck(question, ROUTE, TOLERANCE)
     for limit in limits:
         for c in limit.compared:
             if c.exact is not None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
 from freebody.study.draws import SEED, Draw, draws
 from freebody.study.friction.failures import Seen, how_it_fails, seen
@@ -355,7 +355,7 @@ def one_of_both(one: Case, other: Case) -> Case | None:
     return replace(one, conditions=common, is_complete=one.is_complete and other.is_complete)
 
 
-def _label(row: Held) -> str:
+def _label(row: ConstraintRow) -> str:
     return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freebody.model.elements import Bound, Held
+from freebody.model.elements import ConstraintRow, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
 from freebody.numeric.jets import Array
@@ -141,7 +141,7 @@ def _slips(touching: Touching, problem: RestProblem, failure: Failure) -> Iterat
         yield f"{places[0] if len(places) == 1 else who} {what}{where}"
 
 
-def _bound(touching: Touching, name: str) -> Bound | None:
+def _bound(touching: Touching, name: str) -> UnilateralConstraint | None:
     return next((b for b in touching.bounds if b.name == name), None)
 
 
@@ -158,7 +158,7 @@ def _pivot(touching: Touching, failure: Failure, body: str) -> str:
     return _place(stays[0].row)
 
 
-def _place(row: Held) -> str:
+def _place(row: ConstraintRow) -> str:
     """The corner that a row holds: `block.bottom_left` on the floor, a wheel on `ground.edge`."""
     corner = next((end for end in row.ends if "." in end), None)
     return corner or (row.ends[0] if row.ends else row.connection)
@@ -173,7 +173,7 @@ def _opening(touching: Touching, name: str) -> str:
     return f"{row.connection} lifts off"
 
 
-def _heading(touching: Touching, problem: RestProblem, row: Held, direction: int) -> str:
+def _heading(touching: Touching, problem: RestProblem, row: ConstraintRow, direction: int) -> str:
     """Which way the first body slips along the other one."""
     body = next((end for end in row.ends if end in touching.held.bodies), "")
     columns: list[int] = []

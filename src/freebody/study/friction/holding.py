@@ -19,7 +19,7 @@ from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_proble
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.draws import Draw
-from freebody.study.evidence import MIN_DRAWS, Witness
+from freebody.study.evidence import MIN_DRAWS, CrossCheck
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import Seen, how_it_fails, seen
 from freebody.study.friction.limits import Edge
@@ -155,7 +155,7 @@ def _answer(study: Holding, question: Question, barriers: Sequence[Barrier], loo
         verdict = "it holds" if first.is_held else f"it does not hold: {first.seen.words}"
         notes.append(f"at the model's own values {verdict}")
     notes += _reserves(study, first)
-    witness = Witness(question.text, ROUTE, 1e-12)
+    witness = CrossCheck(question.text, ROUTE, 1e-12)
     for at in looked:
         if not at.is_clear:
             continue

@@ -9,7 +9,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
 from freebody.numeric.friction_limits import ROUND_OFF, Cone, RestProblem, rest_problem, unresisted
 from freebody.study.draws import Draw
@@ -185,7 +185,7 @@ def _reserve(touching: Touching, problem: RestProblem, draw: Draw) -> tuple[floa
     return (math.inf if inside < 1e-7 else 1.0 / inside), words
 
 
-def unit_of(row: Held) -> str:
+def unit_of(row: ConstraintRow) -> str:
     """The unit of a reaction."""
     dimension: Dimension = row.measure.dimension
     return {LENGTH: "N", DIMENSIONLESS: "N m"}.get(dimension, "(SI)")

@@ -15,7 +15,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
@@ -33,11 +33,11 @@ class Touching:
 
     system: System
     held: System
-    bounds: tuple[Bound, ...]
-    rubs: tuple[Rub, ...]
+    bounds: tuple[UnilateralConstraint, ...]
+    rubs: tuple[DryFriction, ...]
 
     @property
-    def rows(self) -> tuple[Held, ...]:
+    def rows(self) -> tuple[ConstraintRow, ...]:
         """Everything that transmits a force."""
         return (*self.held.held, *(rub.row for rub in self.rubs))
 
@@ -86,12 +86,14 @@ def touching(system: System) -> Touching:
     return Touching(system, held, bounds, rubs)
 
 
-def _starting(system: System) -> list[list[Bound]]:
+def _starting(system: System) -> list[list[UnilateralConstraint]]:
     """The sites of every pair of outlines that starts closed."""
     return [pair.elements()[0] for pair in system.contacts if pair.starts_closed]
 
 
-def _first(reference: Reference, g: JetGeometry, pairs: Sequence[Sequence[Bound]], closed: set[str]) -> set[str]:
+def _first(
+    reference: Reference, g: JetGeometry, pairs: Sequence[Sequence[UnilateralConstraint]], closed: set[str]
+) -> set[str]:
     """The sites that close first of a pair none of which is closed yet; of the first such pair."""
     for sites in pairs:
         if not any(site.name in closed for site in sites):
@@ -101,7 +103,9 @@ def _first(reference: Reference, g: JetGeometry, pairs: Sequence[Sequence[Bound]
     return set()
 
 
-def _apart(reference: Reference, g: JetGeometry, sites: Iterable[Bound]) -> dict[tuple[str, ...], tuple[float, str]]:
+def _apart(
+    reference: Reference, g: JetGeometry, sites: Iterable[UnilateralConstraint]
+) -> dict[tuple[str, ...], tuple[float, str]]:
     """How far every point or circle is from every other body, and the site that tells.
 
     A point is as far from a convex polygon as it is beyond the furthest of its edges; where a corner is nearer to a
@@ -117,7 +121,7 @@ def _apart(reference: Reference, g: JetGeometry, sites: Iterable[Bound]) -> dict
     return doubtful | found
 
 
-def _met(reference: Reference, g: JetGeometry, bounds: Iterable[Bound], closed: set[str]) -> set[str]:
+def _met(reference: Reference, g: JetGeometry, bounds: Iterable[UnilateralConstraint], closed: set[str]) -> set[str]:
     """Other bounds that are closed in this pose."""
     size = TOUCHES * reference.sizes.length
     return {
@@ -127,11 +131,11 @@ def _met(reference: Reference, g: JetGeometry, bounds: Iterable[Bound], closed: 
     }
 
 
-def _gap(reference: Reference, g: JetGeometry, bound: Bound) -> float:
+def _gap(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
     return bound.row.sign * reference.gap(bound.row, g).value
 
 
-def _is_within(reference: Reference, g: JetGeometry, bound: Bound, slack: float) -> bool:
+def _is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float) -> bool:
     """Whether the place of a contact exists in this pose, up to some slack."""
     for span in bound.within:
         value = reference.jet(g, span.measure).value

@@ -18,7 +18,7 @@ from freebody.study.answer import NOT_VALID, Answer, AnswerCase, Evidence
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
-from freebody.study.phases.pieces import Piece, pieces
+from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import NO_FORM, Tree, why
 from freebody.study.phases.words import happening, summary
@@ -45,9 +45,9 @@ def answer(tree: Tree, question: Question) -> Answer:
     return _answer(tree, question, parts, evidence, unit)
 
 
-def _merged(found: list[Piece]) -> list[list[Piece]]:
+def _merged(found: list[AnswerBranch]) -> list[list[AnswerBranch]]:
     """Pieces with the same answer together."""
-    groups: list[list[Piece]] = []
+    groups: list[list[AnswerBranch]] = []
     for piece in found:
         for group in groups:
             if _shown(group[0]) == _shown(piece):
@@ -58,11 +58,13 @@ def _merged(found: list[Piece]) -> list[list[Piece]]:
     return groups
 
 
-def _shown(piece: Piece) -> Expr | tuple[Expr, ...]:
+def _shown(piece: AnswerBranch) -> Expr | tuple[Expr, ...]:
     return tuple(map(readable, piece.value)) if isinstance(piece.value, tuple) else readable(piece.value)
 
 
-def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: list[Evidence], unit: str) -> Answer:
+def _answer(
+    tree: Tree, question: Question, parts: list[list[AnswerBranch]], evidence: list[Evidence], unit: str
+) -> Answer:
     regions = sorted((r for group in parts for r in _regions(tree, group)), key=lambda r: int(r.sets[0]))
     own = regions[0]
     main = own.piece
@@ -114,7 +116,7 @@ def _answer(tree: Tree, question: Question, parts: list[list[Piece]], evidence: 
 class _Region:
     """Where one answer holds: a piece of it, and the conditions of a part of the space of parameters."""
 
-    piece: Piece
+    piece: AnswerBranch
     relations: tuple[Relation, ...]
     sets: Chosen
 
@@ -123,7 +125,7 @@ class _Region:
         return tuple(r.text() for r in self.relations)
 
 
-def _regions(tree: Tree, group: list[Piece]) -> list[_Region]:
+def _regions(tree: Tree, group: list[AnswerBranch]) -> list[_Region]:
     """Pieces with one answer by the fewest regions that their own inequalities cut out; else piece by piece."""
     alone = [_Region(p, tuple(relations(tree, p.conditions)), p.sets) for p in group]
     if len(group) < 2:
@@ -156,7 +158,7 @@ def _for_all(tree: Tree) -> str:
     return for_all(tree.system)
 
 
-def _value(tree: Tree, piece: Piece) -> float | tuple[float, ...] | None:
+def _value(tree: Tree, piece: AnswerBranch) -> float | tuple[float, ...] | None:
     """In numbers at the model's values; a function of the state at the start."""
     parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
     values: list[float] = []

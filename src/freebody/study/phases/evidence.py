@@ -17,12 +17,12 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Event, Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
-from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, Witness
+from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck
 from freebody.study.magnitude import magnitude
-from freebody.study.phases.pieces import Piece
+from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import Node, Tree
 from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, Stage, before_impact, begun, follow, struck
@@ -34,7 +34,7 @@ ROUND_OFF = 1e-12  # of rates at the start [SI]
 _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are left to other sets
 
 
-def compare(tree: Tree, question: Question, piece: Piece) -> Evidence:
+def compare(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     """Raises RoutesDisagree on a difference, CannotAnswer if too little could be compared."""
     if piece.at_start and question.quantity.is_of_event:
         return _at_once(tree, question, piece)
@@ -46,10 +46,10 @@ def compare(tree: Tree, question: Question, piece: Piece) -> Evidence:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instants(tree: Tree, question: Question, piece: Piece) -> Evidence:
+def _at_instants(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     at_start = question.at_start or piece.at_start
     where = "at the start" if at_start else "at random poses and speeds"
-    witness = Witness(question.text, f"floating-point solve of all bodies and contacts {where}", INSTANT_TOLERANCE)
+    witness = CrossCheck(question.text, f"floating-point solve of all bodies and contacts {where}", INSTANT_TOLERANCE)
     phase = piece.phase
     for n, k in enumerate(piece.sets):
         if len(witness.pairs) >= N_CHECKED:
@@ -85,10 +85,10 @@ def stage(tree: Tree, node: Node) -> Stage:
     return Stage(node.phase, touching, node.impact.hits, node.impact.before.kept)
 
 
-def _at_once(tree: Tree, question: Question, piece: Piece) -> Evidence:
+def _at_once(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
     derivatives of a gap the first that does not vanish is positive."""
-    witness = Witness(question.text, "floating-point rates and accelerations at the start", INSTANT_TOLERANCE)
+    witness = CrossCheck(question.text, "floating-point rates and accelerations at the start", INSTANT_TOLERANCE)
     for k in piece.sets[:N_CHECKED]:
         mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(int(k)))
         now = mode.snapshot(q, v, 0.0)
@@ -104,9 +104,9 @@ def _at_once(tree: Tree, question: Question, piece: Piece) -> Evidence:
     return witness.evidence()
 
 
-def _since_the_start(tree: Tree, question: Question, piece: Piece) -> Evidence:
+def _since_the_start(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     """What is counted from the start is nothing at the start, but for the energy that an impact takes."""
-    witness = Witness(question.text, "floating-point energies before and after the impact", INSTANT_TOLERANCE)
+    witness = CrossCheck(question.text, "floating-point energies before and after the impact", INSTANT_TOLERANCE)
     node = piece.nodes[-1]
     for k in piece.sets[:N_CHECKED]:
         values = tree.sets.one(int(k))
@@ -145,15 +145,15 @@ class _Nothing:
         raise CannotAnswer("nothing has moved yet")
 
 
-def _home_numbers(tree: Tree, piece: Piece, k: int) -> tuple[float, ...]:
+def _home_numbers(tree: Tree, piece: AnswerBranch, k: int) -> tuple[float, ...]:
     parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
     return tuple(float(tree.numbers(p)[k]) for p in parts)
 
 
 # -- an event ---------------------------------------------------------------------------------
-def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
+def _along_motion(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     route = "numerical integration, every phase to the event that ends it"
-    witness = Witness(question.text, route, MOTION_TOLERANCE)
+    witness = CrossCheck(question.text, route, MOTION_TOLERANCE)
     assert piece.first is not None
     ends = None if piece.time is None else tree.numbers(piece.time)
     for k in piece.sets:
@@ -178,7 +178,7 @@ def _along_motion(tree: Tree, question: Question, piece: Piece) -> Evidence:
     return witness.evidence()
 
 
-def run(tree: Tree, event: Event | None, piece: Piece, k: int, end: float | None) -> list[Seen]:
+def run(tree: Tree, event: QuestionEvent | None, piece: AnswerBranch, k: int, end: float | None) -> list[Seen]:
     """The motion of one parameter set up to the event of the piece; kept for other questions."""
     key = (
         tuple(n.phase for n in piece.nodes),
@@ -193,7 +193,7 @@ def run(tree: Tree, event: Event | None, piece: Piece, k: int, end: float | None
     return tree.seen[key]
 
 
-def _number(tree: Tree, quantity: Quantity, piece: Piece, seen: list[Seen]) -> Any:
+def _number(tree: Tree, quantity: Quantity, piece: AnswerBranch, seen: list[Seen]) -> Any:
     last = seen[-1]
     mode, now = last.mode, last.snapshot()
     values, first = seen[0].mode.values, piece.nodes[0]

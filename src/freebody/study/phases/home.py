@@ -14,7 +14,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, n_operations
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
-from freebody.model.elements import Bound, Held, Start
+from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
@@ -73,7 +73,7 @@ class Home:
                 self.assumed.append(condition)
         return found
 
-    def _gap(self, bound: Bound) -> Ratio:
+    def _gap(self, bound: UnilateralConstraint) -> Ratio:
         measure: Any = bound.row.measure
         target = bound.row.target
         value = self.home.start_instant.value(measure)
@@ -81,7 +81,7 @@ class Home:
 
     def _constants(self) -> Iterator[tuple[str, Ratio]]:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
-        rows: list[Held] = [*self.system.held, *(sticking_row(rub) for rub in self.system.rubs)]
+        rows: list[ConstraintRow] = [*self.system.held, *(sticking_row(rub) for rub in self.system.rubs)]
         for row in rows:
             measure: Any = row.measure
             if getattr(measure, "incremental", False):
@@ -173,7 +173,7 @@ class Home:
         return Symbol(name)
 
 
-def _symbol_of(row: Held) -> str:
+def _symbol_of(row: ConstraintRow) -> str:
     """The name that a symbolic model gives to the start value of a row."""
     return row.name.replace(".", "_").replace(" ", "_") + "_0"
 
@@ -248,7 +248,7 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def _exists(reference: Reference, q: Array, bound: Bound, slack: float) -> bool:
+def _exists(reference: Reference, q: Array, bound: UnilateralConstraint, slack: float) -> bool:
     """Whether the place of a contact is within the edge on which it lies."""
     now = reference.snapshot(q, np.zeros_like(q))
     for span in bound.within:

@@ -20,7 +20,7 @@ from dataclasses import dataclass, replace
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.units import FORCE
-from freebody.model.elements import Bound, Held, Parameter, Push, Rub
+from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, Parameter, UnilateralConstraint
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.phase import Given, Placed
 from freebody.symbolic.field import Ratio
@@ -56,16 +56,18 @@ class Collision:
     ) -> None:
         bounds = {b.name: b for b in base.bounds}
         self.base, self.kept = base, kept
-        self.hits: list[Bound] = [bounds[name] for name in hits]
-        self.rubs: list[Rub] = [rub for rub in base.rubs if rub.of in hits]
-        self.others: list[Rub] = [rub for rub in base.rubs if rub.of not in hits and rub.load]
+        self.hits: list[UnilateralConstraint] = [bounds[name] for name in hits]
+        self.rubs: list[DryFriction] = [rub for rub in base.rubs if rub.of in hits]
+        self.others: list[DryFriction] = [rub for rub in base.rubs if rub.of not in hits and rub.load]
         if self.rubs and (len(hits) > 1 or len(self.rubs) > 1):
             raise CannotAnswer(
                 f"{_listed(hits)} collide at once, with friction: such an impact has no closed form here"
             )
         system, _loads = in_mode(placed.put_into(base), Mode.of(kept, {}))
         self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
-        pushes = [Push("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck]
+        pushes = [
+            AppliedLoad("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck
+        ]
         forces = {name: Parameter(name, FORCE, None, "any") for name in self.symbols.values()}
         with_forces = replace(system, pushes=(*system.pushes, *pushes), parameters={**system.parameters, **forces})
         none = dict.fromkeys(forces, 0.0)
@@ -80,7 +82,7 @@ class Collision:
         self.columns = {name: self.model.field.index(self.model.parameters[s]) for name, s in self.symbols.items()}
 
     @property
-    def struck(self) -> list[Held]:
+    def struck(self) -> list[ConstraintRow]:
         """The rows along which impulses act."""
         return [b.row for b in self.hits] + [rub.row for rub in self.rubs]
 
@@ -121,14 +123,14 @@ class Collision:
             checks = ((bound.row.sign * P, ">", f"{name} is struck"), (way * after, ">", f"{name} slips"))
             yield self._blow({n: f.lowest_terms(P), t: f.lowest_terms(-mu * P)}, checks)
 
-    def now_acceleration(self, row: Held) -> Ratio:
+    def now_acceleration(self, row: ConstraintRow) -> Ratio:
         return SymbolicState(self.model).acceleration(row.measure)
 
-    def rate(self, row: Held) -> Ratio:
+    def rate(self, row: ConstraintRow) -> Ratio:
         """Of a measure just before the impact."""
         return self.model.field.lowest_terms(self.now.rate(row.measure))
 
-    def _coefficient(self, rub: Rub, way: int) -> Ratio:
+    def _coefficient(self, rub: DryFriction, way: int) -> Ratio:
         return self.here(self.model.geometry.scalar(rub.coefficient(way)))
 
     def _solved(self, table: Mapping[str, Mapping[str, Ratio]], wanted: Mapping[str, Ratio]) -> dict[str, Ratio]:

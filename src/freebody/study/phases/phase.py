@@ -14,13 +14,13 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.model.elements import Bound, Held, Parameter, Rub, Start
+from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
 from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import StartState, start_from_bodies, start_state
-from freebody.symbolic.phases.course import Course, course_of
+from freebody.symbolic.phases.course import ClosedFormMotion, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
@@ -84,8 +84,8 @@ class Phase:
 
     def __init__(self, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
         self.base, self.mode, self.placed = base, mode, placed
-        self.bounds: dict[str, Bound] = {b.name: b for b in base.bounds}
-        self.rubs: dict[str, Rub] = {r.name: r for r in base.rubs}
+        self.bounds: dict[str, UnilateralConstraint] = {b.name: b for b in base.bounds}
+        self.rubs: dict[str, DryFriction] = {r.name: r for r in base.rubs}
         system, loads = in_mode(placed.put_into(base), mode)
         self.shared = self._shared(system, loads, values)
         system = without_rows(system, self.dropped)
@@ -116,7 +116,7 @@ class Phase:
         return frozenset(name for names in self.shared.values() for name in names)
 
     def _shared(
-        self, system: System, loads: Mapping[str, Rub], values: Sequence[Mapping[str, float]]
+        self, system: System, loads: Mapping[str, DryFriction], values: Sequence[Mapping[str, float]]
     ) -> dict[str, list[str]]:
         """Frictions that stick along the same line: of these only the sum is determined, and one row stands for all."""
         sticking = [name for name, state in self.mode.rubs if state == 0]
@@ -147,7 +147,7 @@ class Phase:
         return start_from_bodies(self.model)
 
     @cached_property
-    def course(self) -> Course:
+    def course(self) -> ClosedFormMotion:
         return course_of(self.model, self.start)
 
     @classmethod
@@ -179,18 +179,18 @@ class Phase:
         return SymbolicState(self.model, self.start.values)
 
     # -- forces -------------------------------------------------------------------------------
-    def normal(self, bound: Bound | Held) -> Ratio:
+    def normal(self, bound: UnilateralConstraint | ConstraintRow) -> Ratio:
         """The reaction of a closed bound; not negative while it is closed."""
-        row = bound.row if isinstance(bound, Bound) else bound
+        row = bound.row if isinstance(bound, UnilateralConstraint) else bound
         return row.sign * self.model.multiplier(self.rows[row.name])
 
-    def load(self, rub: Rub) -> Ratio:
+    def load(self, rub: DryFriction) -> Ratio:
         """What multiplies the coefficient of a friction; 1 where the coefficient is a force itself."""
         if not rub.load:
             return self.model.field.one
         return resultant(self.model, rub, self.rows, self.model.is_negative)
 
-    def coefficient(self, rub: Rub, direction: int, *, at_rest: bool) -> Ratio:
+    def coefficient(self, rub: DryFriction, direction: int, *, at_rest: bool) -> Ratio:
         g = self.model.geometry
         values: dict[str, Ratio] = {}
         for name, measure in rub.measures:
@@ -198,7 +198,7 @@ class Phase:
             values[f"rate({name})"] = self.model.rate(values[name])
         return g.apply(rub.coefficient(direction, at_rest=at_rest), values)
 
-    def friction(self, rub: Rub) -> Ratio:
+    def friction(self, rub: DryFriction) -> Ratio:
         """The friction force along the slip of a rub: what holds it, or what resists it; none where it is open."""
         state = self.mode.states.get(rub.name)
         if state is None:
@@ -239,7 +239,7 @@ class Phase:
             found += [] if span.high is None else [g.scalar(span.high) - value]
         return tuple(x for x in found if not x.is_zero())
 
-    def _limits(self, rub: Rub) -> list[Watch]:
+    def _limits(self, rub: DryFriction) -> list[Watch]:
         """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
         held = self.friction(rub)
         together = [rub, *(self.rubs[name] for name in self.shared.get(rub.name, ()))]
@@ -249,11 +249,11 @@ class Phase:
             down = down + self.coefficient(one, -1, at_rest=True) * self.load(one)
         return [Watch("slips", rub.name, up + held, 1), Watch("slips", rub.name, down - held, -1)]
 
-    def base_row(self, name: str) -> Held:
+    def base_row(self, name: str) -> ConstraintRow:
         """A row of the system, or of its bounds, whether it is held now or not."""
         return next(row for row in (*self.base.held, *(b.row for b in self.base.bounds)) if row.name == name)
 
-    def _nearness(self, row: Held) -> Ratio:
+    def _nearness(self, row: ConstraintRow) -> Ratio:
         """A gap, or that of the squares of a distance and its limit: a polynomial where the distance is a root."""
         if not isinstance(row.measure, Distance) or row.target is None:
             return self.gap(row)
@@ -263,7 +263,7 @@ class Phase:
             return self.gap(row)
         return row.sign * self.model.field.lowest_terms(value * value - target * target)
 
-    def gap(self, row: Held) -> Ratio:
+    def gap(self, row: ConstraintRow) -> Ratio:
         """How far a bound is from being closed."""
         measure: Any = row.measure
         value: Ratio = measure.value(self.model.geometry)

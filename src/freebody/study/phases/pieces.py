@@ -13,7 +13,7 @@ from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
 from freebody.questions.energy import Energy as EnergyOf
-from freebody.questions.reading import Event, Question
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.phases.events import First, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, Watch
@@ -30,7 +30,7 @@ _NONE = 1e-12  # a distance or a speed that is none [SI]
 
 
 @dataclass
-class Piece:
+class AnswerBranch:
     """An answer in one part of the space of parameters. With `is_home` its elements are of the parameters alone, in the
     field that all phases share; else they are functions of the state in the field of the last phase."""
 
@@ -70,7 +70,7 @@ class _Way:
         return self.nodes[-1]
 
 
-def pieces(tree: Tree, question: Question) -> list[Piece]:
+def pieces(tree: Tree, question: Question) -> list[AnswerBranch]:
     """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
     roots = [_Way((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
     met: list[str] = []
@@ -104,7 +104,7 @@ def _not_found(tree: Tree, question: Question, met: list[str]) -> str:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instant(tree: Tree, question: Question, way: _Way) -> Piece:
+def _at_instant(tree: Tree, question: Question, way: _Way) -> AnswerBranch:
     """In the phase in which the motion begins."""
     phase = way.last.phase
     state = phase.start_instant if question.at_start else phase.state
@@ -116,7 +116,7 @@ def _at_instant(tree: Tree, question: Question, way: _Way) -> Piece:
         homes = tuple(tree.to_home(phase, p) for p in parts)
         value = homes if isinstance(value, tuple) else homes[0]
     notes = [_just_after(way.last)] if way.last.impact is not None and question.at_start else []
-    return Piece(value, is_home, [way.last], None, list(way.conditions), way.last.sets, notes=notes)
+    return AnswerBranch(value, is_home, [way.last], None, list(way.conditions), way.last.sets, notes=notes)
 
 
 def _just_after(node: Node) -> str:
@@ -142,7 +142,7 @@ def _still(phase: Phase) -> dict[int, Ratio]:
 
 
 # -- events of contacts -----------------------------------------------------------------------
-def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list[_Way]) -> Iterator[Piece]:
+def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list[_Way]) -> Iterator[AnswerBranch]:
     for way in ways:
         if not way.edges and (at_once := _at_once(tree, asked, way.last)):
             yield _at_the_start(tree, question, way, at_once)
@@ -196,7 +196,7 @@ def _at_once(tree: Tree, asked: Transition, node: Node) -> str:
     return ""
 
 
-def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> Piece:
+def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> AnswerBranch:
     phase, zero = way.last.phase, tree.home.model.field.zero
     notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
     if way.last.impact is None and question.quantity.kinematic_order in (0, 1):
@@ -209,7 +209,7 @@ def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> Piece:
             value = f.lowest_terms(f.element(given))
     else:
         value = _value(tree, question.quantity, way, phase, phase.start_instant, zero)
-    return Piece(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
+    return AnswerBranch(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
 
 
 def _is_named(asked: Transition, connection: str) -> bool:
@@ -222,7 +222,9 @@ def _is_meant(asked: Transition, watch: Watch) -> bool:
 
 
 # -- a measure reaches a value ----------------------------------------------------------------
-def _at_event(tree: Tree, question: Question, event: Event, ways: list[_Way], met: list[str]) -> Iterator[Piece]:
+def _at_event(
+    tree: Tree, question: Question, event: QuestionEvent, ways: list[_Way], met: list[str]
+) -> Iterator[AnswerBranch]:
     """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
         for watch, sets, given in _watches(tree, way.last, event):
@@ -232,13 +234,13 @@ def _at_event(tree: Tree, question: Question, event: Event, ways: list[_Way], me
 def _in_phase(
     tree: Tree,
     question: Question,
-    event: Event,
+    event: QuestionEvent,
     way: _Way,
     watch: Watch,
     sets: Chosen,
     given: list[Condition],
     met: list[str],
-) -> Iterator[Piece]:
+) -> Iterator[AnswerBranch]:
     """In the last phase of a way, or in those that follow it."""
     node = way.last
     try:
@@ -258,7 +260,7 @@ def _in_phase(
                 yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))], met)
 
 
-def _watches(tree: Tree, node: Node, event: Event) -> Iterator[tuple[Watch, Chosen, list[Condition]]]:
+def _watches(tree: Tree, node: Node, event: QuestionEvent) -> Iterator[tuple[Watch, Chosen, list[Condition]]]:
     """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets
     for which it has this sign."""
     phase = node.phase
@@ -290,7 +292,7 @@ def _piece(
     conditions: list[Condition],
     sets: Chosen,
     after: Node | None = None,
-) -> Piece:
+) -> AnswerBranch:
     notes: list[str] = []
     time = _total(tree, way, first)
     if isinstance(course := way.last.phase.course, Energy) and course.coordinate.speed not in first.zero.values:
@@ -303,7 +305,7 @@ def _piece(
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
         notes.append(f"just before the impact of {label(hits[0].name)}, which comes at the same instant")
     value = _value(tree, question.quantity, way, phase, there, time, first, after)
-    return Piece(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
+    return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
 
 def _total(tree: Tree, way: _Way, first: First) -> Ratio | None:

@@ -12,12 +12,12 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.geometry import Direction
-from freebody.model.elements import Push
+from freebody.model.elements import AppliedLoad
 from freebody.model.state import State
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
 from freebody.questions.ratio import RatioOf, quotient
-from freebody.questions.reactions import Multiplier, Wrench
+from freebody.questions.reactions import ReactionComponent, Wrench
 from freebody.system.system import System
 
 
@@ -36,8 +36,8 @@ def _ratio(quantity: RatioOf, base: System, system: System, state: State[Any]) -
     return quotient(*(_value(q, base, system, state) for q in quantity.inner))
 
 
-@_value.register(Multiplier)
-def _component(quantity: Multiplier, base: System, system: System, state: State[Any]) -> Any:
+@_value.register(ReactionComponent)
+def _component(quantity: ReactionComponent, base: System, system: System, state: State[Any]) -> Any:
     return reaction(quantity.row, quantity.less, base, system, state)
 
 
@@ -64,12 +64,12 @@ def _is_contact(name: str, base: System) -> bool:
     return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.rubs)))
 
 
-def frictions(system: System) -> list[Push]:
+def frictions(system: System) -> list[AppliedLoad]:
     """The dry friction that slides in a mode."""
     return [p for p in system.pushes if p.load not in system.loads]
 
 
-def _frictions(connection: str, system: System) -> list[Push]:
+def _frictions(connection: str, system: System) -> list[AppliedLoad]:
     return [p for p in frictions(system) if p.load.partition(".")[0] == connection]
 
 

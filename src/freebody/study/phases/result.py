@@ -12,7 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.notation import reworded, stated_plain, to_python
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
@@ -23,7 +23,7 @@ from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import Course, Energy, Uniform
+from freebody.symbolic.phases.course import ClosedFormMotion, Energy, Uniform
 from freebody.symbolic.phases.relations import Relation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -290,7 +290,7 @@ def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tu
     return tuple(equations), tuple(motion)
 
 
-def _course(phase: Phase) -> Course | None:
+def _course(phase: Phase) -> ClosedFormMotion | None:
     try:
         return phase.course
     except CannotAnswer:
@@ -328,7 +328,7 @@ def _forces(tree: Tree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     return tuple(found)
 
 
-def _stretches(row: Held) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _stretches(row: ConstraintRow) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Where the reaction of a row has a value of its own, in words, and the rows that it is less by there."""
     if len(row.stretches) < 2:
         yield "", ()

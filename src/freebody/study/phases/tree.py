@@ -23,7 +23,7 @@ import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.model.elements import Bound, Held, Rub
+from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.events import First, Outcome, Proofs, first_events
 from freebody.study.phases.home import Home
@@ -144,10 +144,10 @@ class Tree(Home):
             left += [after for edge in node.edges for after in edge.nodes]
 
     # -- the start --------------------------------------------------------------------------------
-    def _bound(self, name: str) -> Bound:
+    def _bound(self, name: str) -> UnilateralConstraint:
         return next(b for b in self.system.bounds if b.name == name)
 
-    def bound_row(self, name: str) -> Held:
+    def bound_row(self, name: str) -> ConstraintRow:
         """Of a bound, or of a connection that cannot pull."""
         return next(
             row for row in (*ideal_bounds(self.system), *(b.row for b in self.system.bounds)) if row.name == name
@@ -189,7 +189,7 @@ class Tree(Home):
         reason = self.reasons[-1] if self.reasons else "no state of the contacts is consistent with the start"
         self.lost |= dict.fromkeys(gone.tolist(), reason)
 
-    def _rubbing(self, closed: frozenset[str]) -> list[Rub]:
+    def _rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
         return [rub for rub in self.system.rubs if not rub.of or rub.of in closed]
 
     # -- impacts ----------------------------------------------------------------------------------

@@ -19,10 +19,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
-from freebody.model.elements import Rub
+from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.questions.reading import Event
+from freebody.questions.reading import QuestionEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import Mode, in_mode
@@ -132,7 +132,7 @@ class NumericMode:
         N = self.solved(q, v, t)
         return found[0] + sum(value * (one - found[0]) for value, one in zip(N.values(), found[1:], strict=True))
 
-    def _size(self, rub: Rub, s: Snapshot) -> float:
+    def _size(self, rub: DryFriction, s: Snapshot) -> float:
         (name,) = [n for n in rub.load if abs(s.multiplier(self.rows[n])) > 0.0] or rub.load[:1]
         return self.rows[name].sign * s.multiplier(self.rows[name])
 
@@ -202,13 +202,13 @@ class NumericMode:
             limit += self.coefficient(rub, way, self._seen(q, v, t)[0]) * load
         return limit + way * self.multiplier(name, q, v, t)
 
-    def coefficient(self, rub: Rub, way: int, now: Snapshot) -> float:
+    def coefficient(self, rub: DryFriction, way: int, now: Snapshot) -> float:
         values: dict[str, float] = {**self.values, "t": now.t}
         for name, measure in rub.measures:
             values[name], values[f"rate({name})"] = now.value(measure), now.rate(measure)
         return float(evaluate(rub.coefficient(way, at_rest=True), values))
 
-    def _distance(self, asked: Event, begin: Snapshot) -> Watcher:
+    def _distance(self, asked: QuestionEvent, begin: Snapshot) -> Watcher:
         """How far a measure is from its value, positive at the beginning."""
 
         def gap(s: Snapshot) -> float:
@@ -220,7 +220,7 @@ class NumericMode:
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
     # -- motion -----------------------------------------------------------------------------------
-    def run(self, q: Array, v: Array, start: float, until: float, asked: Event | None = None) -> Seen:
+    def run(self, q: Array, v: Array, start: float, until: float, asked: QuestionEvent | None = None) -> Seen:
         """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
         n = len(q)
         begin = self.references[0].snapshot(q, v, start)
@@ -329,7 +329,7 @@ def follow(
     stages: Sequence[Stage],
     values: Mapping[str, float],
     until: Sequence[float],
-    asked: Event | None = None,
+    asked: QuestionEvent | None = None,
 ) -> list[Seen]:
     """The phases one after the other, each to its event or its time in `until`."""
     found: list[Seen] = []

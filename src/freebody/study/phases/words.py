@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.model.elements import Rub
+from freebody.model.elements import DryFriction
 from freebody.study.phases.phase import Phase, Watch
 
 ROLLING = "rolling resistance"
@@ -32,7 +32,7 @@ def states(phase: Phase) -> dict[str, str]:
     return found
 
 
-def verb(phase: Phase, rub: Rub, state: int) -> str:
+def verb(phase: Phase, rub: DryFriction, state: int) -> str:
     if state:
         return "slides"
     if rolls(rub) and phase.model.coordinates:
@@ -40,7 +40,7 @@ def verb(phase: Phase, rub: Rub, state: int) -> str:
     return "holds" if not phase.model.coordinates else "sticks"
 
 
-def rolls(rub: Rub) -> bool:
+def rolls(rub: DryFriction) -> bool:
     """Whether no slip means rolling: a body turns along with it."""
     measure = rub.row.measure
     return isinstance(measure, Combination) and any(not isinstance(m, Displacement) for _c, m in measure.terms)

@@ -15,7 +15,7 @@ from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answer import Evidence
 from freebody.study.draws import SEED, Draw
-from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
+from freebody.study.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, Steady
@@ -28,7 +28,7 @@ _TOLERANCE = 1e-7
 
 def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:
     """With the claimed rates, at a general pose, no coordinate may accelerate."""
-    witness = Witness(question, "accelerations of the full system at random poses with these rates", _TOLERANCE)
+    witness = CrossCheck(question, "accelerations of the full system at random poses with these rates", _TOLERANCE)
     for draw, found in motions(setup, steady, solutions):
         gaps = [_unevenness(setup, steady, draw, snapshot) for snapshot in found]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
@@ -44,7 +44,7 @@ def during_steady_motion(
     elements: tuple[Ratio, ...],
 ) -> Evidence:
     """The quantity in steady motions of the full system."""
-    witness = Witness(question, "floating-point solve of all bodies and constraints in steady motion", _TOLERANCE)
+    witness = CrossCheck(question, "floating-point solve of all bodies and constraints in steady motion", _TOLERANCE)
     for draw, found in motions(setup, steady, solutions):
         for snapshot in found:
             if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:

@@ -12,7 +12,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
-from freebody.study.evidence import MIN_DRAWS, NotReal, Witness, element_at
+from freebody.study.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.stability import Linear
@@ -27,8 +27,8 @@ _CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exp
 
 def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) -> Evidence:
     """The characteristic polynomial of the full system is the same, and its exponents grow where a sign is negative."""
-    witness = Witness(question, "numerical linearisation of the full system with slow and fast rates", _TOLERANCE)
-    verdicts = Witness(question, "exponents of the numerical linearisation", _TOLERANCE)
+    witness = CrossCheck(question, "numerical linearisation of the full system with slow and fast rates", _TOLERANCE)
+    verdicts = CrossCheck(question, "exponents of the numerical linearisation", _TOLERANCE)
     for draw in setup.draws:
         for factor in _FACTORS:
             try:

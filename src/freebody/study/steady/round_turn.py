@@ -13,7 +13,7 @@ from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
-from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, NotReal, Witness, element_at, holds
+from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, NotReal, element_at, holds
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import Extremum
 from freebody.symbolic.conditions import Condition
@@ -35,8 +35,8 @@ def over_a_turn(
 ) -> Evidence:
     """At the extremal poses the full system has these values, in the others values between them."""
     route = f"the full system at the extremal poses and at {N_POSES} others round the turn"
-    reached = Witness(question, route, INSTANT_TOLERANCE)
-    between = Witness(question, route, INSTANT_TOLERANCE)
+    reached = CrossCheck(question, route, INSTANT_TOLERANCE)
+    between = CrossCheck(question, route, INSTANT_TOLERANCE)
     for draw in setup.draw_stream():
         if len(reached.pairs) >= MIN_DRAWS:
             break

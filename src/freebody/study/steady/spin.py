@@ -16,14 +16,14 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.measures.geometry import Direction
-from freebody.model.elements import RateMeasure
+from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes, spin
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
 from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
-from freebody.study.evidence import Witness
+from freebody.study.evidence import CrossCheck
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import Finding
 from freebody.study.steady.verdict import stable_if
@@ -85,7 +85,9 @@ def _exponent_squared(model: SymbolicModel, body: str, k: int, rate: Ratio) -> R
 
 def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, square: Ratio) -> Evidence:
     """The slopes of the angular accelerations of the full system, by finite differences."""
-    witness = Witness(question.text, "finite differences of the angular accelerations of the full system", _TOLERANCE)
+    witness = CrossCheck(
+        question.text, "finite differences of the angular accelerations of the full system", _TOLERANCE
+    )
     for draw in setup.draws:
         for value in _SPINS:
             slopes = slopes_beside(draw, body, k, value)
@@ -99,7 +101,7 @@ def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, sq
 def slopes_beside(draw: Draw, body: str, k: int, value: float) -> Array:
     """d(w_i', w_j')/d(w_i, w_j) about the spin; the equations are quadratic, so that central differences are exact."""
     axes: tuple[Direction, ...] = body_axes(body)
-    spins: list[RateMeasure] = [spin(body, axis) for axis in axes]
+    spins: list[NonholonomicForm] = [spin(body, axis) for axis in axes]
     across = [(k + 1) % 3, (k + 2) % 3]
     step = 0.1 * value
 

@@ -34,7 +34,7 @@ class Zero:
     at: Ratio | None = None  # of the coordinate, where energy gives the motion
 
 
-class Course:
+class ClosedFormMotion:
     """What the kinds of motion have in common."""
 
     def __init__(self, model: SymbolicModel, start: StartState, still: Mapping[int, Ratio] | None = None) -> None:
@@ -60,7 +60,7 @@ class Course:
         return f.lowest_terms(f.follow(self.model.in_independent_speeds(x), self.still))
 
 
-class Uniform(Course):
+class Uniform(ClosedFormMotion):
     """Constant accelerations."""
 
     @property
@@ -104,7 +104,7 @@ class Uniform(Course):
         return [Zero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
 
 
-class Energy(Course):
+class Energy(ClosedFormMotion):
     """One degree of freedom by the first integral of energy."""
 
     @property
@@ -239,7 +239,7 @@ def quadratic_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
 
 
-def course_of(model: SymbolicModel, start: StartState) -> Course:
+def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     """The motion of a model in closed form. Raises CannotAnswer where there is none."""
     f = model.field
     resting = [c for c in model.dependent if model.vanishes(model.dependent_speed(c))]

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols, substitute
 from freebody.measures.base import Measure
-from freebody.model.elements import Held, Push, Rub
+from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
@@ -35,7 +35,9 @@ class Loads:
     determinant: Ratio
 
 
-def resultant(model: SymbolicModel, rub: Rub, rows: Mapping[str, Held], is_negative: IsNegative) -> Ratio:
+def resultant(
+    model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow], is_negative: IsNegative
+) -> Ratio:
     """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
     parts = [(rows[name], model.multiplier(rows[name])) for name in rub.load]
     parts = [(row, x) for row, x in parts if not x.is_zero()]
@@ -52,7 +54,7 @@ def resultant(model: SymbolicModel, rub: Rub, rows: Mapping[str, Held], is_negat
 
 
 def solve_loads(
-    model: SymbolicModel, loads: Mapping[str, Rub], rows: Mapping[str, Held], is_negative: IsNegative
+    model: SymbolicModel, loads: Mapping[str, DryFriction], rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> Loads:
     """The loads of all sliding frictions. Raises CannotAnswer where they are not unique or not rational."""
     f = model.field
@@ -99,7 +101,7 @@ def with_loads(system: System, model: SymbolicModel, loads: Loads) -> System:
     return replace(system, pushes=pushes, parameters=parameters)
 
 
-def _with(push: Push, exprs: Mapping[str, Expr], model: SymbolicModel) -> Push:
+def _with(push: AppliedLoad, exprs: Mapping[str, Expr], model: SymbolicModel) -> AppliedLoad:
     own = {name: e for name, e in exprs.items() if name in free_symbols(push.law)}
     if not own:
         return push
@@ -115,7 +117,7 @@ def _with(push: Push, exprs: Mapping[str, Expr], model: SymbolicModel) -> Push:
     return replace(push, law=law, measures=tuple(measures.items()))
 
 
-def named_rows(system: System) -> dict[str, Held]:
+def named_rows(system: System) -> dict[str, ConstraintRow]:
     """Every row of a system by name, those of its bounds too."""
     rows = {row.name: row for row in system.held}
     return rows | {bound.name: bound.row for bound in system.bounds}

@@ -24,7 +24,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
-from freebody.model.elements import Held, RateMeasure, Rotation
+from freebody.model.elements import ConstraintRow, NonholonomicForm, Rotation
 from freebody.model.rotations import UNIT, singular_pose
 from freebody.symbolic.elimination import Equation, Unknown
 from freebody.symbolic.field import Ratio
@@ -57,7 +57,7 @@ class SpatialModel(SymbolicModel):
     def _given_angles(self) -> set[str]:
         return set(self.tree.angles)
 
-    def _holds_by_construction(self, row: Held) -> bool:
+    def _holds_by_construction(self, row: ConstraintRow) -> bool:
         return row.name in self.tree.rows
 
     def _held_value(self, measure: Measure) -> Ratio:
@@ -329,9 +329,9 @@ class SpatialModel(SymbolicModel):
         """A named angle of the tree as an unknown of its own, whether or not a closed loop binds it."""
         return self._angle_of[name]
 
-    def raw_equation(self, row: Held) -> Ratio:
+    def raw_equation(self, row: ConstraintRow) -> Ratio:
         """What a row holds at zero, in the named angles and positions before any of them is eliminated."""
-        assert not isinstance(row.measure, RateMeasure)
+        assert not isinstance(row.measure, NonholonomicForm)
         return row.measure.value(self._raw) - self._target(row)
 
     @cached_property
