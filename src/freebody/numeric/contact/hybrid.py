@@ -1,5 +1,8 @@
 """Motions that change their law on the way: phases of one mode each, and the instants between them."""
 
+# the state of the loop in `run` comes from the motion that begins in it: depending on which file it looks at first,
+# pyright takes types in this circle for partly unknown, though every call in it has a declared result
+# pyright: reportUnknownArgumentType=false, reportUnknownVariableType=false, reportUnknownMemberType=false
 from __future__ import annotations
 
 import math
