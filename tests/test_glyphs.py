@@ -46,7 +46,7 @@ from freebody.connections.base import Connection
 from freebody.language.units import LENGTH
 from freebody.measures.distance import Distance
 from freebody.model import glyphs
-from freebody.model.elements import Held
+from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula
 
@@ -69,7 +69,7 @@ connections: {it: {circular_groove: {pin: bead, center: ground.O, radius: 1 m}}}
 
     def rows(self, names: Names) -> list[ConstraintRow]:
         distance = Distance(names.point(self.center, "center"), names.point(self.pin, "pin"))
-        return [Held("normal", "normal force", distance, names.positive(self, "radius", LENGTH))]
+        return [ConstraintRow("normal", "normal force", distance, names.positive(self, "radius", LENGTH))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         radius = names.positive(self, "radius", LENGTH)
@@ -87,7 +87,7 @@ from freebody.language.units import DAMPING
 from freebody.loads.base import Load
 from freebody.measures.displacement import Displacement
 from freebody.model import glyphs
-from freebody.model.elements import RATE, Push
+from freebody.model.elements import RATE, AppliedLoad
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 
@@ -107,9 +107,9 @@ bodies: {sail: {particle: {mass: 1 kg}}}
 loads: {it: {wind: {at: sail, along: right, drag: 2 N s/m}}}
 """
 
-    def pushes(self, names: Names) -> list[Push]:
+    def pushes(self, names: Names) -> list[AppliedLoad]:
         travel = Displacement(names.point(self.at, "at"), names.ground_origin, names.direction(self.along, "along"))
-        return [Push("", travel, negate(names.positive(self, "drag", DAMPING) * RATE))]
+        return [AppliedLoad("", travel, negate(names.positive(self, "drag", DAMPING) * RATE))]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along))
