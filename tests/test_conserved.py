@@ -557,3 +557,11 @@ connections:
   D: {pin: [ground.D, rocker.start]}
 loads: {w: {gravity: 9.81 m/s^2}}
 """
+
+
+def test_moments_are_taken_about_points_that_are_called_so() -> None:
+    """A weight hangs beside a drum, on a guide R beside the origin that nobody named: the origin is the origin."""
+    searched = of_example("incline_with_pulley")
+    assert searched is not None
+    named = [v.question for v in searched.quantities]
+    assert len(named) == len(set(named))

@@ -107,8 +107,11 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
         *(push.measure for push in system.pushes if not _is_weight(system, push)),
     ]
     used = {p for measure in (*stated, *system.measures.values()) for p in _points_of(measure)}
-    for point in sorted({p for p in used if p.body == GROUND}, key=str):
-        yield point, "ground.origin" if str(point) == GROUND else str(point)
+    on_ground = {
+        ("ground.origin" if str(p) == GROUND else str(p)): p for p in used if p.body == GROUND and _is_named(p)
+    }
+    for name in sorted(on_ground, key=lambda name: (name != "ground.origin", name)):
+        yield on_ground[name], name
     if isinstance(group, str):
         body = system.bodies[group]
         if body.turns:
@@ -117,6 +120,11 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
             yield point, str(point)
     else:
         yield SYSTEM_CENTER, "its mass center"
+
+
+def _is_named(point: Point) -> bool:
+    """Whether a point of the ground is the one that it is called: a point of a guide that nobody named is not."""
+    return str(point) not in (GROUND, "ground.origin") or all(c == ZERO for c in point.offset)
 
 
 def _is_weight(system: System, push: AppliedLoad) -> bool:
