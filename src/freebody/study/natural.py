@@ -107,11 +107,11 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
         *(push.measure for push in system.pushes if not _is_weight(system, push)),
     ]
     used = {p for measure in (*stated, *system.measures.values()) for p in _points_of(measure)}
-    on_ground = {
-        ("ground.origin" if str(p) == GROUND else str(p)): p for p in used if p.body == GROUND and _is_named(p)
-    }
-    for name in sorted(on_ground, key=lambda name: (name != "ground.origin", name)):
-        yield on_ground[name], name
+    on_ground: dict[str, Point] = {}
+    for point in sorted({p for p in used if p.body == GROUND and _is_named(p)}, key=str):
+        on_ground.setdefault("ground.origin" if str(point) == GROUND else str(point), point)
+    for name, point in on_ground.items():
+        yield point, name
     if isinstance(group, str):
         body = system.bodies[group]
         if body.turns:
