@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import re
+from pathlib import Path
 
 import pytest
 
 import freebody as fb
 from freebody.study.answer import NOT_VALID
+from freebody.study.setup import Setup
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
 def value(text: str, question: str) -> float | tuple[float, ...]:
@@ -240,3 +246,54 @@ loads: {g: {gravity: 9.81 m/s^2}}
     assert value(text, "speed of p at start") == 0.0
     rubbed = text.replace("up}}}", "up}}, f: {dry_friction: {measure: height of p, force: 1 N}}}")
     assert fb.solve(fb.System.from_text(rubbed), "speed of p")["q1"].to_plain()["expression"] == "abs(rate(c_travel))"
+
+
+def test_a_measure_at_a_dead_point_is_no_coordinate_though_it_is_named_first() -> None:
+    text = """
+parameters: {r: 1 m, L: 3 m}
+bodies:
+  crank: {rod: {mass: 1 kg, length: r}}
+  rod: {rod: {mass: 1 kg, length: L}}
+  piston: {particle: {mass: 2 kg}}
+connections:
+  O: {pin: [ground.origin, crank.start]}
+  A: {pin: [crank.end, rod.start]}
+  B: {pin: [rod.end, piston]}
+  guide: {slider: {body: piston, along: right}}
+measures: {x: x of piston, phi: angle of crank}
+start: {phi: 0, rate(phi): 2}
+"""
+    answer = fb.solve(fb.System.from_text(text), "velocity of piston along right at start")
+    assert answer.coordinates == ("phi",)
+    assert answer["q1"].value == 0.0
+    # x'' = -r w^2 (1 + r/L) at the outer dead point, where gravity is left out
+    assert value(text, "acceleration of piston along right at start") == pytest.approx(-4.0 * (1 + 1 / 3))
+
+
+def test_the_order_of_bodies_in_space_changes_no_formula() -> None:
+    text = (EXAMPLES / "tilted_disk_on_shaft.yaml").read_text(encoding="utf-8")
+    lines = text.splitlines(keepends=True)
+    k = next(k for k, line in enumerate(lines) if line.startswith("  shaft:"))
+    assert lines[k + 1].startswith("  disk:")
+    swapped = "".join([*lines[:k], lines[k + 1], lines[k], *lines[k + 2 :]])
+    first, second = (fb.System.from_text(t).solve().to_plain()["answers"] for t in (text, swapped))
+    assert [a["expression"] for a in first] == [a["expression"] for a in second]
+
+
+@pytest.mark.parametrize("name", ["wall", "a_wall", "zz"])
+def test_what_a_wall_is_called_does_not_decide_whether_a_ladder_is_told_to_hold(name: str) -> None:
+    text = (EXAMPLES / "ladder_rough_wall.yaml").read_text(encoding="utf-8")
+    answer = fb.solve(fb.System.from_text(re.sub(r"\bwall\b", name, text)), "does it hold")["q1"]
+    assert answer.to_plain()["expression"] == "mu**2*cos(alpha) + 2*mu*sin(alpha) - cos(alpha)"
+
+
+def test_slopes_of_a_line_come_in_the_order_of_its_ends() -> None:
+    """Not in that of a set of names, which is another one in every process."""
+    names = [f"p{k}" for k in range(12)]
+    bodies = "\n".join(f"  {n}: {{particle: {{mass: 1 kg}}, at: [{k} m, {k * k} m]}}" for k, n in enumerate(names))
+    links = "\n".join(f"  c{k}: {{link: [{a}, {b}]}}" for k, (a, b) in enumerate(itertools.pairwise(names)))
+    system = fb.System.from_text(f"bodies:\n{bodies}\nconnections:\n{links}\n")
+    model = Setup(system, 2).model
+    # d|b - a| by b before that by a: as the difference of their places is written
+    orders = [[body for body, slot in model.gradient(row.measure) if slot == "x"] for row in system.held]
+    assert orders == [[b, a] for a, b in itertools.pairwise(names)]

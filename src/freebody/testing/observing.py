@@ -157,7 +157,9 @@ def _between(question: Question, system: System, first: Answer, second: Answer, 
     if parts_1 is None or parts_2 is None or not reading.formulas:
         return found
     if reading.same_text:
-        found += _of_texts(system, parts_1, parts_2, reading)
+        texts = [reading.rename(", ".join(map(to_python, parts))) for parts in (parts_1, parts_2)]
+        if texts[0] != texts[1]:
+            found.append(f"{texts[0]}, then {texts[1]}")
         if sorted(first.conditions) != sorted(map(reading.rename, second.conditions)):
             found.append(f"holds {'; '.join(first.conditions)}, then {'; '.join(second.conditions)}")
         return found
@@ -166,16 +168,6 @@ def _between(question: Question, system: System, first: Answer, second: Answer, 
     sense = _sense(question, parts_2, reading)
     parts_2 = tuple(part if s > 0 else -part for s, part in zip(sense, parts_2, strict=True))
     return found + _of_formulas(system, parts_1, parts_2, reading)
-
-
-def _of_texts(system: System, first: tuple[Expr, ...], second: tuple[Expr, ...], reading: Reading) -> list[str]:
-    """The differences of two texts, but for the order of terms: that of the file."""
-    texts = [reading.rename(", ".join(map(to_python, parts))) for parts in (first, second)]
-    if texts[0] == texts[1]:
-        return []
-    if sorted(texts[0]) != sorted(texts[1]):  # other letters
-        return [f"{texts[0]}, then {texts[1]}"]
-    return _of_formulas(system, first, second, reading)
 
 
 def _sense(question: Question, values: Sequence[Any], reading: Reading) -> tuple[int, ...]:

@@ -128,8 +128,7 @@ def renamed(system: System, rng: random.Random) -> list[Changed]:
 
 @_relation("order")
 def permuted(system: System, rng: random.Random) -> list[Changed]:
-    """Bodies, connections, loads, measures and questions stand in another order: the same text is printed, but for the
-    order of terms, which is that of the file."""
+    """Bodies, connections, loads, measures and questions stand in another order: the same text is printed."""
     data = documents.prepared(system)
     changed = documents.shuffled(data, rng)
     return [] if repr(changed) == repr(data) else [Changed(changed, Reading(same_text=True))]
