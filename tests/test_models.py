@@ -297,3 +297,19 @@ def test_slopes_of_a_line_come_in_the_order_of_its_ends() -> None:
     # d|b - a| by b before that by a: as the difference of their places is written
     orders = [[body for body, slot in model.gradient(row.measure) if slot == "x"] for row in system.held]
     assert orders == [[b, a] for a, b in itertools.pairwise(names)]
+
+
+def test_a_speed_and_the_size_of_a_reaction_are_derived_as_they_are_answered() -> None:
+    """A bob that swings back: at the lowest point theta' is negative, and the speed L |theta'| is not."""
+    system = fb.System.from_text("""
+parameters: {m: kg, L: m, g: 9.81 m/s^2, theta0: 60 deg}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: {first: ground.origin, second: bob, length: L}}}
+loads: {w: {gravity: g}}
+measures: {theta: angle of line from ground.origin to bob from down}
+start: {theta: theta0, rate(theta): 0}
+questions: [speed of bob, speed of bob when theta = 0, size of reaction of rod]
+""")
+    told = system.explain().to_text()
+    assert "There is no derivation" not in told
+    assert "│θ'│" in told

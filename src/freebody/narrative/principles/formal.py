@@ -36,7 +36,7 @@ class FormalState(SymbolicState):
 
     def sqrt(self, x: Any) -> Ratio:
         """The root of a square has the sign that it has with the reactions and accelerations of the solution."""
-        return self.model.field.sqrt(x, lambda base: self.model.is_negative(self._solved(base)), is_kept=True)
+        return self.model.field.sqrt(x, lambda base: self.model.is_turned(self._solved(base)), is_kept=True)
 
     def _solved(self, x: Ratio) -> Ratio:
         """An element with reactions and accelerations replaced by what they are, where that is unique."""
