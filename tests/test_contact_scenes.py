@@ -78,6 +78,7 @@ def test_four_things_thrown_at_each_other(seed: int) -> None:
         (4, 101, "a particle on a rod, which has two sides"),
         (4, 404, "a contact that pushes nothing, which no other row keeps closed"),
         (4, 135, "a ball passes near a corner within one step"),
+        (5, 431, "a mode begins again in which a contact carried nothing the time before"),
         (6, 204, "a gap is pushed below zero where another one is closed"),
         (6, 215, "more modes than can be tried"),
     ],

@@ -502,7 +502,7 @@ class Field:
         if x.is_zero():
             return x
         num, den = self.current(x.num), self.one.num if x.den is None else self.current(x.den)
-        unit, factors = self.factor(num * den)
+        unit, factors = self._with_sines(*self.factor(num * den))
         outside, inside = self.one, self.one
         if unit < 0:
             inside = -inside
@@ -523,6 +523,19 @@ class Field:
         if (inside.fraction() or 1) < 0:
             raise CannotAnswer(f"square root of the negative number {x}")
         return outside * self._root(inside, is_negative if is_kept else None)
+
+    def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:
+        """Factors with s^2 in the place of -(c - 1) (c + 1), which the normal form makes of it."""
+        found = dict(factors)
+        for index in self.angles:
+            c, s = self.variable(index), self.variable(index + 1)
+            n = min(found.get(c - 1, 0), found.get(c + 1, 0))
+            if n:
+                unit *= (-1) ** n
+                for base in (c - 1, c + 1):
+                    found[base] -= n
+                found[s] = found.get(s, 0) + 2 * n
+        return unit, [(base, exponent) for base, exponent in found.items() if exponent]
 
     @staticmethod
     def _root_of_square(base: Ratio, is_negative: Callable[[Ratio], bool | None] | None) -> Ratio | None:
@@ -779,12 +792,17 @@ class Field:
         return total
 
     def numerator_and_size(self, x: Ratio, values: Mapping[int, float]) -> tuple[float, float]:
-        """The numerator at the given values, and the sum of the sizes of its terms, whatever they are measured in."""
-        terms = [
-            math.prod((values[k] ** exponent for k, exponent in monomial), start=float(coefficient))
-            for monomial, coefficient in self.terms(x.num).items()
-        ]
-        return math.fsum(terms), math.fsum(map(abs, terms))
+        """The numerator at the given values, and the sum of the sizes of its terms, whatever they are measured in.
+        Sines and cosines count as one in a size, so that a single term with the sine of zero is small beside it."""
+        terms: list[float] = []
+        sizes: list[float] = []
+        for monomial, coefficient in self.terms(x.num).items():
+            factors = [(values[k] ** exponent, self.generators[k].kind in ("cos", "sin")) for k, exponent in monomial]
+            terms.append(math.prod((value for value, _is_bounded in factors), start=float(coefficient)))
+            sizes.append(
+                math.prod((abs(v) for v, is_bounded in factors if not is_bounded), start=abs(float(coefficient)))
+            )
+        return math.fsum(terms), math.fsum(sizes)
 
     def expression(self, x: Ratio) -> Expr:
         """The plain expression, expanded; see `tidy` for the form people read."""

@@ -40,6 +40,7 @@ from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start_pose import StartPose, known_poses, recognised
+from freebody.system.order import in_one_order
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -66,7 +67,7 @@ class SymbolicModel:
     n_places = 2  # of these, for a particle
 
     def __init__(self, system: System, samples: Sequence[Sample]) -> None:
-        self.system = system
+        self.system = in_one_order(system)
         self.samples = tuple(samples)
         n = len(system.moving)
         self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
@@ -384,7 +385,7 @@ class SymbolicModel:
         constraints = equations + self._definitions
         self._definitions = []
         measures = self.system.measures
-        # wanted in the order of the file; one that is at an extreme at the start is no coordinate there: last
+        # wanted in the one order of measures; one that is at an extreme at the start is no coordinate there: last
         wanted = sorted(measures, key=lambda n: any(n in sample.still for sample in self.samples))
         candidates = [(f"define {n}", n, m, (NAMED, -wanted.index(n))) for n, m in measures.items()]
         named = {m for _d, _n, m, _r in candidates}
@@ -728,6 +729,8 @@ class SymbolicModel:
                 row[RHS] = -rest
             rows.append(row)
         solved = solve(self.field, rows, speeds, self.vanishes)
+        if len(solved.pivots) < len(speeds):
+            raise CannotAnswer("the loops determine the speeds, but not the accelerations that go with them")
         for speed in speeds:
             self.field.set_rate(self.field.variable(speed), self._sum_of(solved.pivots[speed]))
 

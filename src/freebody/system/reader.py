@@ -667,7 +667,7 @@ class Reader:
             return rows, offered
         kept = [row for row in rows if not row.if_needed]
         always = tuple(kept)
-        for row in rows:
+        for row in sorted(rows, key=lambda row: row.name):
             if not row.if_needed or any(row.measure == other.measure for other in kept):
                 continue
             if not is_distance_kept(self.names.bodies, always, row.measure):

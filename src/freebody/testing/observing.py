@@ -104,10 +104,11 @@ def differences(before: Observed, after: Observed, reading: Reading) -> list[str
         n_before, n_after = len(first.phases.cases), len(second.phases.cases)
         if n_before != n_after:
             found.append(f"{n_before} cases of phases, then {n_after}")
+    found += _of_coordinates(first, second) if reading.same_text else []
     if set(map(reading.rename, second.coordinates)) != set(first.coordinates):
-        # of measures that a loop binds to each other the first are the coordinates: what is said in others is compared
-        # by its values
-        reading = replace(reading, same_text=False, same_coordinates=False)
+        # of measures that a loop binds to each other others may be the coordinates under other names: what is said in
+        # others is compared by its values
+        reading = replace(reading, same_coordinates=False)
     asked = {q.id: q for q in before.system.questions}
     known = {a.id: a for a in second.answers}
     for answer in first.answers:
@@ -125,6 +126,16 @@ def differences(before: Observed, after: Observed, reading: Reading) -> list[str
         if not (study in OF_THE_WHOLE and reading.freedoms):
             found += [f"{study}: {text}" for text in _of_facts(before.facts[study], after.facts[study], reading)]
     return found
+
+
+def _of_coordinates(first: Solution, second: Solution) -> list[str]:
+    """What is told otherwise of the system itself."""
+    told = {
+        "coordinates": (first.coordinates, second.coordinates),
+        "dependent coordinates": (first.dependent, second.dependent),
+        "redundant constraints": (first.redundant, second.redundant),
+    }
+    return [f"{what} {', '.join(a)}, then {', '.join(b)}" for what, (a, b) in told.items() if a != b]
 
 
 def _of_facts(first: Fact, second: Fact, reading: Reading) -> list[str]:

@@ -126,15 +126,16 @@ class Table:
                 if not others and (body.name, "angle") not in slopes and _is_unit(vector):
                     mine.append(Aim(vector, Sentence("direction.measure", {"name": name}), name))
             mine += axes
+            across: list[Aim] = []
             for row in self.acting_on(body.name):
                 slopes = self.directions[row]
                 vector = slopes.get((body.name, "x"), f.zero), slopes.get((body.name, "y"), f.zero)
                 if _is_unit(vector):
                     args = {"force": self.symbols[row].name}
                     mine.append(Aim(vector, Sentence("direction.along_force", args), self.symbols[row].name))
-                    across = vector[1], -vector[0]
-                    mine.append(Aim(across, Sentence("direction.across_force", args), f"t_{self.symbols[row].name}"))
-            found[body.name] = _distinct(mine)
+                    normal = vector[1], -vector[0]
+                    across.append(Aim(normal, Sentence("direction.across_force", args), f"t_{self.symbols[row].name}"))
+            found[body.name] = _distinct([*mine, *across])  # along a force is said rather than across another one
         return found
 
     def centres(self, bodies: tuple[str, ...]) -> list[Centre]:

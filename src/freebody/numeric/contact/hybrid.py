@@ -238,6 +238,8 @@ class Hybrid:
         """Notes the dry friction whose force depends on how reactions that are not unique are shared, and has them
         shared by a rule that no order of the connections changes, as long as nothing would have to pull."""
         b = self.bounded
+        engine.share_no_more()  # what an earlier phase of this mode shared, and which contacts carried nothing in it
+        engine.evaluate(y, t)
         sets, sizes = engine.open_multipliers()
         if not sets.shape[1]:
             return
@@ -259,10 +261,12 @@ class Hybrid:
         pushing = {row_of[b.barriers[k].place]: b.barriers[k].sign for k in mode.closed}
         idle = _idle(multipliers, sets / sizes[:, None], 1.0 / engine.scale_of_held, pushing)
         if idle:
+            engine.share_no_more()
+            engine.evaluate(y, t)
             engine.share_by_compliance(idle)
             self.yielding[mode] = None
         elif idle is None:
-            engine.layout, engine.is_shared = engine.unshared, False  # no distribution at all would do
+            engine.share_no_more()  # no distribution at all would do
             self.is_arbitrary = True
         engine.evaluate(y, t)
 
@@ -273,7 +277,7 @@ class Hybrid:
             return False
         del self.yielding[mode]
         self.stiff.add(mode)
-        engine.layout, engine.is_shared = engine.unshared, False
+        engine.share_no_more()
         self.is_arbitrary = True
         return True
 

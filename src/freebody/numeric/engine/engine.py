@@ -205,7 +205,7 @@ class Engine(Packed):
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
-        self.unshared: Layout = self.layout
+        self._unshared: Layout = self.layout
         self.is_shared = False  # whether multipliers that are not unique are the least
 
     @cached_property
@@ -236,8 +236,11 @@ class Engine(Packed):
         Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the passes of
         `dynamics.projected` take back without leaving the range of J: what is left of it is the choice of lambda.
         Rows that are `idle` yield without limit and carry nothing.
+        Their sizes are those at the instant looked at last; raises RuntimeError if something was shared there.
         Source: Tikhonov regularisation, Hansen, Rank-Deficient and Discrete Ill-Posed Problems, 1998, ch. 5."""
-        L = self.unshared
+        if self.is_shared:  # the diagonal would contain the compliance itself
+            raise RuntimeError("the multipliers are shared already")
+        L = self._unshared
         held = np.array(L.held_scale)
         diagonal = np.array(self.room.diagonal)[: len(held)]
         compliance = COMPLIANCE * float((diagonal * held**2).max(initial=0.0))
@@ -247,6 +250,10 @@ class Engine(Packed):
         base[np.array(L.column_ptr[:-1])] += yielding
         self.layout = L._replace(schur_base=base, has_gap=L.has_gap | dynamics.SHARES)
         self.is_shared = True
+
+    def share_no_more(self) -> None:
+        """From now on multipliers that are not unique are as the elimination leaves them."""
+        self.layout, self.is_shared = self._unshared, False
 
     def tape_value(self, tape: int, t: float) -> float:
         """The value of a tape at the instant looked at last."""

@@ -1,0 +1,86 @@
+"""One order of the elements of a system, whatever the order in which its file lists them.
+
+Coordinates are chosen, and terms of a sum are written, in the order of the elements; so that no answer and no
+formula hangs on the order of a file, the symbolic route sees every system in this one:
+
+- bodies by how many others they are joined to, the most first: where loops bind them, the others follow from these
+  in the fewest steps. Of those that are joined to as many, as one walks from the ground along the connections: each as
+  soon as a body next to it has been met, and on from there before others (depth first), so that a four-bar linkage is
+  crank, coupler, rocker; of several by name;
+- named measures: first those that the start gives values, which is what the user calls the configuration; in the
+  plane lengths before angles, in space angles before lengths; then by name;
+- connections by how many rows they hold, the most first: a pin puts a point where another one is, which a slot needs to
+  know; then by name, as measures that connections offer and loads are.
+
+Names are compared as people read them: `b2` before `b10`.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+from freebody.language.units import DIMENSIONLESS
+from freebody.system.system import System
+
+_T = TypeVar("_T")
+_NUMBER = re.compile(r"(\d+)")
+
+
+def natural(name: str) -> tuple[tuple[str, int], ...]:
+    """A key that sorts names as people read them: numbers in them by their size, then as they are spelt."""
+    parts = _NUMBER.split(name.casefold())
+    return (*((part, 0) if k % 2 == 0 else ("", int(part)) for k, part in enumerate(parts)), (name, 0))
+
+
+def in_one_order(system: System) -> System:
+    """The same system, its elements in the order that this module defines."""
+    names = sorted((body.name for body in system.moving), key=natural)
+    # what reads a single moving body leads to it from the ground; in what reads several, the ground is only what
+    # directions are measured in
+    joined = [set(row.measure.bodies()) & set(names) for row in system.held]
+    beside = {name: set[str]().union(*(ends for ends in joined if name in ends)) for name in names}
+    on_ground = [name for name in names if {name} in joined]
+    walk = {name: k for k, name in enumerate(_walk(names, beside, on_ground))}
+    given = system.start.keys() | system.start_rates.keys()
+
+    n_rows = Counter(row.connection for row in system.held)
+
+    def rank_of_body(name: str) -> tuple[object, ...]:
+        if system.bodies[name].fixed:
+            return -math.inf, natural(name)
+        return -len(beside[name] - {name}) - (name in on_ground), walk[name]
+
+    def rank_of_measure(name: str) -> tuple[object, ...]:
+        is_angle = system.measures[name].dimension == DIMENSIONLESS
+        return name not in given, is_angle != system.space, natural(name)
+
+    return replace(
+        system,
+        bodies=_sorted(system.bodies, rank_of_body),
+        measures=_sorted(system.measures, rank_of_measure),
+        offered=tuple(sorted(system.offered, key=lambda entry: natural(entry[0]))),
+        held=tuple(sorted(system.held, key=lambda row: (-n_rows[row.connection], natural(row.connection)))),
+        pushes=tuple(sorted(system.pushes, key=lambda push: natural(push.load))),
+    )
+
+
+def _walk(names: Sequence[str], beside: Mapping[str, Collection[str]], on_ground: Sequence[str]) -> list[str]:
+    """The moving bodies in the order in which they are met. names: in the order in which they are looked at; beside: to
+    which others each is joined."""
+    met: dict[str, None] = {}
+    waiting = [*reversed(names), *reversed(on_ground)]  # the last is met first
+    while waiting:
+        name = waiting.pop()
+        if name not in met:
+            met[name] = None
+            waiting += [other for other in reversed(names) if other in beside[name]]
+    return list(met)
+
+
+def _sorted(entries: Mapping[str, _T], key: Callable[[str], object]) -> dict[str, _T]:
+    return {name: entries[name] for name in sorted(entries, key=key)}  # type: ignore[arg-type]
