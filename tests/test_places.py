@@ -112,6 +112,7 @@ connections:
   rope2: {{string: {{from: B, over: [lower], to: C}}}}
 {WEIGHT}
 measures: {{x2: drop of B, x3: drop of C, x1: drop of A}}
+start: {{x2: 1 m, x3: 1 m}}
 """,
         {
             "x of B": "R - r",
@@ -181,6 +182,7 @@ connections:
   chain: {{string: {{path: [wound on drum radius R at left, under block, wound on drum radius r at right], grips: []}}}}
 {WEIGHT}
 measures: {{phi: angle of drum clockwise, y: height of block}}
+start: {{phi: 0}}
 """,
         {"x of block": "(r - R)/2", "rate of y": "(R - r)*rate(phi)/2"},
     ),

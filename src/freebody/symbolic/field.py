@@ -525,9 +525,11 @@ class Field:
         return outside * self._root(inside, is_negative if is_kept else None)
 
     def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:
-        """Factors with s^2 in the place of -(c - 1) (c + 1), which the normal form makes of it."""
+        """Factors with s^2 in the place of -(c - 1) (c + 1), which the normal form makes of it, where s is positive."""
         found = dict(factors)
         for index in self.angles:
+            if not self.generators[index + 1].positive:
+                continue
             c, s = self.variable(index), self.variable(index + 1)
             n = min(found.get(c - 1, 0), found.get(c + 1, 0))
             if n:

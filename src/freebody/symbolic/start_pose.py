@@ -29,6 +29,8 @@ _LINE = 9  # the rank of lines: what is known of bodies comes first
 
 def recognised(field: Field, numbers: Sequence[float], *, is_angle: bool) -> Ratio | None:
     """A value that is the same multiple of a right angle (zero for a length) at all samples."""
+    if not all(map(math.isfinite, numbers)):
+        return None
     quarter = math.pi / 2 if is_angle else math.inf
     turns = {0 if quarter == math.inf else round(v / quarter) for v in numbers}
     if len(turns) != 1:

@@ -65,6 +65,7 @@ def in_one_order(system: System) -> System:
         measures=_sorted(system.measures, rank_of_measure),
         offered=tuple(sorted(system.offered, key=lambda entry: natural(entry[0]))),
         held=tuple(sorted(system.held, key=lambda row: (-n_rows[row.connection], natural(row.connection)))),
+        attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
         pushes=tuple(sorted(system.pushes, key=lambda push: natural(push.load))),
     )
 

@@ -62,14 +62,14 @@ class _Grower:
         self.links: list[Link] = []
         self.angles: dict[str, Measure] = {}
         self.rows: set[str] = set()
-        self.placed = {b.name for b in system.bodies.values() if b.fixed or not b.turns}
+        self.placed = {b.name: None for b in system.bodies.values() if b.fixed or not b.turns}  # in this order
         self._names = {m: name for name, m in (*system.offered, *system.measures.items())}
 
     def tree(self) -> Tree:
         waiting = [b.name for b in self.system.moving if b.turns]
         while waiting:
             name = self._next(waiting)
-            self.placed.add(name)
+            self.placed[name] = None
             waiting.remove(name)
         return Tree(tuple(self.links), self.angles, frozenset(self.rows))
 
@@ -82,7 +82,7 @@ class _Grower:
                 return name
         usable = [a for a in self.system.attitudes if self._new(a, waiting) is not None]
         if usable:
-            joint = min(usable, key=lambda a: (len(a.turns), any(t[2] not in self._names for t in a.turns)))
+            joint = min(usable, key=lambda a: self._rank(a, waiting))
             name = str(self._new(joint, waiting))
             self._by_joint(joint, name)
             return name
@@ -91,10 +91,18 @@ class _Grower:
         self._free(name)
         return name
 
+    def _rank(self, a: Attitude, waiting: Sequence[str]) -> tuple[int, bool, int, int]:
+        """How early a joint is taken: few angles first, then angles that have a name, then from the body that was
+        placed first, so that a loop is cut far from the ground, to the first that waits."""
+        has_unnamed = any(measure not in self._names for _axis, _name, measure in a.turns)
+        new = str(self._new(a, waiting))
+        order = list(self.placed)
+        return len(a.turns), has_unnamed, order.index(a.first if new == a.second else a.second), waiting.index(new)
+
     def _n_rows(self, name: str) -> int:
         """How many rows hold a body to others that are placed already."""
         joined = (set(row.measure.bodies()) for row in self.system.held)
-        return sum(name in bodies and bool(bodies & self.placed - {name}) for bodies in joined)
+        return sum(name in bodies and bool(bodies & self.placed.keys() - {name}) for bodies in joined)
 
     def _new(self, a: Attitude, waiting: Sequence[str]) -> str | None:
         """The body to which a joint leads."""
