@@ -95,6 +95,7 @@ connections:
 measures:
   theta: {angle of crank}
   phi: {angle of rod clockwise}
+start: {theta: 40 deg}
 """
 
 
@@ -553,6 +554,9 @@ def test_coordinates_that_a_loop_binds_are_compared_at_poses_of_the_mechanism() 
     assert judgement.options["b"].reason.startswith("with the model's own numbers: option 0.29")
     assert crank.is_right("l*phi'*cos(phi)", "r*theta'*cos(theta)", VELOCITY)
     assert not crank.is_right("sqrt(r^2 - r^2*cos(theta)^2)", "r*sin(theta)", LENGTH)
+    # where theta is the one that follows from the loop, a pose beyond the dead centre tells a root from the sine
+    bound = bench(CRANK.replace("theta: 40 deg", "phi: 10 deg"), *(crank_at(theta) for theta in (0.7, 1.1, 4.0)))
+    assert not bound.is_right("sqrt(r^2 - r^2*cos(theta)^2)", "r*sin(theta)", LENGTH)
     energy = crank.judge({"a": "m3*g0*l*sin(phi) + m3*g0*r"}, "m3*g0*r*sin(theta)", ENERGY, up_to_constant=True)
     assert energy.options["a"].reason == "equal up to a constant to 8 digits at 3 poses of the mechanism"
 
