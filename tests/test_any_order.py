@@ -176,3 +176,20 @@ def test_a_pivot_that_vanishes_by_the_sine_of_a_bar_that_stays_level_is_none() -
     data = documents.prepared(system)
     data["connections"] = dict(sorted(data["connections"].items()))
     assert fb.System.from_data(data).solve().degrees_of_freedom == 1
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_pulley_hangs_on_the_rope_that_carries_it_and_not_on_the_one_over_it(seed: int) -> None:
+    held = {row.name for row in shuffled(pulleys(), seed).held}
+    assert {"rope1.lower hangs", "rope2.B hangs", "rope2.C hangs"} <= held
+
+
+def test_contacts_among_all_are_the_same_pairs_in_every_order() -> None:
+    bodies = [f"  {b}: {{disk: {{mass: 1 kg, radius: 0.1 m}}, at: [{k} m, 1 m]}}" for k, b in enumerate("acb")]
+    lines = "{lines: {z: {along: right}, y: {through: [-3 m, 0], along: up}}}"
+    rest = f"ground: {lines}\nconnections: {{c: {{contact: {{among: all}}}}}}\nbodies:\n"
+    told = {
+        tuple(bound.name for bound in fb.System.from_text(rest + "\n".join(order)).bounds)
+        for order in itertools.permutations(bodies)
+    }
+    assert len(told) == 1

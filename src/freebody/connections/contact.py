@@ -11,6 +11,7 @@ from freebody.connections.base import Connection
 from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.sites import Site, sites
 from freebody.language.expression import ZERO, Expr
+from freebody.language.natural import natural
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
@@ -162,8 +163,11 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         field = "between" if self.among is None else "among"
         texts = self.between if self.among is None else self.among
         if texts == "all":
-            moving = [b.name for b in names.bodies.values() if b.name != GROUND and _has_outline(b)]
-            texts = [*moving, *(f"{GROUND}.{line}" for line in names.bodies[GROUND].lines)]
+            moving = sorted(
+                (b.name for b in names.bodies.values() if b.name != GROUND and _has_outline(b)), key=natural
+            )
+            lines = sorted(names.bodies[GROUND].lines, key=natural)
+            texts = [*moving, *(f"{GROUND}.{line}" for line in lines)]
         elif isinstance(texts, str):
             names.problem("among is a list of bodies, points and lines, or all", None, "among")
             return []

@@ -390,7 +390,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
 
     # -- rows ---------------------------------------------------------------------------------
     def _hanging(self, names: Names, laid: Laid) -> list[ConstraintRow]:
-        """Holds every body that hangs on this string, and on none before, across its lead."""
+        """Holds every body that hangs on this string, and on no other, across its lead."""
         me = next((name for name, other in names.connections.items() if other is self), "")
         rows: list[ConstraintRow] = []
         for body, hook in self._own_hooks(names, laid):
@@ -409,10 +409,12 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return rows
 
     def _own_hooks(self, names: Names, laid: Laid) -> Iterator[tuple[str, Hook]]:
-        """The bodies that hang on this string, and on none before."""
-        before = list(itertools.takewhile(lambda other: other is not self, names.connections.values()))
+        """The bodies that hang on this string: each on that of its strings which is nearest to what is held, as on the
+        rope that carries a pulley rather than on the one below it; of several on the first by name."""
+        ranks, strings = _ranks(names), [c for c in names.connections.values() if isinstance(c, String)]
         for body, hook in laid.hooks.items():
-            if hook.hangs and not any(isinstance(c, String) and body in c.hanging(names) for c in before):
+            rivals = [c for c in strings if c is self or body in c.hanging(names)]
+            if hook.hangs and min(rivals, key=lambda c: ranks[id(c)]) is self:
                 yield body, hook
 
     def _note_guided(self, names: Names, me: str, row: ConstraintRow, hook: Hook) -> None:
@@ -426,7 +428,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             )
 
     def hanging(self, names: Names) -> set[str]:
-        """The bodies that hang on it."""
+        """The bodies that can hang on it."""
         with quietly(names):
             laid = self._laid(names)
         return set() if laid is None else {body for body, hook in laid.hooks.items() if hook.hangs}
@@ -521,6 +523,22 @@ def _is_held(names: Names, body: str) -> bool:
             return True
     others = [names.known(name) for name in sorted(unit - {body})]
     return any(b.fixed or b.name == GROUND or b.start.at is not None for b in others)
+
+
+def _ranks(names: Names) -> dict[int, int]:
+    """By the identity of each string: by how many others, at least, it hangs on what is held otherwise."""
+    waiting = [c for c in names.connections.values() if isinstance(c, String)]
+    ends = {body for c in waiting for body in c.mentions(names)}
+    met = {body for body in ends if body == GROUND or _is_held(names, body)}
+    ranks: dict[int, int] = {}
+    rank = 0
+    while waiting:
+        reached = [c for c in waiting if c.mentions(names) & met] or waiting  # the rest hangs on nothing
+        ranks |= {id(c): rank for c in reached}
+        met = met.union(*(c.mentions(names) for c in reached))
+        waiting = [c for c in waiting if id(c) not in ranks]
+        rank += 1
+    return ranks
 
 
 def _guide_of(names: Names, body: str) -> Direction | None:

@@ -18,23 +18,16 @@ Names are compared as people read them: `b2` before `b10`.
 from __future__ import annotations
 
 import math
-import re
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
+from freebody.language.natural import natural
 from freebody.language.units import DIMENSIONLESS
 from freebody.system.system import System
 
 _T = TypeVar("_T")
-_NUMBER = re.compile(r"(\d+)")
-
-
-def natural(name: str) -> tuple[tuple[str, int], ...]:
-    """A key that sorts names as people read them: numbers in them by their size, then as they are spelt."""
-    parts = _NUMBER.split(name.casefold())
-    return (*((part, 0) if k % 2 == 0 else ("", int(part)) for k, part in enumerate(parts)), (name, 0))
 
 
 def in_one_order(system: System) -> System:
@@ -66,7 +59,7 @@ def in_one_order(system: System) -> System:
         offered=tuple(sorted(system.offered, key=lambda entry: natural(entry[0]))),
         held=tuple(sorted(system.held, key=lambda row: (-n_rows[row.connection], natural(row.connection)))),
         attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
-        pushes=tuple(sorted(system.pushes, key=lambda push: natural(push.load))),
+        pushes=tuple(sorted(system.pushes, key=lambda push: (natural(push.load), natural(push.component)))),
     )
 
 

@@ -17,6 +17,7 @@ from freebody.connections.planar import Planar
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
 from freebody.language.expression import ZERO, Expr, free_symbols, name_problem, negate, replace_rates, substitute
+from freebody.language.natural import natural
 from freebody.language.plain_text import plain
 from freebody.language.units import (
     ANGULAR_VELOCITY,
@@ -124,7 +125,8 @@ class Reader:
         self._parameters()
         self._bodies()
         connections = self._specs("connections", Connection.kinds)
-        self.names.connections = connections
+        # by name: which of several leads, guides or carries something hangs on no order of the file
+        self.names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
         loads = self._specs("loads", Load.kinds)
         measures = self._measures()
         pushes = self.names.pushes = self._pushes(loads)
