@@ -20,6 +20,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import Motion, StartState, start_state
 from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
+from freebody.system.order import in_one_order
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
@@ -209,7 +210,8 @@ def independent_measures(setup: Setup, n: int) -> tuple[str, ...]:
     free = np.linalg.qr(start.reference.split_at(start.q, start.branches).null / moves[:, None])[0]
     chosen: list[str] = []
     rows = np.zeros((0, free.shape[1]))
-    for name, measure in (*setup.system.measures.items(), *setup.system.offered):
+    ordered = in_one_order(setup.system)
+    for name, measure in (*ordered.measures.items(), *ordered.offered):
         with suppress(CannotAnswer):
             slope = start.reference.jet(start.geometry, measure).row(len(start.q)) * moves
             row = slope @ free
