@@ -193,3 +193,37 @@ def test_contacts_among_all_are_the_same_pairs_in_every_order() -> None:
         for order in itertools.permutations(bodies)
     }
     assert len(told) == 1
+
+
+def test_what_is_assumed_of_nothing_is_the_same_in_every_order() -> None:
+    """A disk and a hub that nobody places, in mesh: the pose that is found, and what turns freely in space."""
+    plane = """
+parameters: {k: 5 N/m^3}
+bodies:
+  p: {ring: {mass: 10 kg, radius: 0.125 m}, near: {at: [-1 m, 2 m]}}
+  q: {particle: {mass: 0.5 kg}}
+  r: {disk: {mass: 1 kg, radius: 0.5 m}}
+measures: {u: drop of q below r}
+connections:
+  c1: {slot: {pin: q.center, along: right}}
+  c2: {gear_mesh: {first: r, second: p}}
+loads: {f0: {law: {measure: u, force: -k*u^3}}}
+questions: [{find: u at start}]
+"""
+    space = """
+space: true
+bodies:
+  p: {body: {mass: 10 kg, inertia: 0.5 kg m^2}, near: {at: [0.3 m, 0, 1 m]}}
+  q: {cone: {radius: 2 m, height: 0.5 m, axis: 30 deg}, at: [0.3 m, 1 m, 0]}
+connections: {c1: {prismatic: {first: q, second: p, along: q.x}}}
+measures: {u: angle of p about p.x}
+questions: [{find: velocity of q along y at start}]
+"""
+    for text in (plane, space):
+        system = fb.System.from_text(text)
+        told = set[object]()
+        for seed in range(5):
+            solution = shuffled(system, seed).solve()
+            value = solution.answers[0].value
+            told.add((solution.coordinates, solution.dependent, f"{value:.9g}"))
+        assert len(told) == 1

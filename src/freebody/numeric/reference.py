@@ -19,6 +19,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, evaluate
+from freebody.language.natural import natural
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
@@ -141,13 +142,28 @@ class Reference:
         radian) a second. Raises CannotAnswer if there is none."""
 
         def along(free: Array, size: float) -> Array:
-            step: Array = free @ rng.standard_normal(int(free.shape[1]))
+            # what a disturbance has along the free directions, so that it hangs on no basis of them
+            scaled = free / self.sizes.unit_moves[:, None]
+            step: Array = free @ np.linalg.lstsq(scaled, self.noise(rng), rcond=None)[0]
             return step * (size / (float(self.sizes.relative(step).max(initial=0.0)) or 1.0))
 
         step = along(self.split_at(q, self._branches).null, size)
         here = self.placing.placed(self.frame.moved(q, step), self.held_where(q, 0.0), t, self._branches).q
         free = self.split_at(here, self._branches, t).null
         return here, along(free, 1.0) + self.velocities(here, (), t, with_start=False)
+
+    def noise(self, rng: np.random.Generator) -> Array:
+        """(n,) normal deviates, drawn body by body in an order that neither the file nor units change: by how many rows
+        hold them, by mass, then by name."""
+        n_rows = {b.name: sum(b.name in row.measure.bodies() for row in self.system.held) for b in self.system.moving}
+
+        def rank(name: str) -> tuple[object, ...]:
+            return -n_rows[name], float(f"{self.masses[self.columns(name)[0]]:.9g}"), natural(name)
+
+        columns = [column for name in sorted(n_rows, key=rank) for column in self.columns(name)]
+        found = np.zeros(len(self.masses))
+        found[columns] = rng.standard_normal(len(columns))
+        return found
 
     def velocities(
         self,

@@ -15,7 +15,6 @@ import numpy as np
 from freebody.budgets import allowed, exhausted
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.expression import Expr
-from freebody.language.natural import natural
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -193,25 +192,9 @@ def _guess(reference: Reference) -> Array:
 def _starts(reference: Reference, guess: Array, n_starts: int) -> Iterator[Array]:
     """The guess, then disturbed ones: first a little, later by the size of the system."""
     yield guess
-    place = _places_in_any_order(reference)
     for k in range(n_starts):
-        disturbance = np.random.default_rng(k).standard_normal(len(guess))[place]
+        disturbance = reference.noise(np.random.default_rng(k))
         yield reference.frame.moved(guess, min(1.0, 0.02 * 2.0**k) * reference.sizes.unit_moves * disturbance)
-
-
-def _places_in_any_order(reference: Reference) -> list[int]:
-    """(n,) the number of each coordinate where bodies stand in an order that neither the file nor units change: by how
-    many rows hold them, by mass, then by name."""
-    system = reference.system
-    n_rows = {b.name: sum(b.name in row.measure.bodies() for row in system.held) for b in system.moving}
-
-    def rank(name: str) -> tuple[object, ...]:
-        return -n_rows[name], float(f"{reference.masses[reference.columns(name)[0]]:.9g}"), natural(name)
-
-    place: dict[int, int] = {}
-    for name in sorted(n_rows, key=rank):
-        place |= {column: len(place) + k for k, column in enumerate(reference.columns(name))}
-    return [place[column] for column in range(len(reference.masses))]
 
 
 def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | NonholonomicForm, float]]) -> list[Equation]:

@@ -16,6 +16,7 @@ from freebody.measures.geometry import GROUND, ONE, ZERO, Components
 from freebody.model.elements import Attitude, Rotation
 from freebody.model.names import Names
 from freebody.model.rotations import UNIT, Columns, angles_of, rotation, transposed
+from freebody.system.order import in_one_order
 from freebody.system.system import System
 
 _DEFAULT = (("yaw", (ZERO, ZERO, ONE)), ("pitch", (ZERO, ONE, ZERO)), ("roll", (ONE, ZERO, ZERO)))
@@ -52,8 +53,8 @@ class Tree:
 
 
 def tree_of(system: System) -> Tree:
-    """The tree of a system in space."""
-    return _Grower(system).tree()
+    """The tree of a system in space, whatever the order of its file."""
+    return _Grower(in_one_order(system)).tree()
 
 
 class _Grower:
