@@ -536,3 +536,20 @@ def test_the_margin_of_a_pin_with_friction_takes_few_linear_programs(monkeypatch
     monkeypatch.setattr(friction_limits, "_solved", counted)
     assert margin(rest(PIN, F=1.0, mu=0.26)).value < 0.0  # type: ignore[union-attr]
     assert next(count) <= 24
+
+
+def test_a_question_about_rest_is_refused_alone_as_it_is_among_others() -> None:
+    text = """
+parameters: {mu: 0.3}
+bodies: {p: {rectangle: {mass: 1 kg, width: 0.2 m, height: 0.2 m}, at: [0, 0.1 m], velocity: [1 m/s, 0]}}
+ground: {lines: {floor: {along: right}}}
+connections: {c: {contact: {between: [p, ground.floor], friction: mu}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [{find: does it tip or slide as mu grows, id: rest}%s]
+"""
+    reasons = {
+        next(a.reason for a in fb.System.from_text(text % more).solve().answers if a.id == "rest")
+        for more in ("", ", {find: velocity of p, id: v}")
+    }
+    assert len(reasons) == 1
+    assert "p moves at the start" in str(reasons)

@@ -141,7 +141,10 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     if questions and all(q.quantity.scope == "rest" for q in questions):
-        return _at_rest(system, questions)
+        try:
+            return _at_rest(system, questions)
+        except CannotAnswer as error:  # as a question among others is refused
+            return replace(_in_whole(system, (), setup), answers=tuple(_without_form(q, str(error)) for q in questions))
     if system.bounds or system.rubs:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
