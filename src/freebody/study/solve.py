@@ -175,7 +175,12 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
     """Some questions wait until an ideal string goes slack or a wheel lifts off, which only a motion in phases knows.
     The others are answered as if these had not been asked."""
     rest = _in_whole(system, [q for q in questions if q.transition is None], setup)
-    found = _in_phases(system, [q for q in questions if q.transition is not None])
+    waiting = [q for q in questions if q.transition is not None]
+    try:
+        found = _in_phases(system, waiting)
+    except ModelError as error:  # of these questions: the others are answered, or refused, by themselves
+        reason = "; ".join(problem.message for problem in error.problems)
+        found = replace(rest, answers=tuple(_without_form(q, reason) for q in waiting))
     answers = {a.id: a for a in (*rest.answers, *found.answers)}
     return replace(found, answers=tuple(answers[q.id] for q in questions))
 
