@@ -670,3 +670,26 @@ loads:
   two: {spring: {first: b, second: c, stiffness: k}}
 """)
     assert s.reference.frequencies(s.q) == pytest.approx([0.0, 5.0, 5.0 * math.sqrt(3)], rel=1e-8)
+
+
+# -- starts that are only guessed -----------------------------------------------------------------
+GUESSED = """
+bodies:
+  p: {rectangle: {mass: 3 kg, width: 0.4 m, height: 1 m}, near: {at: [0, 2 m], angle: 180 deg}}
+  q: {disk: {mass: 10 kg, radius: 0.1 m}, angular_velocity: 2 rad/s, points: {rim: [1 m, 0]}}%s
+connections:
+  c: {link: {first: p, second: q.rim}}%s
+measures: {u: drop of q}
+start: {rate(u): 1 m/s}
+"""
+FRAME = "\n  frame: {body: {}}", "\n  w: {weld: [p, frame]}"
+
+
+def test_a_massless_frame_pulls_at_no_guess_and_weighs_nothing_in_the_velocities_of_least_energy() -> None:
+    plain, framed = (Reference(System.from_text(GUESSED % more)) for more in (("", ""), FRAME))
+    q, more_q = plain.assemble(), framed.assemble()
+    assert q[:3] == pytest.approx([0.0, 2.0, math.pi], abs=1e-12)
+    assert more_q[:6] == pytest.approx(q, abs=1e-12)
+    v, more_v = plain.velocities(q), framed.velocities(more_q)
+    assert np.abs(v).max() > 0.1
+    assert more_v[:6] == pytest.approx(v, abs=1e-12)

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 N_STARTS = 16
 MOST_STEPS = 3200  # of all starts together
+NO_ENERGY = 1e-7  # of a motion of unit size: it moves massless bodies only
 SINGULAR = 1e-6  # the volume that three unit axes span
 MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
 _AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
@@ -102,15 +103,17 @@ def assembled(
     for body in reference.system.moving:
         _refuse_singular(reference, body)
     equations = reference.held_by_targets()
-    equations += [*_start_equations(reference, extra), *_body_equations(reference)]
+    equations += [*_start_equations(reference, extra), *_body_equations(reference, lambda body: body.start)]
     described = turned_to_face(reference, _guess(reference))
     guess = described if guess is None else guess
     best: Fit | None = None
     facing: Attitude | None = None  # a joint that was found turned over
-    guided = _guided(reference, described)
-    if guided:  # an angle or a place that a guide keeps is that of the description, where the rest fits to it
+    # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; so is what a
+    # guide keeps
+    guided = [*_guided(reference, described), *_body_equations(reference, _guessed)]
+    if guided:
         fit = reference.placing.fit(guess, [*equations, *guided], 0.0, {})
-        if fit is not None and fit.error <= ACCEPTED:
+        if fit is not None and fit.error <= ACCEPTED and next(turned_over(reference, fit.q), None) is None:
             return fit
     left = allowed(MOST_STEPS)
     for q in _starts(reference, guess, n_starts):
@@ -206,20 +209,26 @@ def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | Nonho
     return equations + [Equation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
 
 
-def _body_equations(reference: Reference) -> list[Equation]:
-    """A place or an angle that the model gives to a body at the start."""
+def _guessed(body: RigidBody) -> Start:
+    """What is guessed of a body at the start beside what is given."""
+    return Start() if body.start.near is None else body.start.near
+
+
+def _body_equations(reference: Reference, start_of: Callable[[RigidBody], Start]) -> list[Equation]:
+    """A place or an angle that bodies have at the start."""
     equations: list[Equation] = []
     for body in reference.system.moving:
-        if body.start.at is not None:
-            point, place = body.start.at
+        start = start_of(body)
+        if start.at is not None:
+            point, place = start.at
             for axis, expr in zip(axes_of(reference.system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
                 equations.append(Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
-        if body.start.angle is not None and body.turns:
-            angle = Jet(reference.number(body.start.angle))
+        if start.angle is not None and body.turns:
+            angle = Jet(reference.number(start.angle))
             equations.append(Equation.of(f"angle of {body.name}", Angle(body.name), angle))
-        if body.start.turned is not None and body.turns:
-            equations += _attitude(body.name, spatial.turned_by(body.start.turned, {}, reference.number))
+        if start.turned is not None and body.turns:
+            equations += _attitude(body.name, spatial.turned_by(start.turned, {}, reference.number))
     return equations
 
 
@@ -255,7 +264,8 @@ def start_velocities(
     J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
     v = _given(reference, g.q) if with_start else None
     if v is None or np.abs(J @ v - b).max() > 1e-12 * np.abs(b).max():
-        v = Split(J, reference.sizes.small_moves).least(b)
+        split = Split(J, reference.sizes.small_moves)
+        v = _of_least_energy(reference.masses, split.null, split.least(b))
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):
         k = int(gaps.argmax())
@@ -264,6 +274,15 @@ def start_velocities(
             "units). Change or remove one of them"
         )
     return v
+
+
+def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
+    """The velocities of least kinetic energy, masses (n,) as they are, from v (n,): those of the smallest move, where
+    massless bodies count as light ones. free: (n, k) the velocities that may be added. Of several the smallest move."""
+    if masses.all() or not free.size:
+        return v
+    roots = np.sqrt(masses)
+    return v - free @ np.linalg.lstsq(roots[:, None] * free, roots * v, rcond=NO_ENERGY)[0]
 
 
 def _given(reference: Reference, q: Array) -> Array | None:
