@@ -98,6 +98,7 @@ class SymbolicModel:
         self._raw = self._raw_geometry()
         self._sample_values = [self._values_at(sample) for sample in self.samples]
         self.extra: list[Equation] = []
+        self._is_eliminated = False  # while coordinates are chosen nothing is known of loops
         self.elimination = self._eliminate([])
         self._finish_coordinates()
         # what the first pass found out may make the second one simpler; which rows are redundant is told by the first
@@ -114,7 +115,7 @@ class SymbolicModel:
     def _with_equations(self, extra: list[Equation]) -> None:
         """Eliminates again, with equations that were found out."""
         self.extra = extra
-        del self.elimination
+        self._is_eliminated = False
         self.elimination = self._eliminate(extra)
         self._finish_coordinates()
 
@@ -618,7 +619,7 @@ class SymbolicModel:
         return abs(value) <= ROUND_OFF * size
 
     def _is_looped(self, x: Ratio) -> bool:
-        if not hasattr(self, "elimination"):
+        if not self._is_eliminated:
             return True
         return bool(self.elimination.loops)
 
@@ -642,6 +643,7 @@ class SymbolicModel:
 
     # -- coordinates and speeds ---------------------------------------------------------------
     def _finish_coordinates(self) -> None:
+        self._is_eliminated = True
         f = self.field
         express = self.elimination.express
         self.poses = {name: self._expressed(p, express) for name, p in self._raw_poses.items()}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -379,8 +380,7 @@ class Motion:
                 return unique
         return unique
 
-    @property
+    @cached_property
     def _slope(self) -> Floats:
-        if not hasattr(self, "_slope_room"):
-            self._slope_room = np.zeros(self.engine.n_y)
-        return self._slope_room
+        """(n_y,) room for a slope."""
+        return np.zeros(self.engine.n_y)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -132,11 +133,9 @@ class Scene:
             found.append(pairs[partners[is_near]].astype(np.intp))
         return np.unique(np.concatenate(found)) if found else np.zeros(0, np.intp)
 
-    @property
+    @cached_property
     def _circle_pairs(self) -> NDArray[np.int32]:
-        if not hasattr(self, "_circle_pairs_"):
-            self._circle_pairs_ = np.ascontiguousarray(self._pair_of[np.ix_(self._circles, self._circles)])
-        return self._circle_pairs_
+        return np.ascontiguousarray(self._pair_of[np.ix_(self._circles, self._circles)])
 
     def _built(self, found: NDArray[np.intp]) -> Built:
         return built(self.outlines, self.templates, found, self.ends, self.surfaces, self.n_bodies)

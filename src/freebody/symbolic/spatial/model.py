@@ -189,7 +189,7 @@ class SpatialModel(SymbolicModel):
 
     def _known_roots(self) -> list[tuple[Ratio, Ratio]]:
         """What is under the roots of the held measures, with their values."""
-        if not hasattr(self, "elimination"):
+        if not self._is_eliminated:
             return []
         express = self.elimination.express
         return [(express(x), express(length)) for x, length in self._roots.values()]
