@@ -12,7 +12,7 @@ import freebody as fb
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.study.centres import Centre, instant_centres, velocity_ratios
+from freebody.study.centres import CentreOfPair, instant_centres, velocity_ratios
 
 FOUR_BAR = """
 parameters: {a: 1 m, b: 3 m, c: 2.5 m, d: 3 m}
@@ -70,7 +70,7 @@ def place(snapshot: Snapshot, point: Point) -> tuple[float, float]:
     return snapshot.value(Displacement(point, origin, RIGHT)), snapshot.value(Displacement(point, origin, UP))
 
 
-def homogeneous(centre: Centre) -> tuple[float, float, float]:
+def homogeneous(centre: CentreOfPair) -> tuple[float, float, float]:
     """A centre as a point of the projective plane, where points at infinity are points as well."""
     if centre.at is not None:
         return (*centre.at, 1.0)

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from freebody.numeric.contact.forces import contact_forces
-from freebody.numeric.contact.problem import ContactProblem, Rub, State, Status
+from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.contact.ranges import Feasible, force_ranges
 
 G = 9.81
-OPEN, CLOSED, STICKING = State.OPEN, State.CLOSED, State.STICKING
-FORWARD, BACKWARD, ABSENT = State.FORWARD, State.BACKWARD, State.ABSENT
+OPEN, CLOSED, STICKING = RowState.OPEN, RowState.CLOSED, RowState.STICKING
+FORWARD, BACKWARD, ABSENT = RowState.FORWARD, RowState.BACKWARD, RowState.ABSENT
 
 
 def assembled(J, masses, force, normals=(), rubs=(), bias=None):
@@ -26,7 +26,7 @@ def assembled(J, masses, force, normals=(), rubs=(), bias=None):
 
 def coulomb(row, normal, static, kinetic=None, sliding=0):
     kinetic = static if kinetic is None else kinetic
-    return Rub(row, (static, static), (kinetic, kinetic), normals=(normal,), sliding=sliding)
+    return FrictionProblemRow(row, (static, static), (kinetic, kinetic), normals=(normal,), sliding=sliding)
 
 
 def assert_holds(problem, outcome, tolerance=1e-9):
@@ -78,7 +78,7 @@ def test_block_on_a_slope_sticks_or_slips_as_the_coefficient_passes_the_tangent_
     angle = math.radians(30.0)
     below, above = (block_on_slope(angle, math.tan(angle) + d, kinetic, mass) for d in (-1e-9, 1e-9))
     slips, sticks = contact_forces(below), contact_forces(above)
-    assert slips.status is sticks.status is Status.UNIQUE
+    assert slips.status is sticks.status is OutcomeCount.UNIQUE
     assert slips.mode == (CLOSED, FORWARD)
     assert sticks.mode == (CLOSED, STICKING)
     c = math.tan(angle) - 1e-9 if kinetic is None else kinetic
@@ -171,7 +171,7 @@ def test_pushed_box_tips_slides_or_stands_as_moments_and_friction_say():
         problem = box(push, height, mu)
         outcome = contact_forces(problem)
         assert_holds(problem, outcome)
-        assert outcome.status is Status.UNIQUE
+        assert outcome.status is OutcomeCount.UNIQUE
         assert outcome.mode == mode
 
 
@@ -188,7 +188,9 @@ def test_friction_of_a_box_about_to_tip_is_carried_where_it_is_pressed():
 
 def test_brake_holds_up_to_its_static_torque_and_drags_with_the_kinetic_one():
     for torque, state, expected in ((9.9, STICKING, -9.9), (10.1, FORWARD, -7.0), (-10.1, BACKWARD, 7.0)):
-        problem = assembled([[1.0]], [0.2], [torque], (), (Rub(0, (10.0, 10.0), (7.0, 7.0), constant=1.0),))
+        problem = assembled(
+            [[1.0]], [0.2], [torque], (), (FrictionProblemRow(0, (10.0, 10.0), (7.0, 7.0), constant=1.0),)
+        )
         outcome = contact_forces(problem)
         assert_holds(problem, outcome)
         assert outcome.mode == (state,)
@@ -198,7 +200,7 @@ def test_brake_holds_up_to_its_static_torque_and_drags_with_the_kinetic_one():
 @pytest.mark.parametrize("push", [3.0, -3.0])
 def test_dry_slider_rubs_with_the_magnitude_of_its_guide_force(push):
     mu, mass = 0.3, 2.0
-    rub = Rub(1, (mu, mu), (mu, mu), magnitudes=((0,),), sliding=1)
+    rub = FrictionProblemRow(1, (mu, mu), (mu, mu), magnitudes=((0,),), sliding=1)
     problem = assembled([[0, 1], [1, 0]], [mass, mass], [10.0, push], (), (rub,))
     outcome = contact_forces(problem)
     assert_holds(problem, outcome)
@@ -209,17 +211,17 @@ def test_oblique_guide_is_solved_for_both_signs_of_its_force():
     # the slip row is not orthogonal to the held one, so friction changes the guide force it depends on
     mu = 0.4
     J = np.array([[0.0, 1.0], [1.0, 0.5]])
-    rub = Rub(1, (mu, mu), (mu, mu), magnitudes=((0,),), sliding=1)
+    rub = FrictionProblemRow(1, (mu, mu), (mu, mu), magnitudes=((0,),), sliding=1)
     problem = assembled(J, [1.0, 1.0], [1.0, -2.0], (), (rub,))
     outcome = contact_forces(problem)
     assert_holds(problem, outcome)
-    assert outcome.status is Status.UNIQUE
+    assert outcome.status is OutcomeCount.UNIQUE
 
 
 @pytest.mark.parametrize("angle", [0.3, 1.5, 4.0])
 def test_pin_friction_follows_the_resultant_of_the_pin_force(angle):
     mu_r = 0.02
-    rub = Rub(2, (mu_r, mu_r), (mu_r, mu_r), magnitudes=((0, 1),), sliding=-1)
+    rub = FrictionProblemRow(2, (mu_r, mu_r), (mu_r, mu_r), magnitudes=((0, 1),), sliding=-1)
     arm = 0.7
     # a body pinned at `arm` from its centre
     J = [[1, 0, arm * math.sin(angle)], [0, 1, -arm * math.cos(angle)], [0, 0, 1]]
@@ -235,7 +237,7 @@ def test_belt_around_a_post_holds_between_the_two_ratios_of_euler():
     for pull, state in ((grip * 5.0 * 0.999, STICKING), (grip * 5.0 * 1.001, FORWARD)):
         # slip forward: T = -(e - 1) 5; backward: T = (1 - 1/e) 5
         limits = (grip - 1.0, 1.0 - 1.0 / grip)
-        rub = Rub(1, limits, limits, normals=(0,))
+        rub = FrictionProblemRow(1, limits, limits, normals=(0,))
         problem = assembled([[-1, 0], [0, 1]], [1.0, 1.0], [5.0, pull - 5.0], (0,), (rub,))
         outcome = contact_forces(problem)
         assert_holds(problem, outcome)
@@ -243,7 +245,7 @@ def test_belt_around_a_post_holds_between_the_two_ratios_of_euler():
 
 
 def test_load_of_a_held_row_presses_like_a_normal():
-    rub = Rub(1, (0.5, 0.5), (0.5, 0.5), normals=(0,), sliding=1)
+    rub = FrictionProblemRow(1, (0.5, 0.5), (0.5, 0.5), normals=(0,), sliding=1)
     problem = assembled(np.eye(2), [1.0, 1.0], [-4.0, 0.0], (), (rub,))
     outcome = contact_forces(problem)
     assert_holds(problem, outcome)
@@ -271,32 +273,32 @@ def test_rod_has_no_consistent_force_exactly_between_the_two_angles():
     assert np.degrees(roots) == pytest.approx([55.586, 69.951], abs=1e-3)
     for root, inside in ((roots[0], 1e-6), (roots[1], -1e-6)):
         within, beyond = (contact_forces(painleve_rod(root + d, mu, -1)) for d in (inside, -inside))
-        assert within.status is Status.NONE
+        assert within.status is OutcomeCount.NONE
         assert within.is_proven
         assert np.isnan(within.forces).all()
-        assert beyond.status is Status.UNIQUE
+        assert beyond.status is OutcomeCount.UNIQUE
         assert beyond.mode == (CLOSED, BACKWARD)
     for theta in np.radians([1.0, 30.0, 55.5, 60.0, 70.0, 89.0]):
-        assert contact_forces(painleve_rod(theta, mu, 1)).status is Status.UNIQUE
+        assert contact_forces(painleve_rod(theta, mu, 1)).status is OutcomeCount.UNIQUE
 
 
 def test_critical_friction_of_the_rod_is_four_thirds():
     theta = math.atan(2.0)
-    assert contact_forces(painleve_rod(theta, 4 / 3 - 1e-6, -1)).status is Status.UNIQUE
-    assert contact_forces(painleve_rod(theta, 4 / 3 + 1e-6, -1)).status is Status.NONE
+    assert contact_forces(painleve_rod(theta, 4 / 3 - 1e-6, -1)).status is OutcomeCount.UNIQUE
+    assert contact_forces(painleve_rod(theta, 4 / 3 + 1e-6, -1)).status is OutcomeCount.NONE
 
 
 def test_rod_that_would_lift_off_has_both_a_lifting_and_a_jammed_outcome():
     problem = painleve_rod(math.radians(60.0), 1.4, -1)
     lifting = ContactProblem(problem.A, problem.b + np.array([2.0 * G, 0.0]), problem.normals, problem.rubs)
     outcome = contact_forces(lifting)
-    assert outcome.status is Status.SEVERAL
+    assert outcome.status is OutcomeCount.SEVERAL
     assert {outcome.mode, *outcome.alternatives} == {(CLOSED, BACKWARD), (OPEN, ABSENT)}
     assert outcome.mode == (CLOSED, BACKWARD)  # lasting contact without further word
     assert contact_forces(lifting, (OPEN, ABSENT)).mode == (OPEN, ABSENT)
-    assert contact_forces(lifting, (OPEN, ABSENT)).status is Status.SEVERAL
+    assert contact_forces(lifting, (OPEN, ABSENT)).status is OutcomeCount.SEVERAL
     only = contact_forces(lifting, forbidden=[(0, CLOSED)])
-    assert only.status is Status.UNIQUE
+    assert only.status is OutcomeCount.UNIQUE
     assert only.mode == (OPEN, ABSENT)
 
 
@@ -368,7 +370,7 @@ def test_random_outcomes_meet_all_conditions_and_none_is_confirmed_by_enumeratio
     if outcome.is_found:
         assert any(np.allclose(outcome.accelerations, a, rtol=1e-6, atol=1e-6) for a in with_kinetic)
     else:
-        assert outcome.status is Status.NONE
+        assert outcome.status is OutcomeCount.NONE
         assert not with_static or not with_kinetic
     if all(rub.sliding or rub.static == rub.kinetic for rub in problem.rubs):
         distinct = []
@@ -386,13 +388,14 @@ def test_mirrored_problem_gives_the_mirrored_answer(seed):
     flip = np.ones(problem.n)
     flip[[rub.row for rub in problem.rubs]] = -1.0
     turned = tuple(
-        Rub(r.row, r.static[::-1], r.kinetic[::-1], normals=r.normals, sliding=-r.sliding) for r in problem.rubs
+        FrictionProblemRow(r.row, r.static[::-1], r.kinetic[::-1], normals=r.normals, sliding=-r.sliding)
+        for r in problem.rubs
     )
     mirrored = ContactProblem(flip[:, None] * problem.A * flip, flip * problem.b, problem.normals, turned)
     one, other = contact_forces(problem), contact_forces(mirrored)
     assert one.status is other.status
     assert 1 + len(one.alternatives) == 1 + len(other.alternatives)
-    if one.status is Status.UNIQUE:
+    if one.status is OutcomeCount.UNIQUE:
         np.testing.assert_allclose(flip * other.forces, one.forces, rtol=1e-9, atol=1e-9)
         swap = {FORWARD: BACKWARD, BACKWARD: FORWARD}
         assert tuple(swap.get(s, s) for s in other.mode) == one.mode
@@ -403,9 +406,9 @@ def test_without_looking_for_others_the_outcome_is_one_of_all(seed):
     print("seed", seed)
     problem = random_problem(np.random.default_rng(900 + seed))
     all_of_them, quick = contact_forces(problem), contact_forces(problem, check_others=False)
-    if all_of_them.status is Status.UNIQUE:
+    if all_of_them.status is OutcomeCount.UNIQUE:
         np.testing.assert_allclose(quick.accelerations, all_of_them.accelerations, rtol=1e-7, atol=1e-8)
-    elif all_of_them.status is Status.NONE:
+    elif all_of_them.status is OutcomeCount.NONE:
         assert not quick.is_found
 
 
@@ -416,7 +419,7 @@ def test_chains_of_rubbing_pins_are_solved_to_the_last_digits(seed):
     n_pins = int(rng.integers(1, 4))
     radius = float(rng.choice([0.02, 0.1, 0.3]))
     rubs = [
-        Rub(
+        FrictionProblemRow(
             2 * n_pins + k,
             (radius, radius),
             (0.8 * radius, 0.8 * radius),
@@ -451,7 +454,7 @@ def test_contradictory_held_rows_have_no_forces_and_redundant_ones_share_them():
     J = [[1.0, 0.0], [1.0, 0.0]]
     shared = contact_forces(assembled(J, [1.0, 1.0], [3.0, 0.0]))
     np.testing.assert_allclose(shared.forces, [-1.5, -1.5])
-    assert contact_forces(assembled(J, [1.0, 1.0], [3.0, 0.0], bias=[0.0, 1.0])).status is Status.NONE
+    assert contact_forces(assembled(J, [1.0, 1.0], [3.0, 0.0], bias=[0.0, 1.0])).status is OutcomeCount.NONE
 
 
 # ranges of reactions
@@ -499,7 +502,7 @@ def test_block_wedged_between_walls_may_be_pressed_by_anything_above_what_fricti
 
 def test_wedged_block_without_known_pressure_may_stay_or_fall():
     outcome = contact_forces(wedged(0.5))
-    assert outcome.status is Status.SEVERAL
+    assert outcome.status is OutcomeCount.SEVERAL
     assert outcome.mode == (CLOSED, CLOSED, STICKING, STICKING)
     np.testing.assert_allclose(outcome.forces, [10.0, 10.0, 5.0, 5.0], rtol=1e-9)  # the least that hold it
 
@@ -512,9 +515,9 @@ def test_accelerations_that_no_force_gives_are_an_outcome():
 
 def test_load_of_a_redundant_guide_is_cut_into_both_signs():
     # two guides share 4 upwards in any way; friction sticks under |l_0| alone with c = 0.5, and needs 1
-    rub = Rub(2, (0.5, 0.5), (0.5, 0.5), magnitudes=((0,),))
+    rub = FrictionProblemRow(2, (0.5, 0.5), (0.5, 0.5), magnitudes=((0,),))
     problem = assembled([[0, 1], [0, 1], [1, 0]], [1.0, 1.0], [1.0, -4.0], (), (rub,))
-    ranges = force_ranges(problem, np.zeros(3), (State.HELD, State.HELD, STICKING))
+    ranges = force_ranges(problem, np.zeros(3), (RowState.HELD, RowState.HELD, STICKING))
     assert ranges.is_exact
     assert ranges.low[0] == -np.inf
     assert ranges.high[0] == np.inf
@@ -523,4 +526,4 @@ def test_load_of_a_redundant_guide_is_cut_into_both_signs():
 
 def test_coefficients_out_of_order_are_refused():
     with pytest.raises(ValueError, match="kinetic <= static"):
-        Rub(0, (0.2, 0.2), (0.3, 0.3))
+        FrictionProblemRow(0, (0.2, 0.2), (0.3, 0.3))

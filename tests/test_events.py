@@ -21,7 +21,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.numeric.engine import search
 from freebody.numeric.engine.course import Status, Trajectory
-from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.engine.engine import Engine, EngineWatch
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulate import Simulator
 
@@ -155,7 +155,7 @@ def course_of(text: str, until: float, **options: Any) -> Trajectory:
     """Of an expression in theta = 0.1 + t."""
     simulator = rod()
     measure = Composed(parse(text), (("theta", simulator.system.measures["theta"]),), DIMENSIONLESS)
-    engine = Engine(simulator.numbers, [Watch("it", measure)])
+    engine = Engine(simulator.numbers, [EngineWatch("it", measure)])
     y = simulator.start.copy()
     engine.align(y, 0.0, simulator.value_at_start)
     return engine.run(y, until, SimulationOptions(**{"method": "dop853"} | options))

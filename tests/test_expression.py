@@ -13,8 +13,8 @@ from freebody.language.expression import (
     FUNCTIONS,
     Call,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     differentiate,
@@ -42,9 +42,9 @@ def column_of(text: str) -> int:
         ("a + b*2", a + b * 2),
         ("-x^2", -(x**2)),
         ("x^-2", x**-2),
-        ("a^b^c", Power(a, Power(b, c))),
+        ("a^b^c", PowerOf(a, PowerOf(b, c))),
         ("a - b - c", Sum((a, -b, -c))),
-        ("a/b/c", Product((a, Power(b, Number(Fraction(-1))), Power(c, Number(Fraction(-1)))))),
+        ("a/b/c", ProductOf((a, PowerOf(b, Number(Fraction(-1))), PowerOf(c, Number(Fraction(-1)))))),
         ("2 a b", 2 * a * b),
         ("2(a + b)", 2 * (a + b)),
         ("a (b + c)", a * (b + c)),
@@ -169,7 +169,7 @@ def test_operators_fold_numbers_and_drop_zeros_and_ones():
 
 
 def test_a_power_too_large_to_write_down_is_kept_as_a_power():
-    assert isinstance(number(9) ** 100, Power)
+    assert isinstance(number(9) ** 100, PowerOf)
 
 
 def test_symbols_are_refused_with_names_that_cannot_be_read_back():

@@ -26,7 +26,7 @@ from freebody.study.free_body import FreeBody
 from freebody.study.instant import Instant, instant_of, start_of
 from freebody.study.picture import draw, free_body, picture
 from freebody.study.touching import closed_bounds
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
 
@@ -185,7 +185,9 @@ def test_reactions_of_a_rolling_coin_act_where_it_touches_its_plane() -> None:
 
 @pytest.mark.parametrize(("slip", "side"), [(1, -1.0), (-1, 1.0)])
 def test_kinetic_friction_is_a_load_against_the_slip(slip: int, side: float) -> None:
-    system, _loads = in_mode(example("ball_with_back_spin"), Mode.of({"contact.contact"}, {"contact.slip": slip}))
+    system, _loads = in_mode(
+        example("ball_with_back_spin"), ContactMode.of({"contact.contact"}, {"contact.slip": slip})
+    )
     forces = {f.label.text: f for f in cut(start_of(system, at_rest=True), "ball")}
     assert forces["μ\u2009N"].force == pytest.approx((side, 0.0))
     assert forces["μ\u2009N"].kind == "load"

@@ -419,7 +419,9 @@ def accelerations(problem: RestProblem, masses: np.ndarray) -> np.ndarray:
         signs[row] = sign
     J = signs[:, None] * problem.J
     rubs = tuple(
-        contact.Rub(c.row, (c.forward, c.backward), (c.forward, c.backward), normals=tuple(j for j, _s in c.load))
+        contact.FrictionProblemRow(
+            c.row, (c.forward, c.backward), (c.forward, c.backward), normals=tuple(j for j, _s in c.load)
+        )
         for c in problem.cones
     )
     normals = tuple(row for row, _sign in problem.normals)

@@ -9,14 +9,14 @@ import pytest
 
 from freebody.numeric.contact.impacts import impact
 from freebody.numeric.contact.keller import Restitution, impact_without_collision
-from freebody.numeric.contact.problem import ContactProblem, Rub, State, Status
+from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.options import Law
 
 LAWS = list(Law)
 
 
 def coulomb(row, normal, mu):
-    return Rub(row, (mu, mu), (mu, mu), normals=(normal,))
+    return FrictionProblemRow(row, (mu, mu), (mu, mu), normals=(normal,))
 
 
 def touching(J, masses, velocities, normals=(), rubs=()):
@@ -45,7 +45,7 @@ def test_ball_with_backspin_rebounds_with_e_and_slips_or_rolls_off(law):
     # slipping: T = -mu p; rolling: the slip 4 is stopped by T = -4/A_tt = -4/3
     for mu, T in ((0.1, -0.1 * p), (4.0 / 3.0 / p * 0.999, -4.0 / 3.0 * 0.999), (1.0, -4.0 / 3.0)):
         outcome = impact(touching(DISK_J, DISK, before, (0,), (coulomb(1, 0, mu),)), {0: e}, law)
-        assert outcome.status is Status.UNIQUE
+        assert outcome.status is OutcomeCount.UNIQUE
         np.testing.assert_allclose(outcome.impulses, [p, T], rtol=1e-12)
         velocities = after(DISK_J, DISK, before, outcome)
         np.testing.assert_allclose(velocities, [1.0 + T, e * 2.0, 3.0 + 2.0 * T], rtol=1e-12)
@@ -139,18 +139,18 @@ def test_held_rows_that_were_violated_are_restored():
 
 
 def test_brake_has_no_impulse_and_a_dry_slider_has():
-    brake = Rub(1, (50.0, 50.0), (50.0, 50.0), constant=1.0)
+    brake = FrictionProblemRow(1, (50.0, 50.0), (50.0, 50.0), constant=1.0)
     for law in LAWS:
         outcome = impact(touching(np.eye(2), [1.0, 1.0], [-1.0, 2.0], (0,), (brake,)), {0: 0.5}, law)
         assert outcome.impulses[1] == 0.0
         assert outcome.velocities[1] == 2.0
-        assert outcome.mode[1] is State.ABSENT
+        assert outcome.mode[1] is RowState.ABSENT
     # a mass in a horizontal guide (row 0) strikes an oblique wall (row 1); guide friction mu |P0| (row 2)
     mu = 0.1
-    slider = Rub(2, (mu, mu), (mu, mu), magnitudes=((0,),))
+    slider = FrictionProblemRow(2, (mu, mu), (mu, mu), magnitudes=((0,),))
     J = [[0, 1], [-0.8, -0.6], [1, 0]]
     outcome = impact(touching(J, [1.0, 1.0], [1.0, 0.0], (1,), (slider,)), {1: 0.5})
-    assert outcome.status is Status.UNIQUE
+    assert outcome.status is OutcomeCount.UNIQUE
     # P0 = 0.6 p; leftwards afterwards, so friction +mu 0.6 p: -0.8 p + 0.06 p = -1.5
     p = 1.5 / 0.74
     np.testing.assert_allclose(outcome.impulses, [0.6 * p, p, 0.06 * p], rtol=1e-12)
@@ -172,7 +172,7 @@ def test_impacts_without_friction_never_gain_energy_with_one_coefficient(law, se
     problem = touching(J, rng.uniform(0.1, 5.0, nq), before, range(n))
     e = float(rng.uniform(0.0, 1.0))
     outcome = impact(problem, dict.fromkeys(range(n), e), law)
-    assert outcome.status is Status.UNIQUE
+    assert outcome.status is OutcomeCount.UNIQUE
     size = float(np.abs(outcome.impulses) @ np.abs(problem.b))
     assert outcome.energy_change <= 1e-12 * size
     assert not outcome.energy_grew
@@ -241,8 +241,8 @@ def test_jammed_rod_stops_its_slip_in_an_impact_without_collision():
     A = problem.A
     assert A[0, 0] + mu * A[0, 1] < 0.0 or A[0, 0] - mu * A[0, 1] < 0.0  # Painleve's condition for this slip
     outcome = impact_without_collision(problem, 0.0)
-    assert outcome.status is Status.UNIQUE
-    assert outcome.mode == (State.CLOSED, State.STICKING)
+    assert outcome.status is OutcomeCount.UNIQUE
+    assert outcome.mode == (RowState.CLOSED, RowState.STICKING)
     np.testing.assert_allclose(outcome.velocities, 0.0, atol=1e-14)
     # both velocities of the end vanish: P = -A^-1 u
     np.testing.assert_allclose(outcome.impulses, -np.linalg.solve(A, problem.b), rtol=1e-12)
@@ -299,7 +299,7 @@ def test_poisson_and_keller_agree_where_slip_keeps_its_direction():
     _, problem = leaning_rod(1.0, 0.1, [5.0, -1.0, 0.0])
     poisson, keller = impact(problem, {0: 0.6}, Law.POISSON), impact(problem, {0: 0.6}, Law.KELLER)
     np.testing.assert_allclose(poisson.impulses, keller.impulses, rtol=1e-12)
-    assert keller.mode == (State.CLOSED, State.FORWARD)
+    assert keller.mode == (RowState.CLOSED, RowState.FORWARD)
 
 
 def test_stronges_and_poissons_restitution_agree_on_a_smooth_floor():

@@ -14,7 +14,7 @@ from freebody.errors import CannotAnswer
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.generic import generic_rank
 from freebody.numeric.mobility.modes import assembly_modes
-from freebody.numeric.mobility.path import Path
+from freebody.numeric.mobility.path import MotionPath
 from freebody.numeric.mobility.rank import rank_at, scaled_rows
 from freebody.numeric.reference import Reference
 from freebody.present.mobility import mobility_lines
@@ -215,7 +215,7 @@ connections:
     assert space.is_closed
 
 
-def _path(text: str, along: str) -> Path:
+def _path(text: str, along: str) -> MotionPath:
     motions = mobility(System.from_text(text), along=along).motions
     assert motions is not None
     assert motions.path is not None

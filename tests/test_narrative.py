@@ -14,7 +14,7 @@ from freebody.language.expression import Symbol, number
 from freebody.language.parser import parse
 from freebody.narrative.context import Context
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import Legend, Line, Script, Sentence, Stage, names_in
+from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, names_in
 from goldens import assert_golden, digest
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -24,15 +24,15 @@ def load(name: str) -> System:
     return System.load(EXAMPLES / f"{name}.yaml")
 
 
-def lines_of(stages: tuple[Stage, ...]) -> list[Line]:
-    return [item for stage in stages for item in stage.items if isinstance(item, Line)]
+def lines_of(stages: tuple[DerivationStage, ...]) -> list[NumberedFormula]:
+    return [item for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
 
 
-def sentences_of(stages: tuple[Stage, ...]) -> list[Sentence]:
+def sentences_of(stages: tuple[DerivationStage, ...]) -> list[Sentence]:
     return [item for stage in stages for item in stage.items if isinstance(item, Sentence)]
 
 
-def legend_of(stages: tuple[Stage, ...]) -> set[str]:
+def legend_of(stages: tuple[DerivationStage, ...]) -> set[str]:
     entries = [e for stage in stages for item in stage.items if isinstance(item, Legend) for e in item.entries]
     return set().union(*(names_in(symbol) for symbol, _what, _unit in entries)) if entries else set()
 
@@ -47,7 +47,7 @@ def reread(explanation: Explanation, derivation: Derivation) -> None:
             for item in stage.items:
                 if isinstance(item, Legend):
                     here |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
-                if isinstance(item, Line):
+                if isinstance(item, NumberedFormula):
                     used = set().union(*(names_in(side) for side in item.sides))
                     defined = names_in(item.sides[0]) if stage.title.key == "stage.result" else set()
                     assert used - defined <= here, f"({item.number}) uses {used - here} before they are introduced"
@@ -55,7 +55,7 @@ def reread(explanation: Explanation, derivation: Derivation) -> None:
                     earlier.add(item.number)
 
 
-def before_the_result(derivation: Derivation) -> tuple[Stage, ...]:
+def before_the_result(derivation: Derivation) -> tuple[DerivationStage, ...]:
     """The stages that lead to the result."""
     keys = [stage.title.key for stage in derivation.stages]
     return derivation.stages[: keys.index("stage.result")] if "stage.result" in keys else derivation.stages

@@ -7,7 +7,7 @@ from pathlib import Path
 from freebody import System
 from freebody.language.notation import to_text
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import Line, Sentence, Stage
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Sentence
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
@@ -16,11 +16,11 @@ def load(name: str) -> System:
     return System.load(EXAMPLES / f"{name}.yaml")
 
 
-def lines_of(stages: tuple[Stage, ...]) -> list[Line]:
-    return [item for stage in stages for item in stage.items if isinstance(item, Line)]
+def lines_of(stages: tuple[DerivationStage, ...]) -> list[NumberedFormula]:
+    return [item for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
 
 
-def shown(line: Line) -> str:
+def shown(line: NumberedFormula) -> str:
     parts = [to_text(side) for side in line.sides if not isinstance(side, tuple)]  # type: ignore[arg-type]
     return " ".join(x for pair in zip(parts, (*line.relations, ""), strict=True) for x in pair).strip()
 

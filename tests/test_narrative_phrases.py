@@ -15,9 +15,9 @@ import freebody as fb
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.assess.comparing import PROVED
 from freebody.narrative.sheets.asking import headline
-from freebody.narrative.sheets.statement import Statement
+from freebody.narrative.sheets.statement import ExerciseStatement
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.phrases import PLACE, Phrase, phrases_of
+from freebody.narrative.telling.phrases import PLACE, TextPattern, phrases_of
 from freebody.present.report.blocks import Block, Report
 from freebody.present.report.terminal import terminal_text
 
@@ -63,8 +63,8 @@ def test_what_a_phrase_is_for_is_said_somewhere_in_the_sources() -> None:
 def test_a_phrase_is_the_one_that_fits_its_own_pattern() -> None:
     of = phrases_of("de")
 
-    def sample(kind: str) -> Phrase:
-        return of.kinds[kind][0] if kind in of.kinds and kind else Phrase("q1", "q1")
+    def sample(kind: str) -> TextPattern:
+        return of.kinds[kind][0] if kind in of.kinds and kind else TextPattern("q1", "q1")
 
     for phrase in PHRASES:
         kinds = dict(PLACE.findall(phrase.english))
@@ -201,7 +201,7 @@ def test_questions_and_measures_of_an_example_are_german(name: str) -> None:
 
 def test_an_exercise_is_set_in_german() -> None:
     system = fb.System.load(FOLDER / "atwood_machine.yaml")
-    blocks: tuple[Block, ...] = Statement(system, german, 1, 1).blocks()
+    blocks: tuple[Block, ...] = ExerciseStatement(system, german, 1, 1).blocks()
     text = terminal_text(Report("Aufgabe", "de", "", blocks, {}))
     assert "Tiefe von left unter ground.axle" in text
     assert "drop of" not in text

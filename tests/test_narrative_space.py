@@ -11,7 +11,7 @@ from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
 from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import Legend, Line, Listing, Sentence, Sheet, names_in
+from freebody.narrative.lines.script import FormulaTable, Legend, Listing, NumberedFormula, Sentence, names_in
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 UPRIGHT = """
@@ -51,7 +51,7 @@ def of(system: System, question: str) -> tuple[Explanation, Derivation]:
         for item in stage.items:
             if isinstance(item, Legend):
                 known |= set().union(*(names_in(symbol) for symbol, _what, _unit in item.entries))
-            if isinstance(item, Line):
+            if isinstance(item, NumberedFormula):
                 used = set[str]().union(*(names_in(side) for side in item.sides))
                 own = names_in(item.sides[0]) if stage.title.key == "stage.result" else set[str]()
                 assert used - own <= known, f"({item.number}) uses {used - known}"
@@ -67,8 +67,8 @@ def the(name: str, question: str) -> Derivation:
     return of(System.load(EXAMPLES / f"{name}.yaml"), question)[1]
 
 
-def lines(derivation: Derivation) -> list[Line]:
-    return [item for stage in derivation.stages for item in stage.items if isinstance(item, Line)]
+def lines(derivation: Derivation) -> list[NumberedFormula]:
+    return [item for stage in derivation.stages for item in stage.items if isinstance(item, NumberedFormula)]
 
 
 def texts(derivation: Derivation) -> list[str]:
@@ -89,7 +89,7 @@ def keys(derivation: Derivation) -> list[str]:
                 found.append(item.key)
             if isinstance(item, Listing):
                 found += [s.key for s in item.items]
-            if isinstance(item, Line) and item.why is not None:
+            if isinstance(item, NumberedFormula) and item.why is not None:
                 found.append(item.why.key)
     return found
 
@@ -135,7 +135,9 @@ def test_angular_momentum_about_a_driven_roller_needs_the_term_of_the_moving_poi
     derivation = the("body_on_driven_roller", "conserved")
     assert {"conserved.about_moving", "conserved.why_moving", "conserved.exactly_if"} <= set(keys(derivation))
     assert texts(derivation)[-1] == "H' = -m·d·g·sin(θ) - m·d·x₀'·θ'·sin(θ) = -m·d·sin(θ)·(x₀'·θ' + g)"
-    (table,) = [i for s in derivation.stages if s.title.key != "stage.options" for i in s.items if isinstance(i, Sheet)]
+    (table,) = [
+        i for s in derivation.stages if s.title.key != "stage.options" for i in s.items if isinstance(i, FormulaTable)
+    ]
     assert [to_text(row[1]) for row in table.rows] == ["-m·d·x₀'", "-m·d·g"]  # type: ignore[arg-type]
 
 
@@ -262,7 +264,7 @@ def test_a_top_precesses_in_two_ways() -> None:
 
 def test_extremes_stand_where_the_slope_vanishes() -> None:
     derivation = the("cardan_joint", "extremes")
-    tables = [i for stage in derivation.stages for i in stage.items if isinstance(i, Sheet)]
+    tables = [i for stage in derivation.stages for i in stage.items if isinstance(i, FormulaTable)]
     assert [row[0] for row in tables[0].rows] == ["ψ = 0, ψ = 180°", "ψ = 90°, ψ = -90°"]
     assert texts(derivation)[-1] == "y_min, y_max = cos(α), 1/cos(α)"
 

@@ -14,8 +14,8 @@ import pytest
 from freebody.errors import CannotAnswer, InputError
 from freebody.measures.base import Measure
 from freebody.measures.geometry import position
-from freebody.numeric.mobility.modes import Mode, assembly_modes
-from freebody.numeric.mobility.path import Path, singular_at, trace
+from freebody.numeric.mobility.modes import AssemblyMode, assembly_modes
+from freebody.numeric.mobility.path import MotionPath, singular_at, trace
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
 
@@ -122,13 +122,13 @@ def started(system: System) -> tuple[Reference, np.ndarray[Any, Any]]:
     return reference, reference.assemble()
 
 
-def path_of(system: System, by: str = "theta", *outputs: str, released: tuple[str, ...] = ()) -> Path:
+def path_of(system: System, by: str = "theta", *outputs: str, released: tuple[str, ...] = ()) -> MotionPath:
     reference, q = started(system)
     named: dict[str, Measure] = {name: system.measures[name] for name in outputs}
     return trace(reference, q, system.measures[by], released, outputs=named)
 
 
-def modes_of(system: System, **fixed: float) -> list[Mode]:
+def modes_of(system: System, **fixed: float) -> list[AssemblyMode]:
     reference, q = started(system)
     return assembly_modes(reference, q, [(system.measures[name], value) for name, value in fixed.items()])
 
@@ -139,7 +139,7 @@ def turned(angle: float) -> float:
     return 0.0 if rest > math.tau - 1e-7 else rest
 
 
-def angles(path: Path, kind: Any) -> list[float]:
+def angles(path: MotionPath, kind: Any) -> list[float]:
     return sorted(turned(point.input) for point in path.of_kind(kind))
 
 

@@ -16,7 +16,7 @@ from freebody.language.notation import to_python, to_text
 from freebody.questions.course import EnergyLost, Revolutions, Transition
 from freebody.study.answer import NOT_VALID
 from freebody.study.phases.result import Phases, phases
-from freebody.study.phases.witness import Stage, follow
+from freebody.study.phases.witness import FollowedPhase, follow
 
 FOLDER = Path(__file__).parents[1] / "examples"
 Agree = Callable[[str, str], None]
@@ -158,7 +158,7 @@ def test_rolling_begins_when_the_numeric_route_says_so() -> None:
     assert edge.time is not None
     times = tree.numbers(edge.time)
     for k in edge.sets[:6]:
-        (seen,) = follow(tree.system, [Stage(node.phase)], tree.sets.one(int(k)), [2.0 * float(times[k])])
+        (seen,) = follow(tree.system, [FollowedPhase(node.phase)], tree.sets.one(int(k)), [2.0 * float(times[k])])
         assert seen.event == ("slip ends", "contact.slip", 0)
         assert seen.time == pytest.approx(times[k], rel=1e-10)
 

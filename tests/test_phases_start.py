@@ -14,7 +14,7 @@ import pytest
 import freebody as fb
 from conftest import assert_same_function
 from freebody.study.phases.numbers import coefficients_of_friction, coefficients_of_restitution, holds
-from freebody.study.phases.result import Case, Phases, phases
+from freebody.study.phases.result import PhaseCase, Phases, phases
 from freebody.system.system import System
 
 FOLDER = Path(__file__).parents[1] / "examples"
@@ -306,7 +306,7 @@ def test_a_disk_in_a_loop_swings_leaves_or_goes_round() -> None:
     assert min(found.values()) > 1
 
 
-def _at(found: Phases, case: Case, **values: float) -> bool:
+def _at(found: Phases, case: PhaseCase, **values: float) -> bool:
     own = {p.name: np.array([values.get(p.name, p.value or 0.0)]) for p in found.system.parameters.values()}
     sets = found.tree.sets.at(own)
     return all(holds(r, sets.evaluate(found.tree.home.model, r.element))[0] for r in case.relations)

@@ -20,9 +20,9 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
 from freebody.numeric.directional import derivative
 from freebody.numeric.reference import Reference
-from freebody.study.equilibrium import Equilibria, Rest, equilibria
+from freebody.study.equilibrium import Equilibria, FoundEquilibrium, equilibria
 from freebody.study.inverse_dynamics import inverse_dynamics
-from freebody.study.modes import Modes, modes
+from freebody.study.modes import NaturalModes, modes
 from freebody.study.settled import settled
 from freebody.system.system import System
 
@@ -152,11 +152,11 @@ def found(text: str, *guesses: dict[str, Any], **values: float) -> Equilibria:
     return equilibria(with_values(text, values), guesses)
 
 
-def small(text: str, at: Any = "equilibrium", guess: dict[str, Any] | None = None, **values: float) -> Modes:
+def small(text: str, at: Any = "equilibrium", guess: dict[str, Any] | None = None, **values: float) -> NaturalModes:
     return modes(with_values(text, values), at, guess)
 
 
-def at(found: Equilibria, **values: float) -> Rest:
+def at(found: Equilibria, **values: float) -> FoundEquilibrium:
     """The equilibrium with these values of measures."""
     near = [r for r in found if all(abs(r.measures[n] - x) < 1e-6 for n, x in values.items())]
     assert len(near) == 1, [dict(r.measures) for r in found]

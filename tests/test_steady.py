@@ -15,7 +15,7 @@ import pytest
 
 import freebody as fb
 from freebody.study.setup import Setup
-from freebody.study.steady.turning import Turning
+from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.routh import hurwitz, oscillating, without_implied
 
@@ -277,26 +277,26 @@ def test_what_does_not_move_has_no_extremes() -> None:
 
 
 @pytest.fixture(scope="module")
-def turning() -> Turning:
+def turning() -> TurningAngle:
     model = Setup(fb.System.from_text(SLIDER_CRANK)).model
-    return Turning(model, model.coordinates[0])
+    return TurningAngle(model, model.coordinates[0])
 
 
-def test_factors_without_zeros_are_proved_to_have_none(turning: Turning) -> None:
+def test_factors_without_zeros_are_proved_to_have_none(turning: TurningAngle) -> None:
     f = turning.field
     c, s = f.variable(turning.cos), f.variable(turning.sin)
     assert turning.zeros(c**3 + s + 3) == []
     assert turning.notes[-1].startswith("sin(θ) + cos(θ)³ + 3 does not vanish")
 
 
-def test_factors_with_zeros_that_have_no_form_are_not_passed_over(turning: Turning) -> None:
+def test_factors_with_zeros_that_have_no_form_are_not_passed_over(turning: TurningAngle) -> None:
     f = turning.field
     c, s = f.variable(turning.cos), f.variable(turning.sin)
     with pytest.raises(fb.CannotAnswer, match="no closed form"):
         turning.zeros(3 * c**3 + s + 1)
 
 
-def test_zeros_of_a_wave(turning: Turning) -> None:
+def test_zeros_of_a_wave(turning: TurningAngle) -> None:
     """3 c + 4 s = 5/2 where the angle is 60 degrees from that with cosine 3/5."""
     f = turning.field
     c, s = f.variable(turning.cos), f.variable(turning.sin)

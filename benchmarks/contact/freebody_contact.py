@@ -12,7 +12,7 @@ from freebody import Simulator, System
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.timestepping.run import Stepped, run_moreau
-from freebody.numeric.timestepping.scene import Scene
+from freebody.numeric.timestepping.scene import ContactScene
 
 SWEEPS = 10  # over the contacts of a step at most, as many as pymunk's iterations
 
@@ -25,7 +25,7 @@ class Stepper:
         q = reference.assemble()
         self.start = reference.by_body(q, reference.velocities(q))
         self.numbers = reference.numbers()
-        self.scene = Scene(self.numbers)
+        self.scene = ContactScene(self.numbers)
 
     def run(self, until: float, step: float, **more: Any) -> tuple[float, Stepped]:
         begin = process_time()

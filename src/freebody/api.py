@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
     from freebody.study.mobility import Mobility
-    from freebody.study.modes import At, Modes
+    from freebody.study.modes import At, NaturalModes
     from freebody.study.phases.result import Phases
     from freebody.study.simulate import Simulation
     from freebody.study.solve import Solution
@@ -124,7 +124,7 @@ class System(Description):
 
         return statics(self)
 
-    def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> Modes:
+    def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> NaturalModes:
         """Natural frequencies, damping and mode shapes about the nearest equilibrium, or "start"."""
         from freebody.study.modes import modes
 

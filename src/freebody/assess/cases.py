@@ -13,8 +13,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any, Literal
 
-from freebody.assess.comparing import Pair
-from freebody.assess.points import Point, is_free, real
+from freebody.assess.comparing import ComponentPair
+from freebody.assess.points import EvaluationPoint, is_free, real
 from freebody.assess.words import is_readable
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
@@ -31,7 +31,7 @@ _RANKS = {unit: rank for rank, unit in enumerate((MASS, INERTIA, DIMENSIONLESS, 
 
 
 @dataclass(frozen=True)
-class Case:
+class LimitingCase:
     """A parameter at, or going to, a special value; None is beyond all bounds."""
 
     words: str
@@ -39,7 +39,7 @@ class Case:
     value: Ratio | None
     shift: Fraction = Fraction(0)  # where to look in numbers, beside the value
 
-    def put(self, point: Point) -> None:
+    def put(self, point: EvaluationPoint) -> None:
         """Sets the parameter close to the value."""
         at = real(10**20) if self.value is None else point.number(self.value) + real(self.shift)
         point.values[self.index] = at
@@ -68,11 +68,11 @@ class Case:
         return "infinite" if len(top) > len(bottom) else field.zero
 
 
-def special_case(pair: Pair, option: Ratio) -> str | None:
+def special_case(pair: ComponentPair, option: Ratio) -> str | None:
     """The first case in which one of the two is zero or infinite and the other is not; else the limit
     that makes the answer simplest, if the two differ there."""
     plain = _size(pair.answer)
-    simpler: list[tuple[int, Case, Ratio, Ratio]] = []
+    simpler: list[tuple[int, LimitingCase, Ratio, Ratio]] = []
     for case in _cases(pair):
         mine, its = case.limit(option), case.limit(pair.answer)
         if mine is None or its is None:
@@ -91,7 +91,7 @@ def special_case(pair: Pair, option: Ratio) -> str | None:
     return None
 
 
-def _cases(pair: Pair) -> Iterable[Case]:
+def _cases(pair: ComponentPair) -> Iterable[LimitingCase]:
     field, angles = pair.field, pair.setting.angles
     known = pair.setting.names.dimensions
 
@@ -105,19 +105,19 @@ def _cases(pair: Pair) -> Iterable[Case]:
             parameters.append((g, shown.name, known.get(shown.name, DIMENSIONLESS)))
     for (p, _n, unit), (q, _m, its) in combinations(parameters, 2):
         if unit == its and (p in angles) == (q in angles):
-            yield Case(f"for {name(p)} = {name(q)}", q, field.variable(p))
+            yield LimitingCase(f"for {name(p)} = {name(q)}", q, field.variable(p))
     ordered = sorted(parameters, key=lambda p: _RANKS.get(p[2], len(_RANKS)))
     for p, _name, _unit in ordered:
-        yield Case(f"for {name(p)} = 0", p, field.zero, _NEARBY)
+        yield LimitingCase(f"for {name(p)} = 0", p, field.zero, _NEARBY)
     for p, _name, _unit in ordered:
         if p not in angles:
-            yield Case(f"as {name(p)} grows", p, None)
+            yield LimitingCase(f"as {name(p)} grows", p, None)
     for p, _name, _unit in ordered:
         if p in angles:
-            yield Case(f"for {name(p)} = 90°", p, field.pi / 2, -_NEARBY)
+            yield LimitingCase(f"for {name(p)} = 90°", p, field.pi / 2, -_NEARBY)
 
 
-def _is_seen(pair: Pair, case: Case, mine: Limit, its: Limit) -> bool:
+def _is_seen(pair: ComponentPair, case: LimitingCase, mine: Limit, its: Limit) -> bool:
     """True if numbers close to the case show the limits too."""
     for point in pair.setting.points(pair.option.conditions, case.put):
         numbers = pair.numbers(point)
@@ -126,7 +126,7 @@ def _is_seen(pair: Pair, case: Case, mine: Limit, its: Limit) -> bool:
     return False
 
 
-def _is_near(number: Any, limit: Limit, point: Point) -> bool:
+def _is_near(number: Any, limit: Limit, point: EvaluationPoint) -> bool:
     """True if a number close to the special value is like the limit."""
     if not isinstance(limit, Ratio):
         return bool(abs(number) > 10**6)
@@ -147,7 +147,7 @@ def _size(x: Ratio) -> int:
     return sum(1 + len(monomial) for part in parts for monomial in x.field.terms(part))
 
 
-def _told(case: Case, mine: Limit, its: Limit) -> str:
+def _told(case: LimitingCase, mine: Limit, its: Limit) -> str:
     tends = case.value is None
 
     def is_(limit: Limit, verb: str) -> str:

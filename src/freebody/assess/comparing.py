@@ -11,7 +11,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from freebody.assess.points import BALL_FUNCTIONS, Point, real
+from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, real
 from freebody.assess.reading import Option
 from freebody.assess.setting import Setting
 from freebody.assess.words import listed
@@ -27,7 +27,7 @@ _AGREE_ON_POSES = Fraction(1, 10**8)
 _N_POINTS = 12
 
 
-class Pair:
+class ComponentPair:
     """One component of an option and that of the answer."""
 
     def __init__(self, setting: Setting, option: Option, answer: Ratio) -> None:
@@ -42,23 +42,23 @@ class Pair:
         bound = coordinates - {c.index for c in setting.model.coordinates}
         self.is_looped = bool(setting.poses()) and bool(bound)
 
-    def numbers(self, point: Point) -> tuple[Any, Any]:
+    def numbers(self, point: EvaluationPoint) -> tuple[Any, Any]:
         """Option and answer at a point; the option as it is written, roots and sizes taken at their word."""
         values = {key: point.number(self.setting.names.element(key)) for key in self.option.keys}
         return evaluate(self.option.expr, values, BALL_FUNCTIONS), point.number(self.answer)
 
-    def difference(self, point: Point) -> tuple[Any, Any]:
+    def difference(self, point: EvaluationPoint) -> tuple[Any, Any]:
         """option - answer at a point, and their size."""
         mine, its = self.numbers(point)
         return mine - its, abs(mine) + abs(its)
 
 
-def how_equal(pair: Pair) -> str | None:
+def how_equal(pair: ComponentPair) -> str | None:
     """How the two were found equal, or None."""
     return _exactly_equal(pair) or _numerically_equal(pair)
 
 
-def _exactly_equal(pair: Pair) -> str | None:
+def _exactly_equal(pair: ComponentPair) -> str | None:
     """How the two were proved equal in the field, or None."""
     option = pair.option
     if option.element is None or option.is_sign_open:
@@ -75,7 +75,7 @@ def _exactly_equal(pair: Pair) -> str | None:
     return None
 
 
-def _numerically_equal(pair: Pair) -> str | None:
+def _numerically_equal(pair: ComponentPair) -> str | None:
     """How far the two were found equal at points, or None."""
     if pair.is_looped:
         return _equal_on_poses(pair)
@@ -96,7 +96,7 @@ def _numerically_equal(pair: Pair) -> str | None:
     return None
 
 
-def _equal_on_poses(pair: Pair) -> str | None:
+def _equal_on_poses(pair: ComponentPair) -> str | None:
     setting, element, up_to = pair.setting, pair.option.element, ""
     pairs: list[tuple[Any, Any]] = []
     if setting.up_to_constant and element is not None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 from typing import Any
 
-from freebody.assess.comparing import Pair
-from freebody.assess.points import BALL_FUNCTIONS, Point, is_free, real
+from freebody.assess.comparing import ComponentPair
+from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, is_free, real
 from freebody.assess.setting import N_TRIES
 from freebody.assess.words import NOT_REAL, digits, unit_behind
 from freebody.language.expression import Symbol
@@ -14,13 +14,13 @@ from freebody.language.notation import to_text
 from freebody.language.units import ACCELERATION
 
 
-def counterexample(pair: Pair) -> str:
+def counterexample(pair: ComponentPair) -> str:
     """The first numbers that show a difference, and both values with them."""
     free = [g for g in pair.generators if is_free(pair.field, g)]
     if pair.is_looped:
         return "with the model's own numbers: " + _told_at(pair, pair.setting.poses()[0])
     if not free:
-        mine, its = pair.numbers(Point(pair.field, real))
+        mine, its = pair.numbers(EvaluationPoint(pair.field, real))
         return f"is {digits(mine)}, the answer is {digits(its)}"
     undefined: str | None = None
     for attempt in range(N_TRIES):
@@ -36,13 +36,13 @@ def counterexample(pair: Pair) -> str:
     return undefined or "differs from the answer"
 
 
-def _told_at(pair: Pair, point: Point) -> str:
+def _told_at(pair: ComponentPair, point: EvaluationPoint) -> str:
     unit = unit_behind(pair.setting.dimension)
     mine, its = map(digits, pair.numbers(point))
     return f"option {mine}{unit if mine != NOT_REAL else ''}, answer {its}{unit}"
 
 
-def _small_point(pair: Pair, free: list[int], attempt: int) -> tuple[Point, list[str]]:
+def _small_point(pair: ComponentPair, free: list[int], attempt: int) -> tuple[EvaluationPoint, list[str]]:
     field, setting, rng = pair.field, pair.setting, random.Random(attempt)
     values: dict[int, Any] = {}
     words: list[str] = []
@@ -61,4 +61,4 @@ def _small_point(pair: Pair, free: list[int], attempt: int) -> tuple[Point, list
         small = place % 9 + 1 if not attempt else rng.randint(1, 5)
         values[g] = own if is_weight and own is not None else real(sign * small)
         words.append(f"{to_text(shown)} = {digits(values[g])}{setting.names.unit(shown)}")
-    return Point(field, real, values), words
+    return EvaluationPoint(field, real, values), words

@@ -12,7 +12,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System
 
 
-class Names:
+class NameTable:
     """The elements and the dimensions behind the names of a problem."""
 
     def __init__(self, model: SymbolicModel, system: System) -> None:

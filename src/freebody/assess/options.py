@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from freebody.assess.comparing import PROVED, Pair, how_equal
+from freebody.assess.comparing import PROVED, ComponentPair, how_equal
 from freebody.assess.points import working_precision
 from freebody.assess.reading import as_option, read
 from freebody.assess.reasons import why_wrong
@@ -69,7 +69,7 @@ def _verdict(setting: Setting, text: str) -> Verdict | None:
         return found.verdict
     evidence: list[str] = []
     for option, answer, where in zip(options, setting.answers, places(len(options)), strict=True):
-        pair = Pair(setting, option, answer)
+        pair = ComponentPair(setting, option, answer)
         equal = how_equal(pair)
         if equal is None:
             return Verdict("wrong", where + why_wrong(pair))

@@ -55,7 +55,7 @@ def _atan2(y: Any, x: Any) -> Any:
 _NAMESPACE = SimpleNamespace(**BALL_FUNCTIONS, atan2=_atan2)
 
 
-class Point:
+class EvaluationPoint:
     """Numbers for the free generators, drawn when they are first needed; the others follow from them."""
 
     def __init__(self, field: Field, draw: Callable[[int], Any], fixed: Mapping[int, Any] | None = None) -> None:
@@ -74,10 +74,10 @@ class Point:
         fraction = x.fraction()
         return real(self.field.evaluate(x, self.values) if fraction is None else fraction)
 
-    def later(self, seed: int) -> Point:
+    def later(self, seed: int) -> EvaluationPoint:
         """The same constants at another instant of a motion."""
         still = {k: v for k, v in self.values.items() if self.field.is_constant_generator(k)}
-        return Point(self.field, drawn(self.field, seed, {}), still)
+        return EvaluationPoint(self.field, drawn(self.field, seed, {}), still)
 
 
 def is_free(field: Field, index: int) -> bool:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from freebody.assess.names import named_in
-from freebody.assess.points import Point, real
+from freebody.assess.points import EvaluationPoint, real
 from freebody.assess.setting import Setting
 from freebody.assess.verdict import Settled
 from freebody.assess.words import listed, places
@@ -19,8 +19,8 @@ from freebody.language.expression import (
     ZERO,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     children,
@@ -128,7 +128,7 @@ def _dimension_fault(expr: Expr, dimensions: Mapping[str, Dimension]) -> str | N
 
 
 def _unsigned(term: Expr) -> Expr:
-    leading = term.factors[0] if isinstance(term, Product) else term
+    leading = term.factors[0] if isinstance(term, ProductOf) else term
     return negate(term) if isinstance(leading, Number) and leading.value < 0 else term
 
 
@@ -146,7 +146,7 @@ def as_option(setting: Setting, expr: Expr) -> Option:
             open_signs.append(x)
             return False
         # a constant has the sign that it has with the model's own numbers, as in the answer
-        negative = bool(Point(setting.field, lambda _g: real(1), setting.own_numbers).number(x) < 0)
+        negative = bool(EvaluationPoint(setting.field, lambda _g: real(1), setting.own_numbers).number(x) < 0)
         conditions[-x if negative else x] = None
         return negative
 
@@ -166,11 +166,11 @@ def as_option(setting: Setting, expr: Expr) -> Option:
 def _n_terms(expr: Expr) -> tuple[int, int]:
     """At most so many terms has the expression above and below its bar when it is multiplied out."""
     match expr:
-        case Sum() | Product():
+        case Sum() | ProductOf():
             above, below = zip(*map(_n_terms, children(expr)), strict=True)
             product = math.prod(below)
             return (sum(above) * product if isinstance(expr, Sum) else math.prod(above)), product
-        case Power(base, Number(value)):
+        case PowerOf(base, Number(value)):
             n = math.ceil(abs(value))
             above, below = (math.comb(count + n - 1, n) for count in _n_terms(base))
             return (above, below) if value > 0 else (below, above)

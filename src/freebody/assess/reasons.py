@@ -10,7 +10,7 @@ Where only a difference that changes during the motion counts, that difference i
 from __future__ import annotations
 
 from freebody.assess.cases import special_case
-from freebody.assess.comparing import Pair
+from freebody.assess.comparing import ComponentPair
 from freebody.assess.counterexample import counterexample
 from freebody.assess.words import is_readable
 from freebody.language.notation import to_text
@@ -18,7 +18,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 
-def why_wrong(pair: Pair) -> str:
+def why_wrong(pair: ComponentPair) -> str:
     """The reason for a component that is not equal to the answer's."""
     option, up_to_constant = pair.option.element, pair.setting.up_to_constant
     if option is not None and not pair.option.is_sign_open:
@@ -41,7 +41,7 @@ def _moving_difference(difference: Ratio) -> str:
     return "the difference from the answer changes during the motion"
 
 
-def _multiple(pair: Pair, option: Ratio) -> str | None:
+def _multiple(pair: ComponentPair, option: Ratio) -> str | None:
     """What is so for all numbers: one of the two is zero, or they differ by a factor."""
     if option.is_zero():
         shown = tidy(pair.answer)

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from freebody.assess.names import Names
-from freebody.assess.points import Point, drawn, real
+from freebody.assess.names import NameTable
+from freebody.assess.points import EvaluationPoint, drawn, real
 from freebody.language.units import Dimension
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -35,7 +35,7 @@ class Setting:
         self.model = model
         self.dimension = dimension
         self.up_to_constant = up_to_constant
-        self.names = Names(model, system)
+        self.names = NameTable(model, system)
         self.own_numbers: dict[int, Any] = {}
         self.angles = {c.index for c in model.coordinates if c.is_angle}
         for p in system.parameters.values():
@@ -55,15 +55,17 @@ class Setting:
             # in the independent speeds, as the names of options are, so that numbers for these fit each other
             self.answers = tuple(model.in_independent_speeds(self.field.element(part)) for part in parts)
 
-    def points(self, conditions: Sequence[Ratio] = (), fixed: Callable[[Point], None] | None = None) -> Iterator[Point]:
+    def points(
+        self, conditions: Sequence[Ratio] = (), fixed: Callable[[EvaluationPoint], None] | None = None
+    ) -> Iterator[EvaluationPoint]:
         """Random admissible points, every other one near the model's own numbers; the same in every run."""
         for seed in range(N_TRIES):
-            point = Point(self.field, drawn(self.field, seed, self.own_numbers if seed % 2 else {}))
+            point = EvaluationPoint(self.field, drawn(self.field, seed, self.own_numbers if seed % 2 else {}))
             if fixed is not None:
                 fixed(point)
             if all(point.number(c) > 0 for c in (*conditions, *self.region)):
                 yield point
 
-    def poses(self) -> list[Point]:
+    def poses(self) -> list[EvaluationPoint]:
         """Poses of a mechanism with loops, else none."""
-        return [Point(self.field, drawn(self.field, 0, {}), pose) for pose in self._poses]
+        return [EvaluationPoint(self.field, drawn(self.field, 0, {}), pose) for pose in self._poses]

@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from freebody.assess.names import Names, named_in
+from freebody.assess.names import NameTable, named_in
 from freebody.assess.verdict import Judgement, Verdict, judgement_of
 from freebody.assess.words import is_readable
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
@@ -33,7 +33,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
     ALWAYS,
-    Case,
+    VanishingCase,
     cases_where_zero,
     implies,
     motion_coefficients,
@@ -49,7 +49,7 @@ class Claim:
     """What was derived: the coefficients that must vanish, and the cases in which they do."""
 
     coefficients: Sequence[Ratio]
-    cases: tuple[Case, ...]
+    cases: tuple[VanishingCase, ...]
     rates: tuple[Ratio, ...]  # of a vector one for each component; none where there is no formula
     is_parameter: Callable[[int], bool]
     is_exact: bool  # False: there may be more cases
@@ -60,12 +60,12 @@ class Claim:
 
 
 @dataclass(frozen=True)
-class Statement:
+class OptionStatement:
     """An option as read: the cases in which its condition holds (None: never), and how it is put."""
 
     word: Word
     equalities: tuple[Ratio, ...] | None
-    cases: tuple[Case, ...]
+    cases: tuple[VanishingCase, ...]
 
 
 class NoCondition(Exception):
@@ -74,7 +74,7 @@ class NoCondition(Exception):
 
 def judge_statements(question: Question, claim: Claim, model: SymbolicModel, system: System) -> Judgement:
     """Judges every option of a question on when something is so."""
-    reader = _Reader(claim, model, system)
+    reader = _OptionReader(claim, model, system)
     verdicts: dict[str, Verdict] = {}
     lesser: dict[str, bool] = {}  # options that are true as they are put, without being equivalent
     for letter, text in question.options.items():
@@ -88,7 +88,7 @@ def judge_statements(question: Question, claim: Claim, model: SymbolicModel, sys
     return judgement_of(verdicts, question.key)
 
 
-def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
+def _verdict(statement: OptionStatement, claim: Claim) -> tuple[Verdict, bool]:
     """The verdict, and whether the option is true as it is put."""
     if statement.equalities is None:
         return _never(claim)
@@ -129,7 +129,7 @@ def _verdict(statement: Statement, claim: Claim) -> tuple[Verdict, bool]:
     )
 
 
-def _by_simulation(statement: Statement, claim: Claim) -> Verdict:
+def _by_simulation(statement: OptionStatement, claim: Claim) -> Verdict:
     """Without a formula: against the conditions that simulations found."""
     if not statement.equalities:
         return Verdict("wrong", "it changes in a simulated motion")
@@ -158,7 +158,7 @@ def _never(claim: Claim) -> tuple[Verdict, bool]:
     return Verdict("wrong", f"it is conserved for {' or '.join(texts_of(claim.cases))}"), False
 
 
-def _left_over(claim: Claim, case: Case) -> Ratio | None:
+def _left_over(claim: Claim, case: VanishingCase) -> Ratio | None:
     """What remains of the rate in a case; None if nothing does."""
     try:
         for rate in claim.rates:
@@ -169,7 +169,7 @@ def _left_over(claim: Claim, case: Case) -> Ratio | None:
         return next((c for c in claim.coefficients if not case.kills(c)), None)
 
 
-def _uncovered(statement: Statement, claim: Claim) -> Case | None:
+def _uncovered(statement: OptionStatement, claim: Claim) -> VanishingCase | None:
     """A case in which it is conserved although the option's condition does not hold."""
     for case in claim.cases:
         if not any(implies(case, own) for own in statement.cases):
@@ -177,7 +177,7 @@ def _uncovered(statement: Statement, claim: Claim) -> Case | None:
     return None
 
 
-def _case_text(case: Case | None) -> str:
+def _case_text(case: VanishingCase | None) -> str:
     return "every motion" if case is None or not case.equalities else texts_of([case])[0]
 
 
@@ -186,22 +186,22 @@ def _shown(x: Ratio) -> str:
     return to_text(expression) if is_readable(expression) else "not zero"
 
 
-class _Reader:
+class _OptionReader:
     """Reads options of one question."""
 
     def __init__(self, claim: Claim, model: SymbolicModel, system: System) -> None:
         self.claim, self.model, self.system = claim, model, system
-        self.names = Names(model, system)
+        self.names = NameTable(model, system)
 
-    def read(self, text: str) -> Statement:
+    def read(self, text: str) -> OptionStatement:
         """Raises NoCondition, saying why."""
         words = " ".join(text.strip().rstrip(".").split())
         words = re.sub(r"^(?:it is |is )?(?:conserved|constant) ", "", words, flags=re.IGNORECASE)
         words = re.sub(r"^it is ", "", words, flags=re.IGNORECASE)
         if re.fullmatch(r"(?:always|for (?:every|any) motion|unconditionally)(?: conserved)?", words, re.IGNORECASE):
-            return Statement("iff", (), (ALWAYS,))
+            return OptionStatement("iff", (), (ALWAYS,))
         if re.fullmatch(r"(?:never|not)(?: conserved)?(?: (?:under|for) any.*)?", words, re.IGNORECASE):
-            return Statement("iff", None, ())
+            return OptionStatement("iff", None, ())
         word: Word = "iff"
         starts = {"if and only if ": "iff", "iff ": "iff", "only if ": "only if", "if ": "if", "when ": "if"}
         starts |= {"provided that ": "if", "provided ": "if", "for ": "if"}
@@ -212,7 +212,7 @@ class _Reader:
                 break
         words = re.sub(r"^(?:both|either) ", "", re.sub(r"\s*\((?:[^()]*) is constant\)", "", words))
         equalities: list[Ratio] = []
-        cases: list[Case] = []
+        cases: list[VanishingCase] = []
         for alternative in re.split(r",? or ", words):
             own: list[Ratio] = []
             for part in re.split(r",? and |, ", alternative):
@@ -221,7 +221,7 @@ class _Reader:
                 self._refuse_motion(x)
             cases += cases_where_zero([x for x in own if not x.is_zero()], self._may)
             equalities += own
-        return Statement(word, tuple(equalities), tuple(cases))
+        return OptionStatement(word, tuple(equalities), tuple(cases))
 
     def _refuse_motion(self, x: Ratio) -> None:
         """A condition is on parameters and given functions; one on the motion is none."""

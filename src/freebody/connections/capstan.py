@@ -31,7 +31,7 @@ from freebody.model.friction import Friction, read_friction
 from freebody.model.phrases import direction_angle
 
 if TYPE_CHECKING:
-    from freebody.connections.string import Node
+    from freebody.connections.string import StringNode
     from freebody.model.names import Names
 
 _NO_WRAP = 1e-9
@@ -42,7 +42,7 @@ class Passage:
     """A string that runs round a drum: the leads before it since the last grip, as terms of a length, and the arm at
     which it pulls."""
 
-    node: Node
+    node: StringNode
     before: tuple[tuple[Expr, Measure], ...]
     arm: Expr
     turn: int  # +1 counter-clockwise
@@ -118,12 +118,12 @@ def rough_drums(given: Any, passed: list[str]) -> set[str]:
     return set(passed)
 
 
-def slip_of(node: Node) -> str:
+def slip_of(node: StringNode) -> str:
     """The component of the friction on a drum."""
     return f"slip on {drum_name(node)}"
 
 
-def drum_name(node: Node) -> str:
+def drum_name(node: StringNode) -> str:
     """What a drum is called in a file: the body, or the point that the string runs over."""
     return node.body if node.radius != ZERO else str(node.point)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.outlines import KINDS, Outline, read_outline
-from freebody.connections.sites import Site, sites
+from freebody.connections.sites import ContactSite, sites
 from freebody.language.expression import ZERO, Expr
 from freebody.language.natural import natural
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Surface:
+class ContactSurface:
     """What a contact is made of."""
 
     friction: Friction
@@ -35,13 +35,13 @@ class Surface:
 
 
 @dataclass(frozen=True)
-class Pair:
+class OutlinePair:
     """Two outlines that may touch."""
 
     connection: str
     first: Outline
     second: Outline
-    surface: Surface
+    surface: ContactSurface
     starts_closed: bool
     is_alone: bool  # the only pair of its connection
 
@@ -56,7 +56,7 @@ class Pair:
             rubs += own
         return bounds, rubs
 
-    def _site(self, site: Site, component: str) -> tuple[UnilateralConstraint, list[DryFriction]]:
+    def _site(self, site: ContactSite, component: str) -> tuple[UnilateralConstraint, list[DryFriction]]:
         row = ConstraintRow(
             component,
             "normal force",
@@ -126,9 +126,9 @@ bodies: {ball: {sphere: {mass: 1 kg, radius: 0.1 m}}}
 connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution: 0.5}}}
 """
 
-    def pairs(self, names: Names, connection: str) -> list[Pair]:
+    def pairs(self, names: Names, connection: str) -> list[OutlinePair]:
         """The pairs of outlines that may touch."""
-        surface = Surface(
+        surface = ContactSurface(
             read_friction(names, self.friction, DIMENSIONLESS),
             read_restitution(names, self.restitution),
             names.positive(self, "rolling_resistance", LENGTH),
@@ -137,7 +137,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         joined = [(a, b) for a, b in itertools.combinations(outlines, 2) if _may_touch(names, a, b)]
         if self.between is not None and len(outlines) == 2 and not joined:
             names.problem("both are fixed and never move apart; one of them must be a moving body", None, "between")
-        found: list[Pair] = []
+        found: list[OutlinePair] = []
         for a, b in joined:
             if a.body == b.body:
                 if self.between is not None:
@@ -153,7 +153,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
                         "between",
                     )
                 continue
-            found.append(Pair(connection, a, b, surface, self._starts_closed(names, a, b), len(joined) == 1))
+            found.append(OutlinePair(connection, a, b, surface, self._starts_closed(names, a, b), len(joined) == 1))
         return found
 
     def _outlines(self, names: Names) -> list[Outline]:

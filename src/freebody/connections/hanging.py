@@ -22,7 +22,7 @@ from freebody.measures.geometry import GROUND, RIGHT, ZERO, Direction, Point
 from freebody.model.elements import ConstraintRow
 
 if TYPE_CHECKING:
-    from freebody.connections.string import Node
+    from freebody.connections.string import StringNode
     from freebody.model.names import Names
 
 
@@ -66,7 +66,7 @@ class Hook:
         return ConstraintRow(f"{body} hangs", "sideways force", across, target, ends=(body,), if_needed=True)
 
 
-def hooks_of(way: Sequence[Node], leads: Sequence[Direction | None], arms: Sequence[Expr]) -> dict[str, Hook]:
+def hooks_of(way: Sequence[StringNode], leads: Sequence[Direction | None], arms: Sequence[Expr]) -> dict[str, Hook]:
     """The bodies that leads of constant direction place, by name."""
     found: dict[str, Hook] = {}
     for k, node in enumerate(way):
@@ -85,7 +85,7 @@ def hooks_of(way: Sequence[Node], leads: Sequence[Direction | None], arms: Seque
 
 
 def askew(
-    names: Names, way: Sequence[Node], leads: Sequence[Direction | None], arms: Sequence[Expr]
+    names: Names, way: Sequence[StringNode], leads: Sequence[Direction | None], arms: Sequence[Expr]
 ) -> Iterator[tuple[Point, Point, Direction]]:
     """Leads whose ends stand so that they cannot have the direction that they are taken to have."""
     for k, lead in enumerate(leads):

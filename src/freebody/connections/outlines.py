@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Round:
+class RoundPart:
     """A circle about a point of a body; radius 0 for a point. `where` limits the directions from which a corner can be
     touched to those between its edges."""
 
@@ -79,7 +79,7 @@ class Hollow:
         return self.center.body
 
 
-Part = Round | Straight | Hollow
+Part = RoundPart | Straight | Hollow
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class Outline:
 
     body: str
     label: str
-    rounds: tuple[Round, ...] = ()
+    rounds: tuple[RoundPart, ...] = ()
     straights: tuple[Straight, ...] = ()
     hollows: tuple[Hollow, ...] = ()
 
@@ -117,7 +117,7 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
     body_name, _, point_name = words.partition(".")
     if point_name:
         point = names.point(words, *path)
-        return Outline(point.body, words, (Round(point, ZERO, words),))
+        return Outline(point.body, words, (RoundPart(point, ZERO, words),))
     body = names.body(body_name, *path)
     if body.is_placeholder or body_name not in names.bodies:
         return None
@@ -126,11 +126,11 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
 
 def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
     if body.radius is not None:
-        return Outline(body.name, body.name, (Round(body.center, body.radius, body.name),))
+        return Outline(body.name, body.name, (RoundPart(body.center, body.radius, body.name),))
     if body.corners:
         return _polygon(names, body, *path)
     if not body.turns:
-        return Outline(body.name, body.name, (Round(body.center, ZERO, body.name),))
+        return Outline(body.name, body.name, (RoundPart(body.center, ZERO, body.name),))
     lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
     what = f"; name one of its lines: {', '.join(lines)}" if body.name == GROUND and lines else ""
     names.problem(
@@ -160,7 +160,7 @@ def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
         along = Direction(body.name, (dx / length, dy / length), label)
         edges.append(Straight(Line(body.point(end), along, label), length, label))
     rounds = [
-        Round(
+        RoundPart(
             body.point(corner),
             ZERO,
             f"{body.name}.{corner}",
@@ -188,4 +188,4 @@ def _turns(names: Names, body: RigidBody, corners: list[str]) -> list[float]:
     return [turn for turn in found if abs(turn) > 1e-12 * max(map(abs, found))]
 
 
-__all__ = ["KINDS", "Hollow", "Outline", "Part", "Round", "Straight", "read_outline"]
+__all__ = ["KINDS", "Hollow", "Outline", "Part", "RoundPart", "Straight", "read_outline"]

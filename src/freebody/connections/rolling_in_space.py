@@ -23,7 +23,7 @@ from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import ONE, Direction
 from freebody.measures.turn import Alignment
-from freebody.model.elements import ConstraintRow, NonholonomicForm, Plane, RigidBody
+from freebody.model.elements import BodyPlane, ConstraintRow, NonholonomicForm, RigidBody
 from freebody.model.rotations import perpendiculars
 from freebody.model.spins import body_axes, spin, velocity_of_place
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
-def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Plane) -> list[ConstraintRow]:
+def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: BodyPlane) -> list[ConstraintRow]:
     """The rows of rolling on a plane, by the form of the body."""
     if body.name == plane.normal.body:
         names.problem(f"{body.name} cannot roll on a plane of its own")
@@ -44,13 +44,13 @@ def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: Plan
     return _sphere(body, radius, plane) if body.round == "sphere" else _rim(body, radius, plane)
 
 
-def _along(plane: Plane) -> list[tuple[str, Direction]]:
+def _along(plane: BodyPlane) -> list[tuple[str, Direction]]:
     owner = plane.normal.body
     directions = [Direction(owner, v) for v in perpendiculars(plane.normal.components)]
     return list(zip(across_names(plane.normal), directions, strict=True))
 
 
-def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) -> list[ConstraintRow]:
+def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: BodyPlane) -> list[ConstraintRow]:
     return [
         ConstraintRow(
             f"no slip {name}",
@@ -62,7 +62,7 @@ def _slips(body: RigidBody, arm: list[tuple[Measure, Direction]], plane: Plane) 
     ]
 
 
-def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
+def _rim(body: RigidBody, radius: Expr, plane: BodyPlane) -> list[ConstraintRow]:
     across = [Direction(body.name, v) for v in perpendiculars(body.axis)]
     n = tuple((f"n{j}", Alignment(b, plane.normal)) for j, b in enumerate(across, 1))
     size = Call("sqrt", Symbol("n1") * Symbol("n1") + Symbol("n2") * Symbol("n2"))
@@ -88,7 +88,7 @@ def _rim(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
     return rows
 
 
-def _sphere(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
+def _sphere(body: RigidBody, radius: Expr, plane: BodyPlane) -> list[ConstraintRow]:
     height = Displacement(body.center, plane.through, plane.normal)
     arm: list[tuple[Measure, Direction]] = [
         (Composed(-radius * Symbol("n"), (("n", Alignment(b, plane.normal)),), LENGTH), b) for b in body_axes(body.name)
@@ -96,7 +96,7 @@ def _sphere(body: RigidBody, radius: Expr, plane: Plane) -> list[ConstraintRow]:
     return [ConstraintRow("contact", "normal force", height, radius, unilateral=True), *_slips(body, arm, plane)]
 
 
-def _cone(body: RigidBody, plane: Plane) -> list[ConstraintRow]:
+def _cone(body: RigidBody, plane: BodyPlane) -> list[ConstraintRow]:
     radius, height = body.sizes
     apex = body.point("apex")
     tilt = Alignment(Direction(body.name, body.axis), plane.normal)

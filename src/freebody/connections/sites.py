@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from freebody.connections.circles import touching
-from freebody.connections.outlines import Hollow, Outline, Round, Straight
+from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
 from freebody.language.expression import ZERO, Expr
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
@@ -28,7 +28,7 @@ from freebody.model.elements import Span
 
 
 @dataclass(frozen=True)
-class Site:
+class ContactSite:
     """One place where two outlines can touch. gap = sign (measure - target)."""
 
     label: str
@@ -42,7 +42,7 @@ class Site:
     obstacle: str = ""
 
 
-def sites(first: Outline, second: Outline) -> list[Site]:
+def sites(first: Outline, second: Outline) -> list[ContactSite]:
     """All places where two outlines can touch; none if there is no kind for the pair."""
     return [*_between(first, second), *(() if _is_symmetric(first, second) else _between(second, first))]
 
@@ -51,7 +51,7 @@ def _is_symmetric(first: Outline, second: Outline) -> bool:
     return bool(first.rounds and second.rounds and not (first.is_polygon or second.is_polygon))
 
 
-def _between(first: Outline, second: Outline) -> Iterator[Site]:
+def _between(first: Outline, second: Outline) -> Iterator[ContactSite]:
     """Round parts of the first on any part of the second."""
     for a in first.rounds:
         for line in second.straights:
@@ -64,11 +64,11 @@ def _between(first: Outline, second: Outline) -> Iterator[Site]:
                     yield _on_circle(a, b)
 
 
-def _label(a: Round, other: str) -> str:
+def _label(a: RoundPart, other: str) -> str:
     return f"{a.label} on {other}"
 
 
-def _on_line(a: Round, line: Straight) -> Site:
+def _on_line(a: RoundPart, line: Straight) -> ContactSite:
     within = line.beside(a.center)
     if line.length is not None:  # a corner touches an edge only with both its neighbours above
         above = line.line.direction.normal()
@@ -76,7 +76,7 @@ def _on_line(a: Round, line: Straight) -> Site:
     slip: Measure = line.travel(a.center)
     if a.radius != ZERO:
         slip = Combination(((ONE, slip), (a.radius, Angle(a.body, line.body))), LENGTH)
-    return Site(
+    return ContactSite(
         _label(a, line.label),
         (a.body, line.body),
         line.height(a.center),
@@ -89,13 +89,13 @@ def _on_line(a: Round, line: Straight) -> Site:
     )
 
 
-def _on_circle(a: Round, b: Round) -> Site:
+def _on_circle(a: RoundPart, b: RoundPart) -> ContactSite:
     distance, total, rolled = touching(b.center, b.radius, a.center, a.radius, internal=False)
-    return Site(
+    return ContactSite(
         _label(a, b.label), (a.body, b.body), distance, total, 1, rolled, -1, (*b.beside(a.center), *a.beside(b.center))
     )
 
 
-def _inside(a: Round, ring: Hollow) -> Site:
+def _inside(a: RoundPart, ring: Hollow) -> ContactSite:
     distance, total, rolled = touching(ring.center, ring.radius, a.center, a.radius, internal=True)
-    return Site(_label(a, ring.label), (a.body, ring.body), distance, total, -1, rolled, -1)
+    return ContactSite(_label(a, ring.label), (a.body, ring.body), distance, total, -1, rolled, -1)

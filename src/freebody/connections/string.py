@@ -29,7 +29,7 @@ from freebody.measures.geometry import DOWN, GROUND, ONE, RIGHT, UP, ZERO, Direc
 from freebody.measures.lead import Lead
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
-from freebody.model.elements import ConstraintRow, DryFriction, Stretch, UnilateralConstraint
+from freebody.model.elements import ConstraintRow, DryFriction, StringStretch, UnilateralConstraint
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
@@ -46,7 +46,7 @@ _SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom":
 
 
 @dataclass(frozen=True)
-class Node:
+class StringNode:
     """A place on the string's way: an end, a pulley it runs over or under, or a drum it is wound on."""
 
     point: Point
@@ -70,11 +70,11 @@ class Node:
 
 
 @dataclass(frozen=True)
-class Section:
+class StringSection:
     """The string between two marks: its length, the bodies along it, and what it slides over."""
 
     terms: tuple[tuple[Expr, Measure], ...]
-    nodes: tuple[Node, ...]
+    nodes: tuple[StringNode, ...]
     passages: tuple[Passage, ...]
 
     @property
@@ -97,16 +97,16 @@ class Section:
             stretches=self._stretches(rough),
         )
 
-    def _stretches(self, rough: set[str]) -> tuple[Stretch, ...]:
+    def _stretches(self, rough: set[str]) -> tuple[StringStretch, ...]:
         """The string from one rough drum to the next. With tau the multiplier of the slip on a drum, the tension
         before it is that after it less tau (see `capstan`)."""
         drums = [k for k, node in enumerate(self.nodes[1:-1], 1) if drum_name(node) in rough]
         marks = [0, *drums, len(self.nodes) - 1]
-        found: list[Stretch] = []
+        found: list[StringStretch] = []
         for n, (a, b) in enumerate(itertools.pairwise(marks)):
             places = (name for node in self.nodes[a : b + 1] for name in node.called)
             behind = tuple(slip_of(self.nodes[k]) for k in drums[n:])
-            found.append(Stretch(tuple(dict.fromkeys(places)), behind))
+            found.append(StringStretch(tuple(dict.fromkeys(places)), behind))
         return tuple(found)
 
 
@@ -114,11 +114,11 @@ class Section:
 class Laid:
     """A string on its way: what it grips, and its sections."""
 
-    way: list[Node]
+    way: list[StringNode]
     leads: list[Direction | None]  # constant directions
     arms: list[Expr]  # at which it pulls on the circles: s R
     grips: set[str]
-    sections: list[Section]
+    sections: list[StringSection]
 
     @property
     def hooks(self) -> dict[str, Hook]:
@@ -126,7 +126,7 @@ class Laid:
         return hooks_of(self.way, self.leads, self.arms)
 
     @property
-    def slid_over(self) -> list[Node]:
+    def slid_over(self) -> list[StringNode]:
         """The drums and points on which it moves."""
         return [p.node for section in self.sections for p in section.passages]
 
@@ -244,13 +244,13 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                 )
                 return
 
-    def _run(self, names: Names, way: list[Node]) -> tuple[list[Direction | None], list[int], list[Expr]]:
+    def _run(self, names: Names, way: list[StringNode]) -> tuple[list[Direction | None], list[int], list[Expr]]:
         """The constant directions of the leads, the sense in which the string runs round each node, and its arms."""
         leads = self._directions(names, way)
         turns = self._turns(names, way, leads)
         return leads, turns, [multiply(number(s), n.radius) if s else ZERO for s, n in zip(turns, way, strict=True)]
 
-    def _is_straight_below(self, names: Names, way: list[Node], k: int) -> bool:
+    def _is_straight_below(self, names: Names, way: list[StringNode], k: int) -> bool:
         """Whether a body is put where it would hang, below what carries it."""
         leads, _turns, arms = self._run(names, way)
         hook, here = hooks_of(way, leads, arms)[way[k].body], way[k].place
@@ -265,7 +265,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return True
 
     # -- reading the way ----------------------------------------------------------------------
-    def _node(self, names: Names, text: str, k: int, n: int) -> Node | None:
+    def _node(self, names: Names, text: str, k: int, n: int) -> StringNode | None:
         field = ("path", k) if self.path else ("from" if k == 0 else "to" if k == n - 1 else "over",)
         found = _NODE.fullmatch(" ".join(text.split()))
         if found is None:
@@ -297,7 +297,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             names.problem(f"only an end can be wound on a drum, '{text}' is in the middle", None, *field)
         given = body.start.at is not None
         is_free = not (_is_held(names, body.name) or body.fixed or self.swings or body.name == GROUND)
-        return Node(
+        return StringNode(
             point,
             radius,
             way,
@@ -309,7 +309,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             _place(names, point),
         )
 
-    def _grips(self, names: Names, way: list[Node]) -> set[str]:
+    def _grips(self, names: Names, way: list[StringNode]) -> set[str]:
         pulleys = {node.body for node in way[1:-1] if node.radius != ZERO}
         pulleys = {p for p in pulleys if names.known(p).turns and not names.known(p).fixed}
         if self.grips is None:
@@ -324,7 +324,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         return set(self.grips) & pulleys
 
     # -- directions of the leads --------------------------------------------------------------
-    def _directions(self, names: Names, way: list[Node]) -> list[Direction | None]:
+    def _directions(self, names: Names, way: list[StringNode]) -> list[Direction | None]:
         """The constant direction of each lead, or None where it is the common tangent."""
         n = len(way) - 1
         if self.leads is not None:
@@ -353,7 +353,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             found.append(along if upward else along.reversed())
         return found
 
-    def _turns(self, names: Names, way: list[Node], leads: list[Direction | None]) -> list[int]:
+    def _turns(self, names: Names, way: list[StringNode], leads: list[Direction | None]) -> list[int]:
         """+1 where the string, followed from its start, runs counter-clockwise round the node, else -1."""
         turns: list[int] = []
         for k, node in enumerate(way):
@@ -443,7 +443,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             return None
         return hook.place(names, along, seen)
 
-    def _idle(self, names: Names, way: list[Node], grips: set[str], rough: set[str]) -> list[ConstraintRow]:
+    def _idle(self, names: Names, way: list[StringNode], grips: set[str], rough: set[str]) -> list[ConstraintRow]:
         """A pulley without inertia, over which the string slides without friction and which no connection or load
         turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
         rows: list[ConstraintRow] = []
@@ -477,11 +477,11 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
 
 
 def _sections(
-    way: list[Node], leads: list[Direction | None], turns: list[int], arms: list[Expr], grips: set[str]
-) -> list[Section]:
+    way: list[StringNode], leads: list[Direction | None], turns: list[int], arms: list[Expr], grips: set[str]
+) -> list[StringSection]:
     """Section between material marks: sum of l - rho a over its leads, plus s R theta at the mark where it
     ends and minus the same where it begins (see `measures.lead`)."""
-    sections: list[Section] = []
+    sections: list[StringSection] = []
     terms: list[tuple[Expr, Measure]] = []
     passages: list[Passage] = []
     begin = 0
@@ -498,7 +498,7 @@ def _sections(
         if marked:
             terms.append((arms[k + 1], Angle(b.body)))
         if marked or last:
-            sections.append(Section(tuple(terms), tuple(way[begin : k + 2]), tuple(passages)))
+            sections.append(StringSection(tuple(terms), tuple(way[begin : k + 2]), tuple(passages)))
             terms = [(negate(arms[k + 1]), Angle(b.body))] if marked else []
             begin, passages = k + 1, []
         else:
@@ -572,7 +572,7 @@ def _numbers(names: Names, direction: Direction) -> tuple[float, float]:
     return x, y
 
 
-def _heading(names: Names, way: list[Node], leads: list[Direction | None], k: int) -> tuple[float, float] | None:
+def _heading(names: Names, way: list[StringNode], leads: list[Direction | None], k: int) -> tuple[float, float] | None:
     """Direction of lead k in numbers, from its stated direction or the places of its ends."""
     lead = leads[k]
     if lead is not None:

@@ -24,8 +24,8 @@ from freebody.language.expression import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     add,
@@ -95,7 +95,7 @@ class _Token:
 
 def parse(text: str) -> Expr:
     """The expression a text stands for. Raises ExpressionError with the column of the first fault."""
-    return _Reader(_tokens(text)).expression()
+    return _Parser(_tokens(text)).expression()
 
 
 def _tokens(text: str) -> list[_Token]:
@@ -152,7 +152,7 @@ def _hint_for(character: str) -> str:
     return f"{character!r} cannot be used in an expression"
 
 
-class _Reader:
+class _Parser:
     """Recursive descent over the tokens of one text."""
 
     def __init__(self, tokens: list[_Token]) -> None:
@@ -300,7 +300,7 @@ class _Reader:
 def _power(base: Expr, exponent: Expr, column: int) -> Expr:
     if isinstance(exponent, Number):
         size = abs(exponent.value)
-        if isinstance(base, Power) and (inner := whole_exponent(base)) is not None:
+        if isinstance(base, PowerOf) and (inner := whole_exponent(base)) is not None:
             size *= abs(inner)
         if size > MAX_EXPONENT:
             raise _exponent_too_large(column)
@@ -320,7 +320,7 @@ def _bits(expr: Expr) -> int:
     match expr:
         case Number(value):
             return value.numerator.bit_length() + value.denominator.bit_length()
-        case Sum(parts) | Product(parts):
+        case Sum(parts) | ProductOf(parts):
             return sum(_bits(part) for part in parts if isinstance(part, Number))
         case _:
             return 0

@@ -50,7 +50,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Plane:
+class BodyPlane:
     """A plane fixed in a body: a point on it and the normal on the side where things are."""
 
     through: Point
@@ -130,7 +130,7 @@ class RigidBody:
     tensor: Components = ()  # of inertia about the mass centre in body axes: xx, yy, zz, xy, xz, yz
     round: str = ""  # what of it can roll: "disk" (its rim), "sphere", "cone"
     axis: Components = ()  # of a round body
-    planes: dict[str, Plane] = field(default_factory=dict[str, Plane])
+    planes: dict[str, BodyPlane] = field(default_factory=dict[str, BodyPlane])
     chain: tuple[Rotation, ...] = ()  # from the axes of `frame` to its own, where the user named angles
     frame: str = GROUND
     solid: str = ""  # its form, for pictures: "box", "cylinder", "cone", "sphere", "disk", "ring", "rod"
@@ -182,7 +182,7 @@ class NonholonomicForm:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class StringStretch:
     """A part of a string with one tension: the bodies and points along it, and what its tension is less than the
     reaction of the whole row by: components of the connection, the dry friction of the drums between both."""
 
@@ -208,7 +208,7 @@ class ConstraintRow:
     needs: str = ""  # the component of the same connection without which it is not held: no grip where nothing touches
     connection: str = ""
     general: Expr | None = None  # the target with functions of time as symbols; None: it contains none
-    stretches: tuple[Stretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
+    stretches: tuple[StringStretch, ...] = ()  # of a string, in order; the reaction is the tension of the last one
 
     @property
     def in_symbols(self) -> Expr | None:

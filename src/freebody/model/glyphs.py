@@ -18,7 +18,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, Generic, Literal, TypeVar, cast
 
-from freebody.language.expression import Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.measures.geometry import Direction, Point
 
 P = TypeVar("P")  # a point fixed in a body
@@ -342,7 +342,7 @@ def in_numbers(
                 return place(value)
             case Direction():
                 return heading(value)
-            case Number() | Symbol() | Sum() | Product() | Power() | Call():
+            case Number() | Symbol() | Sum() | ProductOf() | PowerOf() | Call():
                 return number(value)
             case tuple():
                 return tuple(map(changed, cast("tuple[Any, ...]", value)))

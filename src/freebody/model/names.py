@@ -20,7 +20,7 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
-from freebody.model.elements import AppliedLoad, ConstraintRow, Line, Parameter, Plane, RigidBody
+from freebody.model.elements import AppliedLoad, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
 
@@ -263,7 +263,7 @@ class Names:
         body = self.bodies.get(body_name)
         return None if body is None else body.lines.get(line_name)
 
-    def plane(self, text: Any, *path: str | int) -> Plane | None:
+    def plane(self, text: Any, *path: str | int) -> BodyPlane | None:
         """`body.plane`; of the ground also plain `plane`."""
         if not isinstance(text, str):
             return None

@@ -31,7 +31,7 @@ Found = dict[str, str | None]
 
 
 @dataclass(frozen=True)
-class Phrase:
+class MeasurePhrase:
     """One way to state a measure."""
 
     form: str
@@ -40,7 +40,7 @@ class Phrase:
 
 
 _POINT = r"[A-Za-z_]\w*(?:\.\w+)?"
-PHRASES: list[Phrase] = []
+PHRASES: list[MeasurePhrase] = []
 
 
 def _phrase(
@@ -49,7 +49,7 @@ def _phrase(
     def register(
         read: Callable[[Names, Found, Path], Measure],
     ) -> Callable[[Names, Found, Path], Measure]:
-        PHRASES.append(Phrase(form, re.compile(rf"^(?:{pattern})$"), read))
+        PHRASES.append(MeasurePhrase(form, re.compile(rf"^(?:{pattern})$"), read))
         return read
 
     return register

@@ -112,7 +112,7 @@ def perpendiculars(axis: Components) -> tuple[Components, Components]:
 
 # -- chains -----------------------------------------------------------------------------------
 @dataclass(frozen=True)
-class Piece:
+class RotationPair:
     """A constant rotation, then a named one."""
 
     before: Columns
@@ -120,13 +120,13 @@ class Piece:
     name: str
 
 
-def pieces(chain: Sequence[Rotation]) -> tuple[list[Piece], Columns]:
+def pieces(chain: Sequence[Rotation]) -> tuple[list[RotationPair], Columns]:
     """The named rotations with what is constant before each, and what is constant at the end."""
-    found: list[Piece] = []
+    found: list[RotationPair] = []
     constant = UNIT
     for turn in chain:
         if turn.name:
-            found.append(Piece(constant, turn.axis, turn.name))
+            found.append(RotationPair(constant, turn.axis, turn.name))
             constant = UNIT
         else:
             constant = product(constant, rotation(turn.axis, turn.by))
@@ -180,7 +180,7 @@ def angles_of(names: Names, chain: Sequence[Rotation], body: str, frame: str) ->
     return _three(names, named, on_frame, on_body)
 
 
-def _three(names: Names, named: Sequence[Piece], on_frame: _Fixed, on_body: _Fixed) -> dict[str, Measure]:
+def _three(names: Names, named: Sequence[RotationPair], on_frame: _Fixed, on_body: _Fixed) -> dict[str, Measure]:
     axes = [along_axis(piece.axis) for piece in named]
     plain = all(axis is not None for axis in axes) and all(piece.before == UNIT for piece in named[1:])
     if len(named) != 3 or not plain or any(a and b and a[0] == b[0] for a, b in pairwise(axes)):

@@ -11,7 +11,7 @@ from freebody.language.expression import Expr
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
-from freebody.narrative.lines.script import Listing, Script, Sentence, Sheet, Stage, When
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, When
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
@@ -19,7 +19,7 @@ from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 
 
-def closing(context: Context, question: Question, answer: Answer) -> list[Stage]:
+def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     """Result and options."""
     script = Script(context.glossary, context.next_number)
     with script.stage("stage.result", "hint.result"):
@@ -85,6 +85,6 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
     marks: tuple[Literal["", "right", "wrong"], ...] = tuple(
         "right" if v.verdict == "right" else "wrong" for v in answer.options.values()
     )
-    script.add(Sheet(header, rows, marks))
+    script.add(FormulaTable(header, rows, marks))
     for note in answer.author_notes:
         script.say("result.note", text=f"@{note}")

@@ -11,7 +11,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.narrative.contact.settings import setup_of
 from freebody.narrative.lines.glossary import Glossary
-from freebody.narrative.lines.script import Script, Stage
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -57,7 +57,7 @@ class Context:
         return Symbol(next((name for name in wishes if name not in taken), f"{wishes[-1]}_1"))
 
 
-Derive = Callable[[Context, Question, Answer, Method], list[Stage]]
+Derive = Callable[[Context, Question, Answer, Method], list[DerivationStage]]
 
 
 def refuse(method: Method, allowed: tuple[Method, ...], what: str) -> None:

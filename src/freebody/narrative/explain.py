@@ -14,7 +14,7 @@ from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import Line, Stage
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.progress import busy_with
@@ -35,10 +35,10 @@ class Derivation:
 
     question: Question
     answer: Answer
-    stages: tuple[Stage, ...]
+    stages: tuple[DerivationStage, ...]
     method: Method = "auto"
     reason: str = ""
-    compared: tuple[Stage, ...] = ()
+    compared: tuple[DerivationStage, ...] = ()
     compared_method: Method = "auto"
 
 
@@ -48,7 +48,7 @@ class Explanation:
 
     system: System
     solution: Solution
-    opening: tuple[Stage, ...]
+    opening: tuple[DerivationStage, ...]
     derivations: tuple[Derivation, ...]
     language: str = "en"
 
@@ -144,7 +144,7 @@ def _derived(
     busy_with(f"deriving {question.id}: {question.text}")
     derive = derivation_of(context.system, question)
     stages, reason = _attempt(context, question, answer, method, derive)
-    compared: Sequence[Stage] = ()
+    compared: Sequence[DerivationStage] = ()
     if second is not None and not reason:
         compared, trouble = _attempt(context, question, answer, second, derive)
         reason = trouble
@@ -154,17 +154,17 @@ def _derived(
     return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
 
 
-def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def _closing(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     return closing(context, question, answer)
 
 
 def _attempt(
     context: Context, question: Question, answer: Answer, method: Method, derive: Derive
-) -> tuple[list[Stage], str]:
+) -> tuple[list[DerivationStage], str]:
     try:
         stages = derive(context, question, answer, method)
     except (CannotAnswer, RoutesDisagree, ExpressionError, ZeroDivisionError) as error:
         return [], str(error)
-    numbers = [item.number for stage in stages for item in stage.items if isinstance(item, Line)]
+    numbers = [item.number for stage in stages for item in stage.items if isinstance(item, NumberedFormula)]
     context.next_number = max([context.next_number - 1, *numbers]) + 1
     return stages, ""

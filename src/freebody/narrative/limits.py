@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator
 
-from freebody.assess.cases import Case
+from freebody.assess.cases import LimitingCase
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, n_operations, rate_key
 from freebody.language.parser import parse
@@ -101,7 +101,7 @@ def _coordinates(context: Context) -> dict[str, Ratio]:
     return found
 
 
-def _cases(context: Context, element: Ratio) -> Iterator[tuple[Case, tuple[str, Expr, Expr]]]:
+def _cases(context: Context, element: Ratio) -> Iterator[tuple[LimitingCase, tuple[str, Expr, Expr]]]:
     f, system = element.field, context.system
     used = f.ingredients(element)
     present = [p for p in system.parameters.values() if p.form is None and _index(context, p.name) in used]
@@ -109,15 +109,15 @@ def _cases(context: Context, element: Ratio) -> Iterator[tuple[Case, tuple[str, 
         for q in present[k + 1 :]:
             if p.dimension == q.dimension and p.is_angle == q.is_angle:
                 at = f.variable(_index(context, p.name))
-                yield Case("", _index(context, q.name), at), ("equal", Symbol(p.name), Symbol(q.name))
+                yield LimitingCase("", _index(context, q.name), at), ("equal", Symbol(p.name), Symbol(q.name))
     for p in present:
         index, symbol = _index(context, p.name), Symbol(p.name)
         if p.dimension in (MASS, INERTIA, DIMENSIONLESS) or p.is_angle:
-            yield Case("", index, f.zero), ("zero", symbol, symbol)
+            yield LimitingCase("", index, f.zero), ("zero", symbol, symbol)
         if p.is_angle:
-            yield Case("", index, f.pi / 2), ("right_angle", symbol, symbol)
+            yield LimitingCase("", index, f.pi / 2), ("right_angle", symbol, symbol)
         elif p.dimension in (MASS, INERTIA, DIMENSIONLESS):
-            yield Case("", index, None), ("grows", symbol, symbol)
+            yield LimitingCase("", index, None), ("grows", symbol, symbol)
 
 
 def _index(context: Context, name: str) -> int:

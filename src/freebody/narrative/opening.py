@@ -12,13 +12,13 @@ from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Diagram, Legend, Script, Sentence, Sheet, Stage
+from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence
 from freebody.study.evidence import rank_freedom
 from freebody.study.gruebler import Gruebler, gruebler
 from freebody.study.spread import disagreement
 
 
-def opening(context: Context) -> list[Stage]:
+def opening(context: Context) -> list[DerivationStage]:
     """System, symbols, degrees of freedom."""
     script = Script(context.glossary, context.next_number)
     with script.stage("stage.system"):
@@ -39,7 +39,7 @@ def _system(context: Context, script: Script) -> None:
     header = tuple(Sentence(f"system.table_{name}") for name in wanted)
     rows = tuple((body.name, *_mass(body), *(() if system.space else _inertia(body))) for body in system.moving)
     if rows:
-        script.add(Sheet(header, rows))
+        script.add(FormulaTable(header, rows))
     for text in system.assumptions:
         script.say("system.assumed", text=f"@{text}")
     script.say("system.rigid")
@@ -104,7 +104,7 @@ def count_freedoms(context: Context, script: Script) -> int:
     kinds = {c.kind: Sentence("sheet.kind_of", {"kind": f"@kind.{c.kind}"}) for c in found.connections}
     rows = tuple((c.connection, kinds[c.kind], ", ".join(c.between), number(c.n)) for c in found.connections)
     if rows:
-        script.add(Sheet(header, rows))
+        script.add(FormulaTable(header, rows))
     count_line(script, found)
     return _by_rank(context, script, found.count)
 

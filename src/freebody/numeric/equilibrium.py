@@ -32,9 +32,9 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.families import is_one_family, soft_directions
 from freebody.numeric.instant import each_force, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
-from freebody.numeric.placing import ACCEPTED, Equation
+from freebody.numeric.placing import ACCEPTED, PoseEquation
 from freebody.numeric.potential import potential
-from freebody.numeric.small_motion import Instant
+from freebody.numeric.small_motion import LinearisationPoint
 from freebody.numeric.split import Split, stack
 from freebody.numeric.tours import toured
 from freebody.tolerances import LEAST
@@ -50,7 +50,7 @@ _N_LOOKS = 12_000  # at the loads of a pose, after which no further search begin
 
 
 @dataclass(frozen=True)
-class Pose:
+class CountedPose:
     """A pose, and the angles of lines by which it is counted on."""
 
     q: Array
@@ -58,10 +58,10 @@ class Pose:
 
 
 @dataclass(frozen=True)
-class Balance:
+class LoadBalance:
     """The loads of a system at rest in a pose."""
 
-    pose: Pose
+    pose: CountedPose
     split: Split
     forces: Array  # Q
     multipliers: Array
@@ -74,25 +74,25 @@ class Balance:
         return float(np.linalg.norm(self.residual))
 
 
-class Statics:
+class RestSearch:
     """The search for rests of one system, from its start pose."""
 
     def __init__(self, reference: Reference) -> None:
         """Raises CannotAnswer if the start cannot be assembled, or a driver moves at t = 0."""
         self.reference = reference
         q = reference.assemble()
-        self.start = Pose(q, reference.geometry(q, np.zeros_like(q), 0.0).angles)
+        self.start = CountedPose(q, reference.geometry(q, np.zeros_like(q), 0.0).angles)
         self._equations = reference.held_where(q, 0.0)
         self._check_drivers()
         self.n_searches = 0
         self._n_looks = 0
 
-    def geometry(self, pose: Pose) -> JetGeometry:
+    def geometry(self, pose: CountedPose) -> JetGeometry:
         """What measures see of the system at rest; time stands still."""
         return self.instant(pose).geometry(self.reference, pose.q, np.zeros_like(pose.q))
 
-    def instant(self, pose: Pose) -> Instant:
-        return Instant(pose.q, np.zeros_like(pose.q), 0.0, pose.branches, frozen=True)
+    def instant(self, pose: CountedPose) -> LinearisationPoint:
+        return LinearisationPoint(pose.q, np.zeros_like(pose.q), 0.0, pose.branches, frozen=True)
 
     def _check_drivers(self) -> None:
         g = self.reference.geometry(self.start.q, np.zeros_like(self.start.q), 0.0, self.start.branches)
@@ -105,7 +105,7 @@ class Statics:
                 )
 
     # -- one pose -----------------------------------------------------------------------------
-    def balance(self, pose: Pose) -> Balance:
+    def balance(self, pose: CountedPose) -> LoadBalance:
         """The loads and reactions in a pose. Raises CannotAnswer where a load has no value."""
         reference, n = self.reference, len(pose.q)
         self._n_looks += 1
@@ -115,15 +115,15 @@ class Statics:
         D, Q = reference.sizes.small_moves, sum(loads, np.zeros(n))
         split = Split(J, D)
         scale = sum(float(np.linalg.norm(D * load)) for load in loads)
-        return Balance(pose, split, Q, split.multipliers(-Q), split.null.T @ Q, scale, J)
+        return LoadBalance(pose, split, Q, split.multipliers(-Q), split.null.T @ Q, scale, J)
 
-    def stiffness(self, here: Balance) -> Array:
+    def stiffness(self, here: LoadBalance) -> Array:
         """K along the columns of N, by differences: good enough to search by."""
         reference, n, N = self.reference, len(here.pose.q), here.split.null
 
         def pull(q: Array) -> Array:
             self._n_looks += 1
-            g = self.geometry(Pose(q, here.pose.branches))
+            g = self.geometry(CountedPose(q, here.pose.branches))
             rows = stack([reference.gap(row, g).row(n) for row in reference.system.held], n)
             return sum(each_force(reference, g), rows.T @ here.multipliers)
 
@@ -134,27 +134,27 @@ class Statics:
             K[:, k] = -(N.T @ (pull(reference.frame.moved(here.pose.q, h * direction)) - rest)) / h
         return K
 
-    def moved(self, pose: Pose, step: Array) -> Pose | None:
+    def moved(self, pose: CountedPose, step: Array) -> CountedPose | None:
         """The pose nearest to a step away that holds everything."""
         fit = self.reference.placing.fit(self.reference.frame.moved(pose.q, step), self._equations, 0.0, pose.branches)
         if fit is None or fit.error > ACCEPTED:
             return None
-        return Pose(fit.q, fit.branches)
+        return CountedPose(fit.q, fit.branches)
 
-    def at_measures(self, pose: Pose, wanted: Sequence[tuple[str, Measure, float]]) -> Pose:
+    def at_measures(self, pose: CountedPose, wanted: Sequence[tuple[str, Measure, float]]) -> CountedPose:
         """The pose nearest to one with given values of measures, led there in steps where it is far. Raises
         CannotAnswer if there is none in reach."""
         g = self.geometry(pose)
         begin = [self.reference.jet(g, measure, name).value for name, measure, _ in wanted]
         for n_parts in (1, 4, 16):
-            here: Pose | None = pose
+            here: CountedPose | None = pose
             for part in range(1, n_parts + 1):
                 equations = [
-                    Equation.of(name, measure, Jet(x0 + (x - x0) * part / n_parts))
+                    PoseEquation.of(name, measure, Jet(x0 + (x - x0) * part / n_parts))
                     for (name, measure, x), x0 in zip(wanted, begin, strict=True)
                 ]
                 fit = self.reference.placing.fit(here.q, self._equations + equations, 0.0, here.branches)
-                here = None if fit is None or fit.error > ACCEPTED else Pose(fit.q, fit.branches)
+                here = None if fit is None or fit.error > ACCEPTED else CountedPose(fit.q, fit.branches)
                 if here is None:
                     break
             if here is not None:
@@ -162,7 +162,7 @@ class Statics:
         given = ", ".join(f"{name} = {x:.6g}" for name, _measure, x in wanted)
         raise CannotAnswer(f"no pose in reach of the start has {given} (in SI units); guess another one")
 
-    def try_balance(self, pose: Pose | None) -> Balance | None:
+    def try_balance(self, pose: CountedPose | None) -> LoadBalance | None:
         if pose is None:
             return None
         try:
@@ -172,7 +172,7 @@ class Statics:
         return here if np.isfinite(here.error) else None
 
     # -- searches -----------------------------------------------------------------------------
-    def rest_near(self, pose: Pose) -> Balance | None:
+    def rest_near(self, pose: CountedPose) -> LoadBalance | None:
         """The rest to which damped Newton steps from a pose lead; None if they end elsewhere."""
         self.n_searches += 1
         here = self.try_balance(pose)
@@ -207,13 +207,13 @@ class Statics:
                 ratio, reach = 0.0, _REACH
         return here if here is not None and self.is_rest(here) else None
 
-    def _best(self, here: Balance, step: Array, factors: Sequence[float]) -> Balance | None:
+    def _best(self, here: LoadBalance, step: Array, factors: Sequence[float]) -> LoadBalance | None:
         """The best of some multiples of a step: where a rest is a multiple root, Newton's own is too short."""
         tried = [self.try_balance(self.moved(here.pose, factor * step)) for factor in factors]
         found = [b for b in tried if b is not None and len(b.residual) == len(here.residual)]
         return min(found, key=lambda b: b.error, default=None)
 
-    def is_rest(self, here: Balance) -> bool:
+    def is_rest(self, here: LoadBalance) -> bool:
         """Whether the loads balance, by what they come to and what they would come to a little way off."""
         if not len(here.residual):
             return True
@@ -221,7 +221,7 @@ class Statics:
         off = 1e-3 / max(float(self.reference.sizes.relative(direction).max()) for direction in N.T)
         return here.error <= 1e-9 * (here.scale + off * float(np.linalg.norm(K)))
 
-    def lowest_near(self, pose: Pose) -> Balance | None:
+    def lowest_near(self, pose: CountedPose) -> LoadBalance | None:
         """The rest to which the way downhill leads; None without a potential, or if there is none in reach."""
         self.n_searches += 1
         here, height, reach = self.try_balance(pose), self._potential(pose), _REACH
@@ -249,7 +249,7 @@ class Statics:
                 break
         return None if here is None else self.rest_near(here.pose)
 
-    def _potential(self, pose: Pose) -> float | None:
+    def _potential(self, pose: CountedPose) -> float | None:
         g = self.geometry(pose)
         try:
             pushes = self.reference.system.pushes
@@ -257,7 +257,7 @@ class Statics:
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
 
-    def _is_far(self, pose: Pose, start: Pose) -> bool:
+    def _is_far(self, pose: CountedPose, start: CountedPose) -> bool:
         away = self.reference.sizes.relative(self.reference.frame.difference(pose.q, start.q))
         return float(away.max(initial=0.0)) > FAR or float(away[self._turning].max(initial=0.0)) > FAR_ROUND
 
@@ -269,15 +269,15 @@ class Statics:
         rows = self.reference.system.held
         return not len(self.balance(self.start).residual) or any(isinstance(r.measure, NonholonomicForm) for r in rows)
 
-    def near_start(self) -> list[Balance]:
+    def near_start(self) -> list[LoadBalance]:
         """The rests to which searches from the start lead, by the shortest way and downhill."""
-        found: list[Balance] = []
+        found: list[LoadBalance] = []
         self._keep(found, self.rest_near(self.start))
         if not (found and self.is_single):
             self._keep(found, self.lowest_near(self.start))
         return found
 
-    def rests(self) -> list[Balance]:
+    def rests(self) -> list[LoadBalance]:
         """All rests that searches from the start and along tours from it and from every rest lead to."""
         found = self.near_start()
         n_free = len(self.balance(self.start).residual)
@@ -302,14 +302,14 @@ class Statics:
                 self._keep(found, self.lowest_near(start))
         return found
 
-    def _wandered(self, seed: int) -> Pose | None:
+    def _wandered(self, seed: int) -> CountedPose | None:
         try:
             q, _v = self.reference.wander(self.start.q, np.random.default_rng(seed), (0.3, 1.0, 3.0)[seed % 3])
         except CannotAnswer:
             return None
-        return self.moved(Pose(q, self.start.branches), np.zeros_like(q))
+        return self.moved(CountedPose(q, self.start.branches), np.zeros_like(q))
 
-    def _keep(self, found: list[Balance], rest: Balance | None) -> None:
+    def _keep(self, found: list[LoadBalance], rest: LoadBalance | None) -> None:
         """Adds a rest that is not there yet; of two that are the same the less wound one is kept, of a family the
         first."""
         if rest is None:
@@ -324,7 +324,7 @@ class Statics:
                 return
         found.append(rest)
 
-    def _winding(self, b: Balance) -> float:
+    def _winding(self, b: LoadBalance) -> float:
         """All turns away from the angle zero, of those turning to the left a little less."""
         return float(np.abs(b.pose.q[self._turning] - 0.01).sum())
 
@@ -335,18 +335,18 @@ class Statics:
             return np.zeros(0, dtype=np.intp)
         return np.array([c[2] for c in self.reference.frame.columns.values() if len(c) == 3], dtype=np.intp)
 
-    def apart(self, a: Pose, b: Pose) -> float:
+    def apart(self, a: CountedPose, b: CountedPose) -> float:
         """How far two poses are apart, full turns counted out, by the size of the system."""
         return float(self.reference.sizes.relative(self.difference(a, b)).max(initial=0.0))
 
-    def difference(self, a: Pose, b: Pose) -> Array:
+    def difference(self, a: CountedPose, b: CountedPose) -> Array:
         """The move from b to a, full turns counted out."""
         move = self.reference.frame.difference(a.q, b.q)
         angles = move[self._turning]
         move[self._turning] = angles - math.tau * np.round(angles / math.tau)
         return move
 
-    def is_same(self, a: Balance, b: Balance) -> bool:
+    def is_same(self, a: LoadBalance, b: LoadBalance) -> bool:
         """Whether two poses are one: turns counted out, if the loads do not count them."""
         if self.apart(a.pose, b.pose) > SAME:
             return False

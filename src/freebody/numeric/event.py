@@ -14,7 +14,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 
 
-class Watch:
+class EventWatch:
     """Looks for the first sign change of an event, at the steps and at places within them."""
 
     def __init__(self, event: Callable[[Snapshot], float], start: Snapshot) -> None:

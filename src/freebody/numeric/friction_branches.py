@@ -20,7 +20,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from freebody.numeric import friction_limits as limits
-from freebody.numeric.friction_limits import Cone, Optimum, Ray, RestProblem
+from freebody.numeric.friction_limits import FrictionCone, Optimum, Ray, RestProblem
 
 N_SECTORS = 8
 _NARROW = 2e-7  # half a sector's width at which its bound is the value
@@ -116,12 +116,12 @@ def _best(problem: RestProblem, solve: Solve, sign: int = 1) -> Optimum | None:
     return heap[0][3] if heap else None
 
 
-def _load(cone: Cone, found: Optimum) -> tuple[float, float]:
+def _load(cone: FrictionCone, found: Optimum) -> tuple[float, float]:
     """The force that loads a cone, where its direction is open in the plane."""
     return (0.0, 0.0) if len(cone.size) == 1 else (found.forces[cone.size[0]], found.forces[cone.size[1]])
 
 
-def _all_sectors(cone: Cone) -> list[Sector]:
+def _all_sectors(cone: FrictionCone) -> list[Sector]:
     if len(cone.size) == 1:
         return [Sector(0.0, 0.0), Sector(math.pi, 0.0)]
     half = math.pi / N_SECTORS
@@ -130,7 +130,7 @@ def _all_sectors(cone: Cone) -> list[Sector]:
 
 def _in_sectors(problem: RestProblem, sectors: dict[int, Sector]) -> RestProblem:
     """The problem with linear loads: each at its upper bound in a sector, the force kept inside it."""
-    cones: list[Cone] = []
+    cones: list[FrictionCone] = []
     walls: list[tuple[tuple[int, float], ...]] = []
     for k, cone in enumerate(problem.cones):
         sector = sectors.get(k)

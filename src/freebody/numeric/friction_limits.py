@@ -40,7 +40,7 @@ _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constra
 
 
 @dataclass(frozen=True)
-class Cone:
+class FrictionCone:
     """Dry friction at one row: -(forward L + limit) <= T <= backward L + limit, each with its own `limits`.
 
     L = sum of sign * multiplier over `load`, or the size of the multipliers in `size`, whose signs are open."""
@@ -62,7 +62,7 @@ class RestProblem:
     J: Array
     Q: Array
     normals: tuple[tuple[int, int], ...]
-    cones: tuple[Cone, ...]
+    cones: tuple[FrictionCone, ...]
     moves: Array  # (n,) a move by the size of the system, a turn by a radian
     walls: tuple[tuple[tuple[int, float], ...], ...] = ()  # sums of coefficient * multiplier that are not negative
 
@@ -97,7 +97,9 @@ def rest_problem(reference: Reference, q: Array, rubs: Sequence[DryFriction]) ->
     return RestProblem(names, J, forces(reference, g), normals, cones, reference.sizes.unit_moves)
 
 
-def _cone(reference: Reference, g: JetGeometry, rub: DryFriction, row: int, held: Sequence[ConstraintRow]) -> Cone:
+def _cone(
+    reference: Reference, g: JetGeometry, rub: DryFriction, row: int, held: Sequence[ConstraintRow]
+) -> FrictionCone:
     values = {**reference.frame.values, TIME: 0.0}
     for name, measure in rub.measures:
         values[name] = reference.jet(g, measure, name).value
@@ -108,15 +110,15 @@ def _cone(reference: Reference, g: JetGeometry, rub: DryFriction, row: int, held
 
     forward, backward = (number(rub.coefficient(d, at_rest=True)) for d in (1, -1))
     if not rub.load:
-        return Cone(rub.name, row, 0.0, 0.0, limits=(forward, backward))
+        return FrictionCone(rub.name, row, 0.0, 0.0, limits=(forward, backward))
     place = {other.name: k for k, other in enumerate(held)}
     missing = [name for name in rub.load if name not in place]
     if missing:
         raise CannotAnswer(f"the friction of {rub.name} depends on {', '.join(missing)}, which is not held")
     pressing = [place[name] for name in rub.load]
     if len(pressing) == 1 and held[pressing[0]].unilateral:
-        return Cone(rub.name, row, forward, backward, ((pressing[0], float(held[pressing[0]].sign)),))
-    return Cone(rub.name, row, forward, backward, size=tuple(pressing))
+        return FrictionCone(rub.name, row, forward, backward, ((pressing[0], float(held[pressing[0]].sign)),))
+    return FrictionCone(rub.name, row, forward, backward, size=tuple(pressing))
 
 
 @dataclass

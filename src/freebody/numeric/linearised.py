@@ -19,7 +19,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.numeric.instant import check_inertia, each_force, forces
 from freebody.numeric.jets import Array, Branch
-from freebody.numeric.placing import Equation
+from freebody.numeric.placing import PoseEquation
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
@@ -36,7 +36,7 @@ def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float])
         check_inertia(reference, N, mass)
 
     def force(z: Array) -> Array:
-        pinned = [Equation.along(back[i], q, float(z[i])) for i in range(k)]
+        pinned = [PoseEquation.along(back[i], q, float(z[i])) for i in range(k)]
         fit = reference.placing.placed(reference.frame.moved(q, N @ z), equations + pinned, 0.0, branches)
         free = reference.split_at(fit.q, branches).null
         slopes = free @ np.linalg.inv(back @ free)

@@ -35,7 +35,7 @@ N_STEPS = 200
 
 
 @dataclass(frozen=True)
-class Equation:
+class PoseEquation:
     """A condition on the pose: a gap that must vanish."""
 
     name: str
@@ -43,7 +43,9 @@ class Equation:
     gap: Callable[[JetGeometry], Jet]
 
     @classmethod
-    def of(cls, name: str, measure: Measure | NonholonomicForm, target: Jet | Callable[[JetGeometry], Jet]) -> Equation:
+    def of(
+        cls, name: str, measure: Measure | NonholonomicForm, target: Jet | Callable[[JetGeometry], Jet]
+    ) -> PoseEquation:
         """A measure is at its target, angles of lines counted so that they are near it."""
 
         def gap(g: JetGeometry) -> Jet:
@@ -53,7 +55,7 @@ class Equation:
         return cls(name, _unit(measure.dimension), gap)
 
     @classmethod
-    def along(cls, direction: Array, q: Array, length: float) -> Equation:
+    def along(cls, direction: Array, q: Array, length: float) -> PoseEquation:
         """The pose has moved from q by so much, seen along a direction."""
         size = float(np.linalg.norm(direction))
         row = direction / size
@@ -75,7 +77,7 @@ class Fit:
     rows: Array
     weights: Array  # make the gaps numbers by the size of the system
     extent: float  # how far the system reaches, by its size
-    equations: Sequence[Equation]
+    equations: Sequence[PoseEquation]
     branches: Mapping[Branch, float]
     n_steps: int = 0  # that led to it
 
@@ -99,7 +101,7 @@ class Placing:
     frame: Frame
     sizes: Sizes
 
-    def placed(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit:
+    def placed(self, q: Array, equations: Sequence[PoseEquation], t: float, near: Mapping[Branch, float]) -> Fit:
         """The pose near q that fulfils the equations. Raises CannotAnswer if there is none in reach."""
         fit = self.fit(q, equations, t, near)
         if fit is None:
@@ -109,7 +111,12 @@ class Placing:
         return fit
 
     def fit(
-        self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float], n_steps: int = N_STEPS
+        self,
+        q: Array,
+        equations: Sequence[PoseEquation],
+        t: float,
+        near: Mapping[Branch, float],
+        n_steps: int = N_STEPS,
     ) -> Fit | None:
         """The best pose that at most n_steps from q lead to. None where a measure has no value at q."""
         here = self._gaps(q, equations, t, near)
@@ -140,7 +147,7 @@ class Placing:
                 damping *= 10.0
         return replace(here, n_steps=n_tried + 1)
 
-    def _gaps(self, q: Array, equations: Sequence[Equation], t: float, near: Mapping[Branch, float]) -> Fit | None:
+    def _gaps(self, q: Array, equations: Sequence[PoseEquation], t: float, near: Mapping[Branch, float]) -> Fit | None:
         g = JetGeometry(self.frame, q, np.zeros_like(q), t, near)
         try:
             gaps = [equation.gap(g) for equation in equations]

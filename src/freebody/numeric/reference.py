@@ -28,7 +28,7 @@ from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Branch, Frame, Jet, JetGeometry
 from freebody.numeric.linearised import frequencies, linearised
 from freebody.numeric.numbers import Numbers
-from freebody.numeric.placing import Equation, Placing
+from freebody.numeric.placing import Placing, PoseEquation
 from freebody.numeric.rotation import matrix
 from freebody.numeric.sizes import Sizes, neighbours, typical_length
 from freebody.numeric.snapshot import Snapshot
@@ -133,7 +133,7 @@ class Reference:
     def pose_near(self, q: Array, wanted: Sequence[tuple[Measure, float]] = (), t: float = 0.0) -> Array:
         """The nearest pose, by the masses, in which everything that q holds is still held and the `wanted`
         measures have the given values. Raises CannotAnswer if there is none in reach."""
-        equations = self.held_where(q, 0.0) + [Equation.of(self.name_of(m), m, Jet(x)) for m, x in wanted]
+        equations = self.held_where(q, 0.0) + [PoseEquation.of(self.name_of(m), m, Jet(x)) for m, x in wanted]
         return self.placing.placed(q, equations, t, self._branches).q
 
     def wander(self, q: Array, rng: np.random.Generator, size: float, t: float = 0.0) -> tuple[Array, Array]:
@@ -223,20 +223,20 @@ class Reference:
         """How far a held measure is from its target; the value leaves out a constant of incremental ones."""
         return self.jet(g, row.measure, row.name) - _target(row, g)
 
-    def held_by_targets(self) -> list[Equation]:
+    def held_by_targets(self) -> list[PoseEquation]:
         """Equations of the held measures whose targets are known before the start pose is."""
         return [_at_target(row) for row in self.system.held if _holds_a_place(row)]
 
-    def held_where(self, q: Array, t: float) -> list[Equation]:
+    def held_where(self, q: Array, t: float) -> list[PoseEquation]:
         """Equations of all held measures; those that keep a start value keep the one they have at q."""
         g = self.geometry(q, np.zeros_like(q), t)
-        equations: list[Equation] = []
+        equations: list[PoseEquation] = []
         for row in self.system.held:
             if _holds_a_place(row):
                 equations.append(_at_target(row))
             elif not isinstance(row.measure, NonholonomicForm):
                 kept = Jet(self.jet(g, row.measure, row.name).value)
-                equations.append(Equation.of(row.name, row.measure, kept))
+                equations.append(PoseEquation.of(row.name, row.measure, kept))
         return equations
 
     def split_at(self, q: Array, near: Mapping[Branch, float], t: float = 0.0) -> Split:
@@ -355,5 +355,5 @@ def _target(row: ConstraintRow, g: JetGeometry) -> Jet:
         return Jet(0.0) if row.target is None else g.scalar(row.target)
 
 
-def _at_target(row: ConstraintRow) -> Equation:
-    return Equation.of(row.name, row.measure, lambda g: _target(row, g))
+def _at_target(row: ConstraintRow) -> PoseEquation:
+    return PoseEquation.of(row.name, row.measure, lambda g: _target(row, g))

@@ -48,7 +48,7 @@ NOISE = 1e-11  # of the stiffnesses that loads can come to: what is smaller coun
 
 
 @dataclass(frozen=True)
-class Coordinate:
+class SmallCoordinate:
     """An independent coordinate of small motions: a measure, or a fixed direction of the absolute coordinates."""
 
     name: str
@@ -62,7 +62,7 @@ class Coordinate:
 
 
 @dataclass(frozen=True)
-class Instant:
+class LinearisationPoint:
     """A state about which to linearise, and whether time stands still there."""
 
     q: Array
@@ -79,11 +79,11 @@ class Instant:
         return g
 
 
-def coordinates(reference: Reference, g: JetGeometry, free: Array) -> list[Coordinate]:
+def coordinates(reference: Reference, g: JetGeometry, free: Array) -> list[SmallCoordinate]:
     """Coordinates along the free directions: named measures first, then angles and places of bodies, as far as
     they are independent, and directions of their own where those do not suffice."""
     D, n = reference.sizes.small_moves, len(g.q)
-    found: list[Coordinate] = []
+    found: list[SmallCoordinate] = []
     left = np.eye(int(free.shape[1]))  # what is not yet covered, in the metric of the masses
     for name, measure in _candidates(reference):
         if not left.shape[1]:
@@ -97,10 +97,10 @@ def coordinates(reference: Reference, g: JetGeometry, free: Array) -> list[Coord
         size = float(np.linalg.norm(seen))
         if size <= AT_ALL * float(np.linalg.norm(row * D)) or float(np.linalg.norm(own)) < WELL_APART * size:
             continue
-        found.append(Coordinate(name, measure, row))
+        found.append(SmallCoordinate(name, measure, row))
         left = left @ _complement(own)
     for k in range(int(left.shape[1])):
-        found.append(Coordinate(f"direction {k + 1}", None, (free @ left[:, k]) / D**2))
+        found.append(SmallCoordinate(f"direction {k + 1}", None, (free @ left[:, k]) / D**2))
     return found
 
 
@@ -132,7 +132,7 @@ class SmallMotion:
     of one as of the other unless rolling or a blade binds velocities only. M, C and K act on the speeds, the
     speeds and the positions."""
 
-    def __init__(self, reference: Reference, at: Instant) -> None:
+    def __init__(self, reference: Reference, at: LinearisationPoint) -> None:
         """Raises CannotAnswer where the loads are not smooth."""
         self.reference, self.at = reference, at
         n = len(at.q)
@@ -329,9 +329,9 @@ class SmallMotion:
 _Function = Callable[[Array, Array], Array]
 
 
-def _among(positions: list[Coordinate], free: Array, D: Array) -> list[Coordinate]:
+def _among(positions: list[SmallCoordinate], free: Array, D: Array) -> list[SmallCoordinate]:
     """Those of the coordinates whose rates are independent in the free directions."""
-    found: list[Coordinate] = []
+    found: list[SmallCoordinate] = []
     left = np.eye(int(free.shape[1]))
     for c in sorted(positions, key=lambda c: -float(np.linalg.norm(free.T @ c.row) / np.linalg.norm(D * c.row))):
         own = left.T @ (free.T @ c.row)

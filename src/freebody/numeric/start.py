@@ -23,7 +23,7 @@ from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, 
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
 from freebody.numeric.jets import Array, Jet, JetGeometry
-from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Equation, Fit
+from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.split import Split, stack
@@ -141,16 +141,16 @@ def assembled(
     return best
 
 
-def _guided(reference: Reference, described: Array) -> list[Equation]:
+def _guided(reference: Reference, described: Array) -> list[PoseEquation]:
     """What guides keep of an angle or of a place, at its value in a pose."""
-    found: list[Equation] = []
+    found: list[PoseEquation] = []
     g = reference.geometry(described, np.zeros_like(described), 0.0)
     for row in reference.system.held:
         if row.target is not None or not isinstance(row.measure, Combination) or len(row.measure.terms) != 1:
             continue
         if isinstance(row.measure.terms[0][1], (Angle, Displacement)):
             here = reference.jet(g, row.measure, row.name).value
-            found.append(Equation.of(row.name, row.measure, Jet(here)))
+            found.append(PoseEquation.of(row.name, row.measure, Jet(here)))
     return found
 
 
@@ -200,13 +200,15 @@ def _starts(reference: Reference, guess: Array, n_starts: int) -> Iterator[Array
         yield reference.frame.moved(guess, min(1.0, 0.02 * 2.0**k) * reference.sizes.unit_moves * disturbance)
 
 
-def _start_equations(reference: Reference, extra: Sequence[tuple[Measure | NonholonomicForm, float]]) -> list[Equation]:
-    equations: list[Equation] = []
+def _start_equations(
+    reference: Reference, extra: Sequence[tuple[Measure | NonholonomicForm, float]]
+) -> list[PoseEquation]:
+    equations: list[PoseEquation] = []
     for name, expr in reference.system.start.items():
         measure = reference.system.measures[name]
         if all(measure != other for other, _ in extra):
-            equations.append(Equation.of(name, measure, Jet(reference.number(expr))))
-    return equations + [Equation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
+            equations.append(PoseEquation.of(name, measure, Jet(reference.number(expr))))
+    return equations + [PoseEquation.of(reference.name_of(m), m, Jet(x)) for m, x in extra]
 
 
 def _guessed(body: RigidBody) -> Start:
@@ -214,25 +216,25 @@ def _guessed(body: RigidBody) -> Start:
     return Start() if body.start.near is None else body.start.near
 
 
-def _body_equations(reference: Reference, start_of: Callable[[RigidBody], Start]) -> list[Equation]:
+def _body_equations(reference: Reference, start_of: Callable[[RigidBody], Start]) -> list[PoseEquation]:
     """A place or an angle that bodies have at the start."""
-    equations: list[Equation] = []
+    equations: list[PoseEquation] = []
     for body in reference.system.moving:
         start = start_of(body)
         if start.at is not None:
             point, place = start.at
             for axis, expr in zip(axes_of(reference.system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
-                equations.append(Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
+                equations.append(PoseEquation.of(f"at of {body.name}", measure, Jet(reference.number(expr))))
         if start.angle is not None and body.turns:
             angle = Jet(reference.number(start.angle))
-            equations.append(Equation.of(f"angle of {body.name}", Angle(body.name), angle))
+            equations.append(PoseEquation.of(f"angle of {body.name}", Angle(body.name), angle))
         if start.turned is not None and body.turns:
             equations += _attitude(body.name, spatial.turned_by(start.turned, {}, reference.number))
     return equations
 
 
-def _attitude(body: str, R: Array) -> list[Equation]:
+def _attitude(body: str, R: Array) -> list[PoseEquation]:
     """The axes of a body are those of R: the axial vector of R^T times them vanishes."""
 
     def gap(g: JetGeometry, i: int, j: int) -> Jet:
@@ -245,7 +247,9 @@ def _attitude(body: str, R: Array) -> list[Equation]:
         mixed = one.x * ax + one.y * ay + one.z * az - (other.x * bx + other.y * by + other.z * bz)
         return 0.5 * mixed
 
-    return [Equation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j)) for i, j in ((0, 1), (1, 2), (2, 0))]
+    return [
+        PoseEquation(f"turned of {body}", "rad", lambda g, i=i, j=j: gap(g, i, j)) for i, j in ((0, 1), (1, 2), (2, 0))
+    ]
 
 
 # -- the velocities ---------------------------------------------------------------------------

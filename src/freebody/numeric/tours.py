@@ -15,33 +15,33 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.numeric.small_motion import Coordinate, coordinates
+from freebody.numeric.small_motion import SmallCoordinate, coordinates
 from freebody.numeric.split import stack
 
 if TYPE_CHECKING:
-    from freebody.numeric.equilibrium import Balance, Pose, Statics
+    from freebody.numeric.equilibrium import CountedPose, LoadBalance, RestSearch
 
 _STEP, _FINE_STEP = 0.25, 0.1  # in sizes or radians; the second with one degree of freedom
 _N_BEND = 1e4  # condition number at which coordinates are none any more
 
 
 @dataclass(frozen=True)
-class _Stop:
+class _TourPose:
     """One pose of a tour, and the load along the way there."""
 
-    balance: Balance
+    balance: LoadBalance
     along: float
 
 
-def toured(statics: Statics, pose: Pose, k: int) -> Iterator[Pose]:
+def toured(statics: RestSearch, pose: CountedPose, k: int) -> Iterator[CountedPose]:
     """Poses along the k-th free coordinate from which to search for a rest."""
     first = statics.try_balance(pose)
     if first is None or k >= len(first.residual):
         return
-    way = _Way(statics, first, k)
+    way = _CoordinateTour(statics, first, k)
     ahead = list(way.stops(1.0))
     behind = [] if way.has_closed else list(way.stops(-1.0))
-    line = [_Stop(stop.balance, -stop.along) for stop in reversed(behind[1:])] + ahead
+    line = [_TourPose(stop.balance, -stop.along) for stop in reversed(behind[1:])] + ahead
     rests = [stop.balance.error <= 1e-9 * stop.balance.scale for stop in line]
     for i, here in enumerate(line):
         neighbours = [j for j in (i - 1, i + 1) if 0 <= j < len(line)]
@@ -57,30 +57,32 @@ def toured(statics: Statics, pose: Pose, k: int) -> Iterator[Pose]:
             yield here.balance.pose
 
 
-class _Way:
+class _CoordinateTour:
     """The way along one coordinate from a pose."""
 
-    def __init__(self, statics: Statics, first: Balance, k: int) -> None:
+    def __init__(self, statics: RestSearch, first: LoadBalance, k: int) -> None:
         self._statics, self._first, self._k = statics, first, k
         self._single = len(first.residual) == 1
-        self._marks: list[Coordinate] = coordinates(statics.reference, statics.geometry(first.pose), first.split.null)
+        self._marks: list[SmallCoordinate] = coordinates(
+            statics.reference, statics.geometry(first.pose), first.split.null
+        )
         self.has_closed = False
 
-    def stops(self, sense: float) -> Iterator[_Stop]:
+    def stops(self, sense: float) -> Iterator[_TourPose]:
         """The poses in one sense, the first one included."""
         sizes = self._statics.reference.sizes
         size = _FINE_STEP if self._single else _STEP
         here, heading = self._first, sense * self._unit(self._first, self._first.split.null[:, self._k])
         for i in range(int(1.25 * math.tau / size)):
             heading = heading / float(sizes.relative(heading).max())
-            yield _Stop(here, float(here.forces @ heading))
+            yield _TourPose(here, float(here.forces @ heading))
             there = self._next(here, size * heading)
             if there is None:
                 return
             step = float(sizes.relative(self._move(here, there)).max())
             if i > 2 and self._is_back(there, step):
                 self.has_closed = True
-                yield _Stop(there, float(there.forces @ heading))
+                yield _TourPose(there, float(there.forces @ heading))
                 return
             D = sizes.small_moves
             carried = there.split.null @ (there.split.null.T @ (self._move(here, there) / D**2))
@@ -91,10 +93,10 @@ class _Way:
                 heading = carried
             here = there
 
-    def _move(self, here: Balance, there: Balance) -> Array:
+    def _move(self, here: LoadBalance, there: LoadBalance) -> Array:
         return self._statics.reference.frame.difference(there.pose.q, here.pose.q)
 
-    def _is_back(self, there: Balance, step: float) -> bool:
+    def _is_back(self, there: LoadBalance, step: float) -> bool:
         """Whether a pose is about the first one again, and the loads do not count the turns on the way."""
         statics, first = self._statics, self._first
         if statics.apart(there.pose, first.pose) >= 0.6 * step:
@@ -105,14 +107,14 @@ class _Way:
         again = statics.try_balance(replace(there.pose, q=turned))
         return again is not None and statics.is_same(again, first)
 
-    def _next(self, here: Balance, step: Array) -> Balance | None:
+    def _next(self, here: LoadBalance, step: Array) -> LoadBalance | None:
         for part in (1.0, 0.3, 0.1):
             there = self._statics.try_balance(self._statics.moved(here.pose, part * step))
             if there is not None and len(there.residual):
                 return there
         return None
 
-    def _unit(self, here: Balance, carried: Array) -> Array:
+    def _unit(self, here: LoadBalance, carried: Array) -> Array:
         """The direction in which the coordinate grows and the others rest; where these are no coordinates any
         more, the direction carried along."""
         N, reference, n = here.split.null, self._statics.reference, len(here.pose.q)

@@ -19,7 +19,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
-from freebody.numeric.event import Watch
+from freebody.numeric.event import EventWatch
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
@@ -75,7 +75,7 @@ def integrate(
     steps = _Steps(reference, start)
     now = steps.projected(start.q, start.v, start.t, start)
     snapshots, size = [now], None
-    watch = None if event is None else Watch(event, now)
+    watch = None if event is None else EventWatch(event, now)
     while until - now.t > 1e-14 * max(1.0, abs(until)):
         if len(snapshots) > N_STEPS:
             raise CannotAnswer(f"{N_STEPS} steps reach only t = {now.t:.6g} s of {until:.6g} s")

@@ -10,7 +10,7 @@ from freebody.language.expression import Number
 from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
-from freebody.numeric.mobility.path import Path
+from freebody.numeric.mobility.path import MotionPath
 from freebody.present.terminal import number_text, option_lines, plural, wrapped
 
 if TYPE_CHECKING:
@@ -179,7 +179,7 @@ def _numbers(v: Iterable[float]) -> str:
     return ", ".join(number_text(_clean(float(c))) for c in v)
 
 
-def _path(path: Path, given: Input) -> Iterator[str]:
+def _path(path: MotionPath, given: Input) -> Iterator[str]:
     yield f"Motion along {given.name}"
     if path.full_turn:
         yield "    reach       turns fully"

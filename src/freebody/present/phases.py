@@ -14,7 +14,7 @@ LONGEST, SHOWN = 500, 120  # characters of a formula
 
 if TYPE_CHECKING:
     from freebody.study.answer import Answer
-    from freebody.study.phases.result import Case, PhaseResult, Phases, Regions
+    from freebody.study.phases.result import PhaseCase, PhaseResult, Phases, Regions
 
 
 def phase_lines(phases: Phases) -> Iterator[str]:
@@ -47,7 +47,7 @@ def _short(text: str) -> str:
     return text if len(text) <= LONGEST else f"{text[:SHOWN]} ... ({len(text)} characters; --json has all of it)"
 
 
-def _case(case: Case, told: list[PhaseResult]) -> Iterator[str]:
+def _case(case: PhaseCase, told: list[PhaseResult]) -> Iterator[str]:
     for k, phase in enumerate(case.phases):
         is_known = any(
             (other.equations, other.motion, other.forces) == (phase.equations, phase.motion, phase.forces)

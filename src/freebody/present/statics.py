@@ -12,8 +12,8 @@ from freebody.present.terminal import number_text, plural
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    from freebody.study.equilibrium import Equilibria, Rest
-    from freebody.study.modes import Mode, Modes
+    from freebody.study.equilibrium import Equilibria, FoundEquilibrium
+    from freebody.study.modes import NaturalMode, NaturalModes
 
 _RULE = "─"
 _NOTHING = 1e-9  # of the largest number of its kind
@@ -45,7 +45,7 @@ def _heading(system: System, dof: int) -> Iterator[str]:
     )
 
 
-def _verdict(rest: Rest) -> str:
+def _verdict(rest: FoundEquilibrium) -> str:
     if rest.eigenvalue is None:
         return rest.stability if rest.direction else "nothing can move"
     x = rest.eigenvalue
@@ -71,7 +71,7 @@ def _pose(body: str, pose: tuple[float, ...]) -> str:
     return f"{body}: ({number_text(x)}, {number_text(y)}) m, {number_text(math.degrees(angle))}°"
 
 
-def _reactions(system: System, rest: Rest) -> list[str]:
+def _reactions(system: System, rest: FoundEquilibrium) -> list[str]:
     texts: list[str] = []
     largest = max((abs(x) for x in rest.reactions.values() if x is not None), default=0.0)
     for row in system.held:
@@ -85,7 +85,7 @@ def _reactions(system: System, rest: Rest) -> list[str]:
     return texts
 
 
-def mode_lines(modes: Modes) -> Iterator[str]:
+def mode_lines(modes: NaturalModes) -> Iterator[str]:
     """All natural motions, slowest first."""
     yield from _heading(modes.system, len(modes.small.speeds))
     units = {name: "rad" if str(m.dimension) == "1" else str(m.dimension) for name, m in modes.system.measures.items()}
@@ -106,7 +106,7 @@ def mode_lines(modes: Modes) -> Iterator[str]:
             yield from _listed("shape", [f"{body}: ({', '.join(map(_part, m))})" for body, m in mode.bodies.items()])
 
 
-def _motion(mode: Mode) -> str:
+def _motion(mode: NaturalMode) -> str:
     rate = mode.rate
     if mode.kind == "rigid":
         return "rigid, no frequency: it stays or drifts"

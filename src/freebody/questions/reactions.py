@@ -10,7 +10,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import NOTHING, Argument, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
-from freebody.model.elements import ConstraintRow, Stretch
+from freebody.model.elements import ConstraintRow, StringStretch
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, PLACE, POINT, Described, Found, Path, Quantity, asked
@@ -290,10 +290,10 @@ def _place(names: Names, text: str, path: Path) -> str:
     return str(names.point(text, *path)) if "." in text else names.body(text, *path).name
 
 
-def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, Stretch]]:
+def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, StringStretch]]:
     """The row with each of its stretches; one that is no string is one of its own."""
     bodies = row.ends or tuple(dict.fromkeys(row.measure.bodies()))
-    return [(row, stretch) for stretch in row.stretches or (Stretch(bodies),)]
+    return [(row, stretch) for stretch in row.stretches or (StringStretch(bodies),)]
 
 
 def _has_connection(names: Names, name: str, path: Path) -> bool:

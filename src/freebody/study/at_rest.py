@@ -15,7 +15,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.measures.combination import Composed
-from freebody.numeric.engine.course import Event, Rotation, Status, Trajectory
+from freebody.numeric.engine.course import Event, RotationHistory, Status, Trajectory
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def staying(course: Trajectory, times: Array, happenings: tuple[Event, ...]) -> 
     rotation = course.rotation
     if rotation is not None:
         parts = (rotation.quaternions, rotation.velocities, rotation.accelerations, rotation.velocities_in_body)
-        rotation = Rotation(*map(kept, parts))
+        rotation = RotationHistory(*map(kept, parts))
     names = ("poses", "velocities", "accelerations", "multipliers", "unique", "work")
     return replace(
         course,

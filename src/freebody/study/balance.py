@@ -44,7 +44,7 @@ class IsVector(CannotAnswer):
 
 
 @dataclass(frozen=True)
-class Principle:
+class RatePrinciple:
     """A rate as a sum of named parts."""
 
     statement: str
@@ -54,7 +54,7 @@ class Principle:
         return sum((part for _name, part in self.parts), start=zero)
 
 
-class Balance:
+class RateBalance:
     """One quantity of one system: the quantity itself, and its rate in two ways."""
 
     def __init__(self, quantity: Quantity, system: System, state: SymbolicState, name: str = "quantity") -> None:
@@ -149,17 +149,17 @@ class Balance:
             rate = m.in_independent_speeds(m.field.substitute(rate, m.solved_accelerations))
         return m.field.lowest_terms(rate)
 
-    def by_principle(self) -> Principle | None:
+    def by_principle(self) -> RatePrinciple | None:
         """By the principle; None for a quantity without one of its own. Raises CannotAnswer where a reaction that
         reaches outside is not unique."""
         return self._principle(self.quantity)
 
     @singledispatchmethod
-    def _principle(self, q: Quantity) -> Principle | None:
+    def _principle(self, q: Quantity) -> RatePrinciple | None:
         return None
 
     @_principle.register(Momentum)
-    def _of_momentum(self, q: Momentum) -> Principle:
+    def _of_momentum(self, q: Momentum) -> RatePrinciple:
         assert q.along is not None
         e = components_of(q.along, self.state, self._n)
         parts = [(name, dot(push[: self._n], e)) for name, push in self._from_outside(q.body)]
@@ -168,10 +168,10 @@ class Balance:
             momentum = Momentum(q.body).value(self.system, self.state)
             parts.append(("P·de/dt, since the direction turns", dot(momentum, self._rates(e))))
             statement = "d(P·e)/dt = F·e + P·de/dt"
-        return Principle(statement, tuple(parts))
+        return RatePrinciple(statement, tuple(parts))
 
     @_principle.register(AngularMomentum)
-    def _of_spin(self, q: AngularMomentum) -> Principle:
+    def _of_spin(self, q: AngularMomentum) -> RatePrinciple:
         n = self._n
         about, velocity = point_about(self.system, self.state, q)
         e = components_of(q.along, self.state, n) if q.along is not None else (self.field.one,)
@@ -193,7 +193,7 @@ class Balance:
             whole = replace(q, along=None).value(self.system, self.state)
             extra.append(("H·de/dt, since the direction turns", dot(whole, self._rates(e))))
             statement += ", and H·de/dt along the turning direction"
-        return Principle(statement, (*_merged(parts, self.field.zero), *extra))
+        return RatePrinciple(statement, (*_merged(parts, self.field.zero), *extra))
 
     @property
     def _n(self) -> int:
@@ -207,7 +207,7 @@ class Balance:
         return tuple(self._in_speeds(self.model.rate(self.field.element(c))) for c in e)
 
     @_principle.register(Energy)
-    def _of_energy(self, q: Energy) -> Principle | None:
+    def _of_energy(self, q: Energy) -> RatePrinciple | None:
         if q.what != "total" or q.body is not None:
             return None
         parts: list[tuple[str, Ratio]] = []
@@ -218,10 +218,10 @@ class Balance:
             rate = self.state.rate(row.measure)
             if not rate.is_zero() and row.target is not None:
                 parts.append((f"power of {row.connection}", self.state.multiplier(row) * rate))
-        return Principle("d(T + V)/dt is the power of what stores no energy", _merged(parts, self.field.zero))
+        return RatePrinciple("d(T + V)/dt is the power of what stores no energy", _merged(parts, self.field.zero))
 
     @_principle.register(GeneralizedMomentum)
-    def _of_conjugate(self, q: GeneralizedMomentum) -> Principle:
+    def _of_conjugate(self, q: GeneralizedMomentum) -> RatePrinciple:
         c = self._coordinate(q.coordinate)
         m, k = self.model, self.model.coordinates.index(c)
         force = change = self.field.zero
@@ -234,7 +234,7 @@ class Balance:
                 # along turning axes dT/dq is not the momentum times the rate of dv/du alone
                 change = change + momentum * self._in_speeds(m.rate(slope)) - gyroscopic * slope
         parts = ((f"generalized force along {c.name}", self._in_speeds(force)), (f"dT/d{c.name}", change))
-        return Principle("dp/dt = Q + dT/dq", parts)
+        return RatePrinciple("dp/dt = Q + dT/dq", parts)
 
     def _momentum_of(self, body: str) -> tuple[Ratio, ...]:
         """Along the slots of a body, in independent speeds."""

@@ -32,7 +32,7 @@ STILL = 1e-10  # a speed of this part of the largest one, by the size of the sys
 
 
 @dataclass(frozen=True)
-class Centre:
+class CentreOfPair:
     """Where a pair of bodies has its instant centre."""
 
     pair: tuple[str, str]
@@ -90,7 +90,7 @@ def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
     return reference.snapshot(snapshot.q, v, snapshot.t, snapshot)
 
 
-def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str], Centre]:
+def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str], CentreOfPair]:
     """The centres of all pairs of bodies that turn; fixed bodies count as the ground. Raises CannotAnswer unless the
     pose has exactly one freedom, and in space."""
     if system.space:
@@ -103,19 +103,19 @@ def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str],
     return {(a, b): _centre((a, b), motions[a] - motions[b], size) for a, b in pairs}
 
 
-def _centre(pair: tuple[str, str], motion: Array, size: float) -> Centre:
+def _centre(pair: tuple[str, str], motion: Array, size: float) -> CentreOfPair:
     """From d, the relative velocity at the origin, and w: r = (-d_y, d_x)/w. At most one size or radian a second."""
     dx, dy, w = (float(x) for x in motion)
     speed = math.hypot(dx, dy)
     if abs(w) > STILL * max(1.0, speed / size):
-        return Centre(pair, (-dy / w + 0.0, dx / w + 0.0))
+        return CentreOfPair(pair, (-dy / w + 0.0, dx / w + 0.0))
     if speed <= STILL * size:
-        return Centre(pair, is_undetermined=True)
+        return CentreOfPair(pair, is_undetermined=True)
     x, y = (0.0 if abs(e) <= STILL else e for e in (-dy / speed, dx / speed))
     sign = (
         -1.0 if (x, y) < (0.0, 0.0) else 1.0
     )  # either end of the line across the motion is as far away: the right one
-    return Centre(pair, direction=(sign * x + 0.0, sign * y + 0.0))
+    return CentreOfPair(pair, direction=(sign * x + 0.0, sign * y + 0.0))
 
 
 def velocity_ratios(system: System, snapshot: Snapshot, input: str | Measure) -> dict[str, VelocityRatio]:

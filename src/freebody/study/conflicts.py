@@ -26,7 +26,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.mobility.described import attitude, described
-from freebody.numeric.placing import ACCEPTED, TOLERANCE, Equation, Fit
+from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.start import N_STARTS, axes_of
 from freebody.system.system import System
@@ -71,7 +71,7 @@ def conflict(system: System, most_evaluations: int = MOST_EVALUATIONS) -> Confli
     it after the assembly itself. Positions only: rates are not looked at. Raises CannotAnswer if parameters have no
     value."""
     budget = allowed(most_evaluations) if most_evaluations else 0
-    search = _Search(system, _Work(budget))
+    search = _AssemblySearch(system, _Work(budget))
     everything = tuple(search.equations)
     fit = search.try_all(everything, to_the_end=True)
     if fit is None:
@@ -121,7 +121,7 @@ class _Work:
     def is_exhausted(self) -> bool:
         return self.done >= self.most
 
-    def counted(self, equation: Equation) -> Equation:
+    def counted(self, equation: PoseEquation) -> PoseEquation:
         """The equation, which counts how often it is looked at."""
 
         def gap(g: JetGeometry) -> Jet:
@@ -131,7 +131,7 @@ class _Work:
         return replace(equation, gap=gap)
 
 
-class _Search:
+class _AssemblySearch:
     """Assembles a system under some of its conditions."""
 
     def __init__(self, system: System, work: _Work) -> None:
@@ -176,7 +176,7 @@ class _Search:
                 return None
         return None if best is not None and best.error <= ACCEPTED else _Miss(best)
 
-    def among(self, names: Sequence[str], miss: _Miss) -> tuple[_Search, _Miss]:
+    def among(self, names: Sequence[str], miss: _Miss) -> tuple[_AssemblySearch, _Miss]:
         """The search in a system of the bodies that the conditions speak of alone, which is quicker. The same search if
         they speak of all, or if the bodies alone can fulfil them."""
         system = self.reference.system
@@ -188,7 +188,7 @@ class _Search:
         if len(bodies) == len(system.bodies):
             return self, miss
         smaller = replace(system, bodies=bodies, held=tuple(rows), pushes=(), offered=())
-        search = _Search(smaller, self.work)
+        search = _AssemblySearch(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete
         left = search.try_some(names, _Miss(None))
@@ -235,28 +235,28 @@ class _Search:
         return left[0], thorough
 
 
-def _conditions(reference: Reference) -> dict[str, list[Equation]]:
+def _conditions(reference: Reference) -> dict[str, list[PoseEquation]]:
     """The equations of the start by what the user calls them."""
     system = reference.system
-    found: dict[str, list[Equation]] = {}
+    found: dict[str, list[PoseEquation]] = {}
     connections = {row.name: row.connection for row in system.held}
     for equation in reference.held_by_targets():
         found.setdefault(connections[equation.name], []).append(equation)
     for name, expr in system.start.items():
         target = Jet(reference.number(expr))
         key = name if name not in found else f"start of {name}"
-        found.setdefault(key, []).append(Equation.of(name, system.measures[name], target))
+        found.setdefault(key, []).append(PoseEquation.of(name, system.measures[name], target))
     for body in system.moving:
         start = body.start
         if start.at is not None:
             point, place = start.at
             for axis, expr in zip(axes_of(system), place, strict=True):
                 measure = Displacement(body.point(point), Point(GROUND), axis)
-                equation = Equation.of(f"at of {body.name}", measure, Jet(reference.number(expr)))
+                equation = PoseEquation.of(f"at of {body.name}", measure, Jet(reference.number(expr)))
                 found.setdefault(f"at of {body.name}", []).append(equation)
         if start.angle is not None and body.turns:
             angle = Jet(reference.number(start.angle))
-            found[f"angle of {body.name}"] = [Equation.of(f"angle of {body.name}", Angle(body.name), angle)]
+            found[f"angle of {body.name}"] = [PoseEquation.of(f"angle of {body.name}", Angle(body.name), angle)]
         if start.turned is not None and body.turns:
             found[f"turned of {body.name}"] = attitude(reference, body.name, start.turned)
     return found

@@ -27,13 +27,13 @@ from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved
 from freebody.questions.momentum import AngularMomentum, point_about
 from freebody.questions.reading import Question
-from freebody.study.balance import Balance, IsVector, Principle
+from freebody.study.balance import IsVector, RateBalance, RatePrinciple
 from freebody.study.constancy import (
     N_IN_SEARCH,
     N_MOTIONS,
     TOLERANCE,
     VISIBLE,
-    Runs,
+    SimulatedRuns,
     confirm,
 )
 from freebody.study.natural import candidates
@@ -43,7 +43,7 @@ from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
-    Case,
+    VanishingCase,
     cases_where_zero,
     implies,
     most_general,
@@ -84,13 +84,13 @@ def _question(system: System, text: str) -> Question:
 
 
 @dataclass(frozen=True)
-class Finding:
+class ConservationFinding:
     """The symbolic part of a verdict."""
 
-    balance: Balance
-    cases: tuple[Case, ...]
+    balance: RateBalance
+    cases: tuple[VanishingCase, ...]
     is_exact: bool  # the cases are all there are
-    principle: Principle | None
+    principle: RatePrinciple | None
     notes: tuple[str, ...]
 
     @property
@@ -107,7 +107,7 @@ class Judge:
         self.setup = setup
         self.system = setup.system
         self.model = setup.model
-        self.runs = Runs(setup, n_motions)
+        self.runs = SimulatedRuns(setup, n_motions)
 
     def answer(self, question: Question) -> Verdicts:
         """The verdict on a question, its options judged."""
@@ -136,7 +136,7 @@ class Judge:
             for found, axis in zip(findings, labels, strict=True)
         ]
         claims = [self._claim(found) for found in findings]
-        cases: tuple[Case, ...] = (Case((), {}),)
+        cases: tuple[VanishingCase, ...] = (VanishingCase((), {}),)
         if not all(v.is_conserved for v in verdicts):
             is_refuted = any(v.is_conserved is False for v in verdicts)
             coefficients = [c for claim in claims for c in claim.coefficients]
@@ -175,7 +175,7 @@ class Judge:
     def is_nothing(self, quantity: Quantity) -> bool:
         """Whether a quantity is zero in all motions, since what it is of does not move that way."""
         try:
-            seen = self.runs.along(Balance(quantity, self.system, self.setup.state), None)
+            seen = self.runs.along(RateBalance(quantity, self.system, self.setup.state), None)
         except CannotAnswer:
             return False
         return bool(seen) and all(float(abs(m.values).max()) <= TOLERANCE * m.size for m in seen)
@@ -187,12 +187,12 @@ class Judge:
             return isinstance(quantity.value(self.system, self.setup.draws[0].start()), tuple)
         return False
 
-    def finding(self, quantity: Quantity, name: str = "quantity") -> Finding:
+    def finding(self, quantity: Quantity, name: str = "quantity") -> ConservationFinding:
         """The rate of a quantity and the cases in which it vanishes."""
         f = self.model.field
         if all(f.element(i).is_zero() for inertia in self.model.inertias.values() for i in inertia):
             raise CannotAnswer("nothing with mass moves here. Give the bodies masses or inertias")
-        balance = Balance(quantity, self.system, self.setup.state, name)
+        balance = RateBalance(quantity, self.system, self.setup.state, name)
         try:
             rate = balance.rate
         except IsVector:
@@ -203,7 +203,7 @@ class Judge:
             return self._by_simulation(balance, str(error))
         principle, notes = self._principle(balance)
         if self.model.vanishes(rate):
-            return Finding(balance, (Case((), {}),), True, principle, notes)
+            return ConservationFinding(balance, (VanishingCase((), {}),), True, principle, notes)
         coefficients = motion_coefficients(rate, self.is_parameter)
         cases = cases_where_zero(coefficients, self.may_vanish)
         cases = most_general([*cases, *self._special(rate)])
@@ -211,9 +211,9 @@ class Judge:
         is_exact = len(coefficients) == 1 or (not self.model.loops and all(case.is_solved for case in cases))
         if not is_exact and cases:
             notes += ("these conditions are enough; that there are no others is not proved",)
-        return Finding(balance, cases, is_exact, principle, notes)
+        return ConservationFinding(balance, cases, is_exact, principle, notes)
 
-    def _special(self, rate: Ratio) -> Iterator[Case]:
+    def _special(self, rate: Ratio) -> Iterator[VanishingCase]:
         """Cases that the coefficients do not show, because parameters stand inside what moves, as w in sin(w t): they
         are zero, or two of them are equal or opposite."""
         f = self.model.field
@@ -222,13 +222,13 @@ class Judge:
             if not f.is_constant_generator(g):
                 inside |= {k for k in f.generators[g].made_of if self.is_parameter(k)}
         inside.discard(f.index(f.pi))
-        first = [Case((f.variable(k),), {k: f.zero}) for k in sorted(inside) if self.may_vanish(k)]
+        first = [VanishingCase((f.variable(k),), {k: f.zero}) for k in sorted(inside) if self.may_vanish(k)]
         for a, b in combinations(sorted(inside)[:_MOST_INSIDE], 2):
             if self._dimension(a) == self._dimension(b):
                 x, y = f.variable(a), f.variable(b)
-                first.append(Case((y - x,), {b: x}))
+                first.append(VanishingCase((y - x,), {b: x}))
                 if not (f.generators[a].positive and f.generators[b].positive):
-                    first.append(Case((y + x,), {b: -x}))
+                    first.append(VanishingCase((y + x,), {b: -x}))
         for case in first:
             with suppress(CannotAnswer):
                 left = f.lowest_terms(case.put_in(rate))
@@ -240,7 +240,7 @@ class Judge:
         assert isinstance(shown, Symbol)
         return self.system.parameters[shown.name].dimension
 
-    def _by_simulation(self, balance: Balance, why: str) -> Finding:
+    def _by_simulation(self, balance: RateBalance, why: str) -> ConservationFinding:
         """A verdict without a formula: a motion along which it changes refutes it for good."""
         drifts = [motion.drift for motion in self.runs.along(balance, None)]
         if not drifts:
@@ -248,14 +248,14 @@ class Judge:
         if max(drifts) > VISIBLE:
             cases = tuple(self._without_loads(balance))
             note = "; found by simulation" + ("; there may be more conditions" if cases else "")
-            return Finding(balance, cases, False, None, (f"{why}{note}",))
+            return ConservationFinding(balance, cases, False, None, (f"{why}{note}",))
         if max(drifts) > TOLERANCE:
             raise CannotAnswer(f"{why}, and in simulations it changes by {max(drifts):.1g} of its size")
         note = f"{why}; it is constant in {len(drifts)} simulated motions, which is no proof"
-        return Finding(balance, (Case((), {}),), False, None, (note,))
+        return ConservationFinding(balance, (VanishingCase((), {}),), False, None, (note,))
 
     @staticmethod
-    def _has_value(balance: Balance, case: Case) -> bool:
+    def _has_value(balance: RateBalance, case: VanishingCase) -> bool:
         """Whether the quantity and its rate have values in a case."""
         try:
             case.put_in(balance.value)
@@ -263,22 +263,22 @@ class Judge:
         except CannotAnswer:
             return False
 
-    def _without_loads(self, balance: Balance) -> Iterator[Case]:
+    def _without_loads(self, balance: RateBalance) -> Iterator[VanishingCase]:
         """Conditions found by trying: strengths of loads that vanish, one of them or all."""
         f = self.model.field
         names = {n for push in self.system.pushes for n in free_symbols(push.in_symbols) if n in self.system.parameters}
         indices = [k for n in sorted(names) if self.may_vanish(k := f.index(self.model.parameters[n]))]
-        tried = [Case((f.variable(k),), {k: f.zero}) for k in indices]
+        tried = [VanishingCase((f.variable(k),), {k: f.zero}) for k in indices]
         if len(tried) > 1:
-            tried.append(Case(tuple(f.variable(k) for k in indices), dict.fromkeys(indices, f.zero)))
-        found: list[Case] = []
+            tried.append(VanishingCase(tuple(f.variable(k) for k in indices), dict.fromkeys(indices, f.zero)))
+        found: list[VanishingCase] = []
         for case in tried:
             drifts = [motion.drift for motion in self.runs.along(balance, case)]
             if drifts and max(drifts) <= TOLERANCE and not any(implies(case, other) for other in found):
                 found.append(case)
                 yield case
 
-    def _is_between_sizes(self, case: Case) -> bool:
+    def _is_between_sizes(self, case: VanishingCase) -> bool:
         """Whether a case relates sizes of bodies to each other alone, as a ball as large as its bowl."""
         sizes = {p.name for p in self.system.parameters.values() if p.dimension == LENGTH} & self._substance
         return any(
@@ -286,7 +286,7 @@ class Judge:
             for e in case.equalities
         )
 
-    def _principle(self, balance: Balance) -> tuple[Principle | None, tuple[str, ...]]:
+    def _principle(self, balance: RateBalance) -> tuple[RatePrinciple | None, tuple[str, ...]]:
         """The rate by its principle. Raises RoutesDisagree unless it is the same as by differentiation."""
         try:
             principle = balance.by_principle()
@@ -340,7 +340,7 @@ class Judge:
             return False
         return self.system.parameters[shown.name].sign != "positive" or shown.name not in self._substance
 
-    def _claim(self, found: Finding) -> Any:
+    def _claim(self, found: ConservationFinding) -> Any:
         from freebody.assess.statements import Claim
 
         rate = None if self.model.loops and found.principle is None else found.balance.rate
@@ -353,7 +353,7 @@ class Judge:
         )
 
     # -- the verdict --------------------------------------------------------------------------
-    def _verdict(self, id: str, name: str, found: Finding, judgement: Judgement | None) -> Verdicts:
+    def _verdict(self, id: str, name: str, found: ConservationFinding, judgement: Judgement | None) -> Verdicts:
         balance, notes = found.balance, list(found.notes)
         is_conserved = found.is_conserved
         conditions = texts_of(found.cases) if is_conserved is None else ()
@@ -388,7 +388,7 @@ class Judge:
             provided=self.provided(found) if is_conserved is None else (),
         )
 
-    def provided(self, found: Finding) -> tuple[str, ...]:
+    def provided(self, found: ConservationFinding) -> tuple[str, ...]:
         """Parameters that are taken to be there, without which terms of the rate would vanish as well."""
         try:
             rate = found.balance.rate
@@ -403,7 +403,7 @@ class Judge:
                     names[e.name] = None
         return tuple(names)
 
-    def _shown(self, found: Finding) -> tuple[Expr | None, Expr | None]:
+    def _shown(self, found: ConservationFinding) -> tuple[Expr | None, Expr | None]:
         """The quantity and its rate; nothing longer than anybody reads."""
         zero, balance = self.model.field.zero, found.balance
         if found.is_conserved is True:
@@ -426,7 +426,7 @@ class Judge:
         f = self.model.field
         return f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
 
-    def _edges(self, cases: Sequence[Case]) -> Iterator[str]:
+    def _edges(self, cases: Sequence[VanishingCase]) -> Iterator[str]:
         """Parameters that would have to vanish although the file declares them positive."""
         names: dict[str, None] = {}
         f = self.model.field
@@ -439,12 +439,12 @@ class Judge:
             yield f"the file declares {listed} positive: the condition is the edge of what it allows"
 
     @singledispatchmethod
-    def _in_words(self, q: Quantity, cases: Sequence[Case]) -> Iterator[str]:
+    def _in_words(self, q: Quantity, cases: Sequence[VanishingCase]) -> Iterator[str]:
         """What the conditions mean for one kind of quantity."""
         yield from ()
 
     @_in_words.register(AngularMomentum)
-    def _of_moments(self, q: AngularMomentum, cases: Sequence[Case]) -> Iterator[str]:
+    def _of_moments(self, q: AngularMomentum, cases: Sequence[VanishingCase]) -> Iterator[str]:
         """Where a condition brings the mass centre to the point about which the moment is taken."""
         if not isinstance(q.body, str | None) or not isinstance(q.about, Point):
             return

@@ -25,11 +25,11 @@ from freebody.numeric.potential import work_between
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
-from freebody.study.balance import Balance
+from freebody.study.balance import RateBalance
 from freebody.study.draws import SEED, Draw
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
-from freebody.symbolic.vanishing import Case, is_given_function
+from freebody.symbolic.vanishing import VanishingCase, is_given_function
 from freebody.system.system import System
 
 TOLERANCE = 1e-9  # of the size of a conserved quantity
@@ -82,7 +82,7 @@ class CounterMotion:
 
 
 def confirm(
-    runs: Runs, balance: Balance, cases: Sequence[Case], is_conserved: bool | None
+    runs: SimulatedRuns, balance: RateBalance, cases: Sequence[VanishingCase], is_conserved: bool | None
 ) -> tuple[Confirmation | None, CounterMotion | None]:
     """Simulates; raises RoutesDisagree where a motion says otherwise."""
     drifts: list[float] = []
@@ -109,7 +109,7 @@ def confirm(
 
 
 @dataclass(frozen=True)
-class Motion:
+class SimulatedQuantity:
     """A quantity along a simulated motion."""
 
     times: Array
@@ -132,21 +132,21 @@ class Motion:
         return CounterMotion(values, measured, float(self.values[0]), float(self.values[k]), float(self.times[k]))
 
 
-class Runs:
+class SimulatedRuns:
     """Simulated motions of one system, each kept for all quantities: from general poses and speeds, at random
     admissible numbers, or at numbers that obey the equalities of a case."""
 
     def __init__(self, setup: Setup, n_motions: int = N_MOTIONS) -> None:
         self.setup = setup
         self.n_motions = n_motions
-        self._known: dict[tuple[str, ...], list[Run]] = {}
-        self._read: dict[tuple[Quantity, tuple[str, ...]], list[Motion]] = {}
+        self._known: dict[tuple[str, ...], list[SimulatedRun]] = {}
+        self._read: dict[tuple[Quantity, tuple[str, ...]], list[SimulatedQuantity]] = {}
 
-    def along(self, balance: Balance, case: Case | None) -> list[Motion]:
+    def along(self, balance: RateBalance, case: VanishingCase | None) -> list[SimulatedQuantity]:
         """The quantity along a few motions."""
         key = balance.quantity, () if case is None else case.texts()
         if key not in self._read:
-            found: list[Motion] = []
+            found: list[SimulatedQuantity] = []
             self._read[key] = found
             for run in self._runs(case):
                 with suppress(CannotAnswer):
@@ -155,10 +155,10 @@ class Runs:
                         found.append(motion)
         return self._read[key]
 
-    def _runs(self, case: Case | None) -> list[Run]:
+    def _runs(self, case: VanishingCase | None) -> list[SimulatedRun]:
         key = () if case is None else case.texts()
         if key not in self._known:
-            found: list[Run] = []
+            found: list[SimulatedRun] = []
             self._known[key] = found
             for k, draw in enumerate(self.setup.draws):
                 if len(found) == self.n_motions:
@@ -173,7 +173,7 @@ class Runs:
 
 
 @dataclass(frozen=True)
-class Run:
+class SimulatedRun:
     """A simulated motion."""
 
     draw: Draw
@@ -182,7 +182,7 @@ class Run:
     has_other_forms: bool = False  # of given functions of time than the file has
 
 
-def _in_case(setup: Setup, draw: Draw, case: Case) -> Draw:
+def _in_case(setup: Setup, draw: Draw, case: VanishingCase) -> Draw:
     """A draw whose numbers obey the equalities of a case."""
     model, system = setup.model, setup.system
     numbers = model.numbers(draw.sample())
@@ -247,7 +247,7 @@ def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
     return replace(system, held=held, pushes=pushes)
 
 
-def _run(draw: Draw, seed: int) -> list[Run]:
+def _run(draw: Draw, seed: int) -> list[SimulatedRun]:
     """A motion from a general pose and speed; none if it ends at once."""
     from freebody.numeric.engine.engine import Engine
     from freebody.numeric.options import SimulationOptions
@@ -269,20 +269,20 @@ def _run(draw: Draw, seed: int) -> list[Run]:
     for k, t in enumerate(course.times[1:], 1):
         q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
         snapshots.append(reference.snapshot(q, v, float(t), snapshots[-1]))
-    return [Run(draw, course.times, tuple(snapshots))]
+    return [SimulatedRun(draw, course.times, tuple(snapshots))]
 
 
-def _motion(setup: Setup, balance: Balance, run: Run) -> Motion | None:
+def _motion(setup: Setup, balance: RateBalance, run: SimulatedRun) -> SimulatedQuantity | None:
     """The quantity along a run."""
     read = _reader(setup, balance, run)
     values = np.array([read(s) for s in run.snapshots])
     if not np.isfinite(values).all():
         return None
     size = max(float(np.abs(values).max()), max(_size(s, balance) for s in run.snapshots))
-    return Motion(run.times, values, size or 1.0, run.snapshots[0], setup.system)
+    return SimulatedQuantity(run.times, values, size or 1.0, run.snapshots[0], setup.system)
 
 
-def _size(snapshot: Snapshot, balance: Balance) -> float:
+def _size(snapshot: Snapshot, balance: RateBalance) -> float:
     """What the terms of a quantity come to, where these may cancel; at least as if all moved by a thousandth of the
     size, or of a radian, a second."""
     reference = snapshot.reference
@@ -301,13 +301,15 @@ def _size(snapshot: Snapshot, balance: Balance) -> float:
     return float(shares @ speeds) / 2 + _SLOW * loads * sizes.length
 
 
-def _reader(setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
+def _reader(setup: Setup, balance: RateBalance, run: SimulatedRun) -> Callable[[Snapshot], float]:
     """The quantity at a snapshot: stated over the numbers; by its formula where it is one of coordinates."""
     return _reader_of(balance.quantity, setup, balance, run)
 
 
 @singledispatch
-def _reader_of(quantity: Quantity, setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
+def _reader_of(
+    quantity: Quantity, setup: Setup, balance: RateBalance, run: SimulatedRun
+) -> Callable[[Snapshot], float]:
     if quantity.is_of_coordinates:
         if run.has_other_forms:
             raise CannotAnswer("its formula is in the functions of the file, not in those of the case")
@@ -316,7 +318,9 @@ def _reader_of(quantity: Quantity, setup: Setup, balance: Balance, run: Run) -> 
 
 
 @_reader_of.register(Energy)
-def _reader_of_energy(quantity: Energy, setup: Setup, balance: Balance, run: Run) -> Callable[[Snapshot], float]:
+def _reader_of_energy(
+    quantity: Energy, setup: Setup, balance: RateBalance, run: SimulatedRun
+) -> Callable[[Snapshot], float]:
     """With the work of loads whose potential is not written down."""
     if not quantity.is_up_to_constant:
         return lambda s: float(quantity.value(setup.system, s))

@@ -34,7 +34,7 @@ import xarray
 from freebody.language.expression import evaluate
 from freebody.language.units import DIMENSIONLESS, LENGTH, unit_of
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.numeric.engine.course import Rotation, Trajectory
+from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.numeric.spatial import matrices_of, vectors_of
@@ -111,7 +111,7 @@ def _bodies(course: Trajectory) -> dict[str, Any]:
     return data
 
 
-def _bodies_in_space(course: Trajectory, rotation: Rotation) -> dict[str, Any]:
+def _bodies_in_space(course: Trajectory, rotation: RotationHistory) -> dict[str, Any]:
     data: dict[str, Any] = {}
     axes = ("time", "body", "axis")
     for order, array in enumerate((course.poses, course.velocities, course.accelerations)):

@@ -21,7 +21,7 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.equilibrium import Balance, Pose, Statics
+from freebody.numeric.equilibrium import CountedPose, LoadBalance, RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
@@ -38,7 +38,7 @@ _TURNED = 1e-9  # of an angle of a line: half a turn is half a turn to the left
 
 
 @dataclass(frozen=True)
-class Rest:
+class FoundEquilibrium:
     """One equilibrium.
 
     measures: values of the named measures, by name [m or rad]; poses: x, y of the mass centre [m] and angle [rad] by
@@ -58,7 +58,7 @@ class Rest:
     non_unique: tuple[str, ...]
     residual: float
     notes: tuple[str, ...]
-    pose: Pose
+    pose: CountedPose
 
     @property
     def q(self) -> Array:
@@ -72,17 +72,17 @@ class Equilibria:
 
     system: System
     degrees_of_freedom: int
-    rests: tuple[Rest, ...]
+    rests: tuple[FoundEquilibrium, ...]
     notes: tuple[str, ...]
     reference: Reference = field(repr=False)
 
-    def __iter__(self) -> Iterator[Rest]:
+    def __iter__(self) -> Iterator[FoundEquilibrium]:
         return iter(self.rests)
 
     def __len__(self) -> int:
         return len(self.rests)
 
-    def __getitem__(self, k: int) -> Rest:
+    def __getitem__(self, k: int) -> FoundEquilibrium:
         return self.rests[k]
 
     def unit(self, measure: str) -> str:
@@ -134,14 +134,14 @@ def equilibria(system: System, guesses: Sequence[Guess] = ()) -> Equilibria:
     Without guesses the search starts from the model's start and from tours along its free coordinates: with one degree
     of freedom that is the whole branch, with more it is a sample. Parameters need values. Drivers are held at t = 0.
     Raises CannotAnswer where there is none, naming what keeps accelerating."""
-    search = _Search(without_friction(system))
+    search = _EquilibriumSearch(without_friction(system))
     return search.found(search.from_guesses(guesses) if guesses else search.statics.rests(), bool(guesses))
 
 
 @in_words
 def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibria:
     """The equilibrium nearest to the start, or the one to which a guess leads, alone. Raises as `equilibria`."""
-    search = _Search(without_friction(system))
+    search = _EquilibriumSearch(without_friction(system))
     if guess is not None:
         return search.found(search.from_guesses([guess]), True)
     statics = search.statics
@@ -150,16 +150,16 @@ def nearest_equilibrium(system: System, guess: Guess | None = None) -> Equilibri
     return replace(found, rests=found.rests[:1])
 
 
-class _Search:
+class _EquilibriumSearch:
     """The equilibria of one system."""
 
     def __init__(self, system: System) -> None:
         self.system = system
         self.reference = Reference(system)
-        self.statics = Statics(self.reference)
+        self.statics = RestSearch(self.reference)
         self.dof = len(self.statics.balance(self.statics.start).residual)
 
-    def found(self, balances: list[Balance], guessed: bool) -> Equilibria:
+    def found(self, balances: list[LoadBalance], guessed: bool) -> Equilibria:
         """What there is to say of some rests; without guesses the nearest to the start come first."""
         if not balances:
             raise CannotAnswer(self._why_none(guessed))
@@ -171,8 +171,8 @@ class _Search:
         rests = tuple(self._rest(b, s) for b, s in judged)
         return Equilibria(self.system, self.dof, rests, tuple(self._notes(guessed)), self.reference)
 
-    def from_guesses(self, guesses: Sequence[Guess]) -> list[Balance]:
-        found: list[Balance] = []
+    def from_guesses(self, guesses: Sequence[Guess]) -> list[LoadBalance]:
+        found: list[LoadBalance] = []
         for guess in guesses:
             wanted = [
                 (name, named_measure(self.system, name), self.reference.number(formula(self.system, name, value)))
@@ -184,15 +184,15 @@ class _Search:
                 found.append(rest)
         return found
 
-    def _distance(self, b: Balance, s: Stability) -> tuple[float, bool]:
+    def _distance(self, b: LoadBalance, s: Stability) -> tuple[float, bool]:
         """From the start; of two as near the stable one comes first."""
         return round(self.statics.apart(b.pose, self.statics.start), 6), s.verdict != "stable"
 
     # -- stability ----------------------------------------------------------------------------
-    def _stability(self, b: Balance) -> Stability:
+    def _stability(self, b: LoadBalance) -> Stability:
         return stability(SmallMotion(self.reference, self.statics.instant(b.pose)))
 
-    def _judged(self, b: Balance) -> Stability:
+    def _judged(self, b: LoadBalance) -> Stability:
         """The stability, with neutral meant only where rests go on in every direction without stiffness."""
         s = self._stability(b)
         family = tuple(x for x in s.soft if goes_on(self.statics, b, x))
@@ -201,7 +201,7 @@ class _Search:
         return replace(s, soft=family)
 
     # -- one rest -----------------------------------------------------------------------------
-    def _rest(self, b: Balance, s: Stability) -> Rest:
+    def _rest(self, b: LoadBalance, s: Stability) -> FoundEquilibrium:
         system, reference = self.system, self.reference
         g = self.statics.geometry(b.pose)
         values: dict[str, float] = {}
@@ -221,7 +221,7 @@ class _Search:
         if neutral:
             notes.append(f"one of a family: free to rest anywhere along {', '.join(neutral)}")
         scale = b.scale or 1.0
-        return Rest(
+        return FoundEquilibrium(
             values,
             {body.name: reference.pose(b.pose.q, body.name) for body in system.moving},
             s.verdict,
@@ -236,7 +236,7 @@ class _Search:
             b.pose,
         )
 
-    def _reactions(self, b: Balance) -> tuple[dict[str, float | None], tuple[str, ...]]:
+    def _reactions(self, b: LoadBalance) -> tuple[dict[str, float | None], tuple[str, ...]]:
         """Reactions by row, and the names of those that the loads do not determine."""
         empty = b.split.left_null
         found: dict[str, float | None] = {}
@@ -245,7 +245,7 @@ class _Search:
             found[row.name] = row.sign * float(b.multipliers[k]) + 0.0 if is_unique else None
         return found, tuple(name for name, value in found.items() if value is None)
 
-    def _named_direction(self, b: Balance, motion: Array) -> str:
+    def _named_direction(self, b: LoadBalance, motion: Array) -> str:
         """The measure, else the body, that a motion moves most."""
         return moved_most(self.reference, self.statics.geometry(b.pose).of, motion)
 

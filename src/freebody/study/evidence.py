@@ -15,7 +15,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.reference import Snapshot
-from freebody.numeric.small_motion import Instant, SmallMotion
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
 from freebody.questions.reading import QuestionEvent
@@ -236,7 +236,9 @@ def _small_number(
         q = draw.reference.pose_near(draw.q, _wanted(setup, equilibrium, draw))
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
-    small = SmallMotion(draw.reference, Instant(q, np.zeros_like(q), 0.0, draw.start().branches, frozen=True))
+    small = SmallMotion(
+        draw.reference, LinearisationPoint(q, np.zeros_like(q), 0.0, draw.start().branches, frozen=True)
+    )
     found = [float(w) for w in frequencies(small.M, small.K)]
     if not found:
         raise CannotAnswer("nothing can move, so nothing oscillates")

@@ -23,7 +23,7 @@ from freebody.language.expression import PI, Expr, Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.questions.centres import InstantCentre
-from freebody.study.centres import Centre
+from freebody.study.centres import CentreOfPair
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -67,7 +67,7 @@ class ExactPose:
         has_parameter = any(g.kind == "parameter" and g.display != PI for g in used)
         return has_parameter and len(roots) <= 1 and max(len(x.num), len(x.denominator().num)) <= _MOST_TERMS_OF_ANGLE
 
-    def centres(self, known: Mapping[tuple[str, str], Centre]) -> Exact:
+    def centres(self, known: Mapping[tuple[str, str], CentreOfPair]) -> Exact:
         """Formulas of those centres that lie in the finite and have one."""
         found: Exact = {}
         for pair in combinations([GROUND, *(b.name for b in self.system.moving if b.turns)], 2):

@@ -18,7 +18,7 @@ from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class Holding:
+class ConstraintCount:
     """What one connection holds."""
 
     connection: str
@@ -39,7 +39,7 @@ class Gruebler:
 
     bodies: tuple[str, ...]  # that move and turn
     particles: tuple[str, ...]  # that move and have no angle
-    connections: tuple[Holding, ...]
+    connections: tuple[ConstraintCount, ...]
     loads: tuple[str, ...]
     space: bool = False
 
@@ -112,14 +112,14 @@ def gruebler(system: System) -> Gruebler:
     )
 
 
-def _held(system: System, name: str, rows: list[ConstraintRow]) -> Holding:
+def _held(system: System, name: str, rows: list[ConstraintRow]) -> ConstraintCount:
     from freebody.measures.geometry import GROUND
 
     bodies = list(dict.fromkeys(body for row in rows for body in row.measure.bodies()))
     named = [body for body in bodies if body != GROUND]
     fixed_or_single = len(named) < 2
     between = (GROUND, *named) if fixed_or_single and GROUND in bodies else tuple(named)
-    return Holding(
+    return ConstraintCount(
         name,
         system.connections[name].kind,
         between,

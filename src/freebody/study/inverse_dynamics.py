@@ -25,9 +25,9 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, Symbol, number
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.numeric.equilibrium import Pose
+from freebody.numeric.equilibrium import CountedPose
 from freebody.numeric.jets import TIME, Array, Jet
-from freebody.numeric.placing import ACCEPTED, Equation
+from freebody.numeric.placing import ACCEPTED, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
@@ -185,7 +185,7 @@ class _Follower:
         self.courses = [_Prescribed(system, name, course, times) for name, course in motion.items()]
         self.free = Reference(system)  # the mechanism without the motion, which measures count from
         q = self.free.assemble()
-        self.start = Pose(q, self.free.geometry(q, np.zeros_like(q), 0.0).angles)
+        self.start = CountedPose(q, self.free.geometry(q, np.zeros_like(q), 0.0).angles)
         rows = [
             ConstraintRow(
                 c.name,
@@ -203,7 +203,7 @@ class _Follower:
                 raise CannotAnswer(f"{row.connection} binds velocities only, so no pose follows from the motion alone")
         self._check_freedom(self.start)
 
-    def _check_freedom(self, pose: Pose) -> None:
+    def _check_freedom(self, pose: CountedPose) -> None:
         """All that is free is prescribed, and nothing twice."""
         reference, n = self.free, len(pose.q)
         g = reference.geometry(pose.q, np.zeros(n), 0.0, pose.branches)
@@ -239,7 +239,7 @@ class _Follower:
         return driven
 
     # -- following ----------------------------------------------------------------------------
-    def _begin(self, t: float) -> Pose:
+    def _begin(self, t: float) -> CountedPose:
         """The pose at the first time, led there from the start."""
         driven, here = self.at(t), self.start
         equations = self.free.held_where(here.q, 0.0)
@@ -252,14 +252,14 @@ class _Follower:
         n_parts = min(_N_STRIDES, 1 + int(far / (_STRIDE * max(1.0, self.free.sizes.length))))
         for part in range(1, n_parts + 1):
             led = [
-                Equation.of(c.name, c.measure, Jet(x0 + (x - x0) * part / n_parts))
+                PoseEquation.of(c.name, c.measure, Jet(x0 + (x - x0) * part / n_parts))
                 for c, x0, x in zip(self.courses, begin, goals, strict=True)
             ]
             fit = driven.placing.fit(here.q, equations + led, t * part / n_parts, here.branches)
             if fit is None or fit.error > ACCEPTED:
                 reached = "" if fit is None else f": at best {fit.worst}"
                 raise CannotAnswer(f"the motion cannot begin at t = {t:.6g} s from the start of the model{reached}")
-            here = Pose(fit.q, fit.branches)
+            here = CountedPose(fit.q, fit.branches)
         return here
 
     def _follow(self) -> Iterator[tuple[Snapshot, Split]]:
@@ -278,7 +278,7 @@ class _Follower:
                     raise CannotAnswer(f"the motion runs too fast to be followed beyond t = {s.t:.6g} s")
             yield s, split
 
-    def _stepped(self, s: Snapshot, t: float, kept: Sequence[Equation]) -> tuple[Snapshot, Split]:
+    def _stepped(self, s: Snapshot, t: float, kept: Sequence[PoseEquation]) -> tuple[Snapshot, Split]:
         """The next pose, guessed from the velocities; the way is halved where that does not lead to one near."""
         worst = ""
         for _ in range(12):
@@ -287,12 +287,12 @@ class _Follower:
             if fit is not None and fit.error <= ACCEPTED:
                 away = float(self.free.sizes.relative(self.free.frame.difference(fit.q, guess)).max(initial=0.0))
                 if away <= 2.0 * _STRIDE:
-                    return self._instant(Pose(fit.q, fit.branches), t)
+                    return self._instant(CountedPose(fit.q, fit.branches), t)
             worst = "" if fit is None else f": at best {fit.worst}"
             t = 0.5 * (s.t + t)
         raise CannotAnswer(f"the mechanism cannot follow the motion beyond t = {s.t:.6g} s{worst}")
 
-    def _instant(self, pose: Pose, t: float) -> tuple[Snapshot, Split]:
+    def _instant(self, pose: CountedPose, t: float) -> tuple[Snapshot, Split]:
         """The driven mechanism at a time, and what its rows determine."""
         driven = self.at(t)
         g = driven.geometry(pose.q, np.zeros_like(pose.q), t, pose.branches)

@@ -27,7 +27,7 @@ Place = tuple[str, Components]  # a point by body and components
 
 
 @dataclass(frozen=True)
-class Joint:
+class LoopJoint:
     """A node of a loop: the connections that make it, and one of its points."""
 
     name: str
@@ -42,7 +42,7 @@ class FourBar:
     input: str
     coupler: str
     output: str
-    joints: tuple[Joint, Joint, Joint, Joint]  # A, B, C, D
+    joints: tuple[LoopJoint, LoopJoint, LoopJoint, LoopJoint]  # A, B, C, D
 
     @property
     def kind(self) -> str:
@@ -67,7 +67,7 @@ class SliderCrank:
     rod: str
     fixed: str | None
     sliding: str  # the connection that guides
-    joints: tuple[Joint, Joint, Joint]  # O, B, W
+    joints: tuple[LoopJoint, LoopJoint, LoopJoint]  # O, B, W
     along: Direction
 
     @property
@@ -115,8 +115,8 @@ class _Node:
     links: set[str] = field(default_factory=set[str])
 
     @property
-    def joint(self) -> Joint:
-        return Joint(" and ".join(dict.fromkeys(self.connections)) or str(self.points[0]), self.points[0])
+    def joint(self) -> LoopJoint:
+        return LoopJoint(" and ".join(dict.fromkeys(self.connections)) or str(self.points[0]), self.points[0])
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from freebody.language.expression import Call, Expr, Number, Product, Symbol, free_symbols, negate, substitute
+from freebody.language.expression import Call, Expr, Number, ProductOf, Symbol, free_symbols, negate, substitute
 from freebody.measures.combination import Composed
 from freebody.model.elements import RATE, VALUE, AppliedLoad, ConstraintRow
 from freebody.present.picture.label import Label, formula, name
@@ -72,7 +72,7 @@ class LoadSymbols:
 def without_sign(law: Expr) -> tuple[Expr, int]:
     """A law, or its opposite where that has no minus sign."""
     match law:
-        case Number(value) | Product((Number(value), *_)) if value < 0:
+        case Number(value) | ProductOf((Number(value), *_)) if value < 0:
             return negate(law), -1
         case _:
             return law, 1

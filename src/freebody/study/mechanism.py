@@ -18,12 +18,12 @@ from freebody.model.elements import NonholonomicForm
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import own_measures
-from freebody.numeric.mobility.modes import Mode, Modes, assembly_modes
-from freebody.numeric.mobility.path import Path, singular_at, trace
+from freebody.numeric.mobility.modes import AssemblyMode, AssemblyModes, assembly_modes
+from freebody.numeric.mobility.path import MotionPath, singular_at, trace
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.mobility.screw_axes import ScrewAxis, screw_axes
 from freebody.numeric.reference import Reference
-from freebody.study.centres import Centre, VelocityRatio, instant_centres, velocity_ratios
+from freebody.study.centres import CentreOfPair, VelocityRatio, instant_centres, velocity_ratios
 from freebody.study.exact_centres import ExactPose
 from freebody.study.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
 from freebody.study.gruebler import Gruebler, is_driven
@@ -37,7 +37,7 @@ _MOST_MODES = 4  # bodies, up to which assembly modes are looked for without bei
 
 
 @dataclass(frozen=True)
-class Wanted:
+class WantedFigures:
     """What is asked for beyond what is quickly told."""
 
     along: str | None = None  # a driver or measure along which the motion is followed
@@ -65,15 +65,15 @@ class Motions:
     system: System
     input: Input | None
     linkages: tuple[tuple[Linkage, FourBarNumbers | SliderCrankNumbers], ...] = ()
-    centres: tuple[Centre, ...] = ()
+    centres: tuple[CentreOfPair, ...] = ()
     screws: tuple[ScrewAxis, ...] = ()  # in space, in place of centres
     ratios: tuple[VelocityRatio, ...] = ()
     singular: tuple[str, ...] = ()  # what the pose is for the input: dead point, change point
-    path: Path | None = None
-    modes: Modes | None = None
+    path: MotionPath | None = None
+    modes: AssemblyModes | None = None
     notes: tuple[str, ...] = ()
 
-    def mode(self, name: str) -> Mode:
+    def mode(self, name: str) -> AssemblyMode:
         """The assembly mode with a name. Raises InputError, listing those that there are."""
         known = {} if self.modes is None else {mode.name: mode for mode in self.modes}
         if name not in known:
@@ -109,7 +109,7 @@ class Motions:
         return poses
 
 
-def _path_to_plain(path: Path) -> dict[str, Any]:
+def _path_to_plain(path: MotionPath) -> dict[str, Any]:
     return {
         "reach": None if path.reach is None else [x if math.isfinite(x) else None for x in path.reach],
         "full_turn": path.full_turn,
@@ -128,7 +128,7 @@ def motions_of(
     count: Gruebler,
     n_freedoms: int,
     independent: Sequence[tuple[str, Measure]],
-    wanted: Wanted,
+    wanted: WantedFigures,
 ) -> Motions:
     """What a motion with one freedom shows at the pose q. independent: coordinates, of which the first is the input
     where nothing is driven; n_freedoms: at nearby poses. Raises InputError and CannotAnswer where what is wanted
@@ -204,7 +204,7 @@ def _at_pose(
 
 def _add_formulas(pose: ExactPose, found: dict[str, Any], given: Input | None) -> None:
     """Formulas beside the numbers, where the pose has them."""
-    centres: tuple[Centre, ...] = found.get("centres", ())
+    centres: tuple[CentreOfPair, ...] = found.get("centres", ())
     formulas = pose.centres({c.pair: c for c in centres})
     found["centres"] = tuple(replace(c, formula=formulas.get(c.pair)) for c in centres)
     if given is not None:
@@ -298,7 +298,7 @@ def has_loops(system: System) -> bool:
     return False
 
 
-def _modes(reference: Reference, q: Array, independent: Sequence[tuple[str, Measure]], given: Input) -> Modes:
+def _modes(reference: Reference, q: Array, independent: Sequence[tuple[str, Measure]], given: Input) -> AssemblyModes:
     """All poses with the same values of the independent coordinates, or of the driven input."""
     snapshot = reference.snapshot(q, 0.0 * q)
     fixed = [(m, snapshot.value(m)) for _name, m in independent] or [(given.measure, given.value)]

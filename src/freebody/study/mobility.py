@@ -31,7 +31,7 @@ from freebody.questions.reading import Question
 from freebody.study.conflicts import Conflict, conflict
 from freebody.study.draws import SEED, draws
 from freebody.study.gruebler import Gruebler, gruebler
-from freebody.study.mechanism import Motions, Wanted, motions_of
+from freebody.study.mechanism import Motions, WantedFigures, motions_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -187,7 +187,7 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
         q = reference.assemble()
     except CannotAnswer as error:
         return _answered(_contradictory(system, count, error, along))
-    return _answered(_at_pose(system, count, reference, q, "pose", Wanted(along, modes)))
+    return _answered(_at_pose(system, count, reference, q, "pose", WantedFigures(along, modes)))
 
 
 # -- where -----------------------------------------------------------------------------------
@@ -224,7 +224,7 @@ def _of_symbols(system: System, count: Gruebler) -> Mobility:
     q = found.q
     if not system.start and all(b.start.angle is None for b in system.moving):
         q = found.anywhere(SEED, 0.0, 0.3).q  # nobody meant the angles to be zero
-    study = _at_pose(system, count, found.reference, q, "symbols", Wanted())
+    study = _at_pose(system, count, found.reference, q, "symbols", WantedFigures())
     return replace(study, notes=("parameters without a value have random ones", *study.notes))
 
 
@@ -241,7 +241,7 @@ def _contradictory(system: System, count: Gruebler, error: CannotAnswer, along: 
         except CannotAnswer:
             pass
         else:
-            study = _at_pose(system, count, reference, q, "pose", Wanted())
+            study = _at_pose(system, count, reference, q, "pose", WantedFigures())
             note = "looked at a pose that can be assembled, not at the start of the file"
             return replace(study, contradiction=found, notes=(note, *study.notes))
     rank = generic_rank(system)
@@ -259,7 +259,9 @@ def _without_start(system: System) -> System:
 
 
 # -- at a pose --------------------------------------------------------------------------------
-def _at_pose(system: System, count: Gruebler, reference: Reference, q: Array, basis: Basis, wanted: Wanted) -> Mobility:
+def _at_pose(
+    system: System, count: Gruebler, reference: Reference, q: Array, basis: Basis, wanted: WantedFigures
+) -> Mobility:
     rank = rank_at(reference, q)
     found = dependences(reference, q, rank)
     idle = idle_motions(reference, q)

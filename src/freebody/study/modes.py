@@ -25,7 +25,7 @@ from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.small_motion import Instant, SmallMotion
+from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.study.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.given import named_measure
@@ -38,7 +38,7 @@ _NOTHING = 1e-12  # of the largest part: parts of a shape that are rounding
 
 
 @dataclass(frozen=True)
-class Mode:
+class NaturalMode:
     """One natural motion, z = shape e^(s t).
 
     kind: "oscillation", "rigid" (no frequency: it stays or drifts), "creeping" (one real rate of decay; an
@@ -92,7 +92,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class Modes:
+class NaturalModes:
     """The natural motions about one state, slowest first.
 
     about: "equilibrium" or "start"; measures: values of the named measures there; coordinates: names of z; mass,
@@ -102,17 +102,17 @@ class Modes:
     about: At
     measures: Mapping[str, float]
     stability: str
-    modes: tuple[Mode, ...]
+    modes: tuple[NaturalMode, ...]
     notes: tuple[str, ...]
     small: SmallMotion
 
-    def __iter__(self) -> Iterator[Mode]:
+    def __iter__(self) -> Iterator[NaturalMode]:
         return iter(self.modes)
 
     def __len__(self) -> int:
         return len(self.modes)
 
-    def __getitem__(self, k: int) -> Mode:
+    def __getitem__(self, k: int) -> NaturalMode:
         return self.modes[k]
 
     @property
@@ -180,7 +180,7 @@ class Modes:
 
 
 @in_words
-def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) -> Modes:
+def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) -> NaturalModes:
     """The small motions of a system about an equilibrium: the one nearest to the model's start, or the one to which
     a guess (values of named measures) leads; or, with at="start", about the start state.
 
@@ -193,16 +193,18 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
         return _about_start(system)
     found = nearest_equilibrium(system, guess)
     rest = found[0]
-    small = SmallMotion(found.reference, Instant(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True))
+    small = SmallMotion(
+        found.reference, LinearisationPoint(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True)
+    )
     notes = [*(note for note in found.notes if "searches" not in note), *rest.notes]
-    return Modes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
+    return NaturalModes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
 
 
-def _about_start(system: System) -> Modes:
+def _about_start(system: System) -> NaturalModes:
     reference = Reference(system)
     q = reference.assemble()
     s = reference.snapshot(q, reference.velocities(q))
-    small = SmallMotion(reference, Instant(q, s.v, 0.0, s.branches, frozen=False))
+    small = SmallMotion(reference, LinearisationPoint(q, s.v, 0.0, s.branches, frozen=False))
     notes: list[str] = []
     measures: dict[str, float] = {}
     for name, measure in system.measures.items():
@@ -217,7 +219,7 @@ def _about_start(system: System) -> Modes:
             f"the start is no steady state of {names}: the equations hold for its first instant only, and its modes "
             "are those of coefficients that stay as they are then"
         )
-    return Modes(system, "start", measures, "", _modes(small), tuple(notes), small)
+    return NaturalModes(system, "start", measures, "", _modes(small), tuple(notes), small)
 
 
 def _is_steady(small: SmallMotion, s: Any, measure: Any) -> bool:
@@ -228,11 +230,11 @@ def _is_steady(small: SmallMotion, s: Any, measure: Any) -> bool:
 
 
 # -- shapes ----------------------------------------------------------------------------------------
-def _modes(small: SmallMotion) -> tuple[Mode, ...]:
+def _modes(small: SmallMotion) -> tuple[NaturalMode, ...]:
     return tuple(_mode(small, motion) for motion in natural_motions(small))
 
 
-def _mode(small: SmallMotion, found: NaturalMotion) -> Mode:
+def _mode(small: SmallMotion, found: NaturalMotion) -> NaturalMode:
     reference, n = small.reference, len(small.at.q)
     g = small.at.geometry(reference, small.at.q, small.at.v)
     shape: dict[str, complex] = {}
@@ -248,7 +250,7 @@ def _mode(small: SmallMotion, found: NaturalMotion) -> Mode:
     measured = _normalised(np.array(list(shape.values()), dtype=np.complex128))
     moved = _normalised(np.array(list(bodies.values()), dtype=np.complex128).ravel())
     triples = ((moved[3 * k], moved[3 * k + 1], moved[3 * k + 2]) for k in range(len(bodies)))
-    return Mode(
+    return NaturalMode(
         found.kind, found.rate, dict(zip(shape, measured, strict=True)), dict(zip(bodies, triples, strict=True))
     )
 

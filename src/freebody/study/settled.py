@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.numeric.contact.transition import HELD_ALONE, Transition
+from freebody.numeric.contact.transition import HELD_ALONE, InstantTransition
 from freebody.numeric.options import Law
 from freebody.study.draws import SEED, draw_parameters
 from freebody.study.simulate import Simulator
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
 
@@ -26,7 +26,7 @@ def settled(system: System, *, forces: bool = True) -> System:
             f"{', '.join(sliding)} slides at the start, and its force changes with the phases of the motion: "
             "freebody solve derives them one by one, with the equations of each; freebody simulate follows them"
         )
-    kept = Mode.of(mode.closed, {name: state for name, state in mode.rubs if state == 0})
+    kept = ContactMode.of(mode.closed, {name: state for name, state in mode.rubs if state == 0})
     return in_mode(system, kept)[0]
 
 
@@ -42,7 +42,7 @@ def without_friction(system: System) -> System:
     return settled(system)
 
 
-def start_mode(system: System) -> Mode:
+def start_mode(system: System) -> ContactMode:
     """The contact states at the start, at the values of the model, or at drawn ones where it gives none."""
     import random
 
@@ -50,11 +50,11 @@ def start_mode(system: System) -> Mode:
     simulator = Simulator(system, given)
     bounded = simulator.bounded
     assert bounded is not None
-    found = Transition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
+    found = InstantTransition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
     if found.mode is None:
         source = "" if found.why == HELD_ALONE else " (Painleve's paradox)"
         raise CannotAnswer(f"no force is consistent at the start with {found.why}{source}")
     ideal = {b.name for b in bounded.barriers if b.is_ideal}
     closed = {bounded.barriers[k].name for k in found.mode.closed} | ideal
     states = {d.name: s for d, s in zip(bounded.drags, found.mode.drags, strict=True) if s is not None}
-    return Mode.of(closed, states)
+    return ContactMode.of(closed, states)

@@ -17,7 +17,7 @@ from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import Motion, StartState, start_state
+from freebody.symbolic.motion import SmoothMotion, StartState, start_state
 from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.order import in_one_order
@@ -100,8 +100,8 @@ class Setup:
         return SymbolicState(self.model, self.start.values)
 
     @cached_property
-    def motion(self) -> Motion:
-        return Motion(self.model, self.start)
+    def motion(self) -> SmoothMotion:
+        return SmoothMotion(self.model, self.start)
 
     @property
     def anywhere(self) -> list[Snapshot]:

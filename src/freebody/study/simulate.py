@@ -22,7 +22,7 @@ from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Event, Status, Trajectory
-from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.engine.engine import Engine, EngineWatch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
@@ -406,9 +406,9 @@ def _is_driven(system: System) -> bool:
     return any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
 
 
-def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
+def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
     """Events in words. Raises InputError if one cannot be read."""
-    found: list[Watch] = []
+    found: list[EngineWatch] = []
     for text in events:
         stops = text.strip().lower().startswith("stop when")
         words = text.strip()[len("stop when") :].strip() if stops else text.strip()
@@ -428,7 +428,7 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[Watch]:
             raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")
         value = simulator.reference.number(event.value)
         size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
-        found.append(Watch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))
+        found.append(EngineWatch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))
     return found
 
 

@@ -31,7 +31,7 @@ from freebody.study.passage import FormulaPassage
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.equilibrium import Rest, find_equilibrium, small_oscillations
+from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
@@ -280,7 +280,7 @@ def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
 
 
 @dataclass
-class _Found:
+class _ClosedForm:
     """A closed form on its way to an answer."""
 
     element: Elements | Fraction
@@ -365,7 +365,7 @@ class _Solver:
         except (CannotAnswer, ArithmeticError, ValueError):
             return None, ()
 
-    def _find(self) -> _Found:
+    def _find(self) -> _ClosedForm:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
@@ -377,19 +377,19 @@ class _Solver:
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
-    def _found(self, q: Quantity) -> _Found:
+    def _found(self, q: Quantity) -> _ClosedForm:
         """By the kind of question: what has no finder of its own is a property of an instant."""
         at_start = self.question.at_start
         x = self._elements(q, self._start_of(q) if at_start else self.setup.state)
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         remark = q.remark(self.system)
         notes = [remark] if remark else []
-        return _Found(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant, at_start=at_start)
+        return _ClosedForm(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant, at_start=at_start)
 
     @_found.register(DegreesOfFreedom)
-    def _freedom(self, q: DegreesOfFreedom) -> _Found:
+    def _freedom(self, q: DegreesOfFreedom) -> _ClosedForm:
         dof = self.model.degrees_of_freedom
-        return _Found(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
+        return _ClosedForm(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
 
     def _start_of(self, q: Quantity) -> SymbolicState:
         """The start; for an instant centre with one freedom, whose speed cancels, the pose at the start."""
@@ -407,7 +407,7 @@ class _Solver:
         return f.lowest_terms(f.element(value))
 
     # -- an event along the motion ------------------------------------------------------------
-    def _at_event(self, q: Quantity) -> _Found:
+    def _at_event(self, q: Quantity) -> _ClosedForm:
         event = self.question.event
         assert event is not None
         reached = self.setup.motion.reach(event)
@@ -429,7 +429,7 @@ class _Solver:
             reached.time,
             [*conditions, *self._root_conditions(x)],
         )
-        return _Found(x, evidence, conditions, reached.notes, at_start=True, says=reached.says)
+        return _ClosedForm(x, evidence, conditions, reached.notes, at_start=True, says=reached.says)
 
     def _check_is_told(self, x: Ratio) -> None:
         """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
@@ -444,7 +444,7 @@ class _Solver:
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
-    def _small(self, q: SmallOscillations) -> _Found:
+    def _small(self, q: SmallOscillations) -> _ClosedForm:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
         conditions: list[Condition] = [*found.rest.exists]
@@ -467,16 +467,16 @@ class _Solver:
         evidence = proof.small_oscillations(
             self.setup, self.question.text, element, found.equilibrium, period=is_period
         )
-        return _Found(element, evidence, conditions, list(found.notes), at_start=True)
+        return _ClosedForm(element, evidence, conditions, list(found.notes), at_start=True)
 
     @_found.register(Equilibrium)
-    def _equilibrium(self, q: Equilibrium) -> _Found:
+    def _equilibrium(self, q: Equilibrium) -> _ClosedForm:
         rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
         evidence = proof.at_rest(self.setup, self.question.text, rest.values, x)
-        return _Found(x, evidence, [*rest.exists], self._stability(rest), at_start=True)
+        return _ClosedForm(x, evidence, [*rest.exists], self._stability(rest), at_start=True)
 
-    def _stability(self, rest: Rest) -> list[str]:
+    def _stability(self, rest: ClosedFormRest) -> list[str]:
         """What is to be said of it, with the condition where there is one."""
         if rest.is_stable is None:
             return ["whether this equilibrium is stable does not follow from the linearised equations"]
@@ -489,11 +489,11 @@ class _Solver:
         return [reworded(f"this equilibrium is stable if {where}: with the given numbers it is {verdict}", where)]
 
     # -- what goes on evenly ------------------------------------------------------------------
-    def _steady(self) -> _Found:
+    def _steady(self) -> _ClosedForm:
         from freebody.study.steady.ask import find
 
         x = find(self.setup, self.question)
-        return _Found(
+        return _ClosedForm(
             x.element,
             x.evidence,
             x.conditions,
@@ -510,7 +510,7 @@ class _Solver:
         """Every divisor, root and arc in the shown form."""
         return exists(x if isinstance(x, tuple) else (x,))
 
-    def _finish(self, found: _Found) -> Answer:
+    def _finish(self, found: _ClosedForm) -> Answer:
         q = self.question
         if isinstance(found.element, Fraction):
             expression: Expr | tuple[Expr, ...] = number(found.element)
@@ -550,7 +550,7 @@ class _Solver:
         zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
         return [reworded(f"with {zero}", zero) for zero in zeros]
 
-    def _conditions(self, found: _Found, element: Elements) -> list[Condition]:
+    def _conditions(self, found: _ClosedForm, element: Elements) -> list[Condition]:
         """Everything without which the answer is not true."""
         q = self.question.quantity
         conditions = [*found.conditions]
@@ -598,7 +598,7 @@ class _Solver:
                     broken.append(c)
         return [reworded(f"{NOT_VALID}: {text}", text) for text in texts(broken)]
 
-    def _judge(self, found: _Found) -> Any:
+    def _judge(self, found: _ClosedForm) -> Any:
         element: Any = found.element
         if self.question.quantity.scope == "structure":
             with suppress(CannotAnswer):

@@ -17,7 +17,7 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Status, Trajectory
-from freebody.numeric.engine.engine import Engine, Watch
+from freebody.numeric.engine.engine import Engine, EngineWatch
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference, Snapshot
@@ -85,8 +85,8 @@ def motion_to(
     steps."""
     target = reference.number(event.value)
     size = max(abs(target), reference.sizes.length if event.order == 0 else 1e-3)
-    crossing = Watch("event", event.measure, event.order, target, is_terminal=True, size=size)
-    watches = [crossing] if event.order else [crossing, Watch(_TURN, event.measure, 1, size=1e-3)]
+    crossing = EngineWatch("event", event.measure, event.order, target, is_terminal=True, size=size)
+    watches = [crossing] if event.order else [crossing, EngineWatch(_TURN, event.measure, 1, size=1e-3)]
     course, links = _followed(reference, start, until, watches, times)
     turn = _turn_at(course, links, event, target, size)
     if turn is not None:
@@ -105,7 +105,7 @@ def motion_to(
 
 
 def _followed(
-    reference: Reference, start: Snapshot, until: float, watches: Sequence[Watch], times: Array | None
+    reference: Reference, start: Snapshot, until: float, watches: Sequence[EngineWatch], times: Array | None
 ) -> tuple[Trajectory, tuple[NumericSnapshot, ...]]:
     """A motion, and its states at the wanted times and at what is watched."""
     engine = Engine(reference.numbers(), watches)

@@ -44,7 +44,7 @@ class Failure:
 
 
 @dataclass(frozen=True)
-class Reduced:
+class ReducedColumns:
     """An elimination: pivot columns by the free ones, and what must vanish besides."""
 
     pivots: dict[int, Row]
@@ -112,7 +112,9 @@ class RestEquations:
         sign = row.sign if row.unilateral else dict(failure.signs).get(row.name, 1)
         return {self.columns[row.name]: self.field.element(sign)}, self.field.zero
 
-    def drive(self, failure: Failure, motion: Mapping[Slot, Ratio], at_end: Reduced, parameter: int) -> Ratio | None:
+    def drive(
+        self, failure: Failure, motion: Mapping[Slot, Ratio], at_end: ReducedColumns, parameter: int
+    ) -> Ratio | None:
         """How the power along a motion changes with the parameter, the reactions held: positive where
         a larger parameter drives it. None where the reactions are not unique or the derivative is not known."""
         forces = {name: self.reaction(at_end, name) for name in self.rows}
@@ -175,7 +177,7 @@ class RestEquations:
                 rows.append({k: x for k, x in row.items() if not x.is_zero()})
         return rows
 
-    def reactions(self, failure: Failure, at: Values | None = None) -> Reduced:
+    def reactions(self, failure: Failure, at: Values | None = None) -> ReducedColumns:
         """All reactions in a failure, at a value of the parameter; the residuals are what must vanish for it."""
         rows = self._rows(failure)
         if at:
@@ -205,7 +207,7 @@ class RestEquations:
         asked = None if self.asked is None else self.asked[0]
         return [k for name, k in self.columns.items() if name != asked and (name in self.rows or name in slipping)]
 
-    def square(self, reduced: Reduced, rub: str) -> Ratio | None:
+    def square(self, reduced: ReducedColumns, rub: str) -> Ratio | None:
         """The square of the force that loads dry friction with two components; None if it is not unique."""
         parts = [self.reaction(reduced, name) for name in self.rubs[rub].load]
         total = self.field.zero
@@ -215,7 +217,7 @@ class RestEquations:
             total = total + part * part
         return self.field.lowest_terms(total)
 
-    def size(self, reduced: Reduced, rub: str) -> Ratio | None:
+    def size(self, reduced: ReducedColumns, rub: str) -> Ratio | None:
         """The load of dry friction that slips, as its own column has it."""
         return self.reaction(reduced, _size_of(rub))
 
@@ -251,7 +253,7 @@ class RestEquations:
             total = total + self.rows[name].sign * value * self.rate(name, motion)
         return self.field.lowest_terms(total)
 
-    def reaction(self, reduced: Reduced, name: str) -> Ratio | None:
+    def reaction(self, reduced: ReducedColumns, name: str) -> Ratio | None:
         """A multiplier; None where it is not unique."""
         column = self.columns[name]
         if column not in reduced.pivots or set(reduced.pivots[column]) - {RHS}:
@@ -307,13 +309,15 @@ def _size_of(rub: str) -> str:
     return f"@load of {rub}"
 
 
-def eliminate(field: Field, rows: Sequence[Row], columns: Sequence[int]) -> Reduced:
+def eliminate(field: Field, rows: Sequence[Row], columns: Sequence[int]) -> ReducedColumns:
     """Reduces sum of entry * column = RHS completely, the simplest entries as pivots; what is left of rows without
     columns are the residuals."""
     done, left = _reduced(field, rows, columns, None)
     solved = {c for c, _row in done}
     pivots = {column: {c: x if c == RHS else -x for c, x in row.items()} for column, row in done}
-    return Reduced(pivots, tuple(c for c in columns if c not in solved), tuple(row[RHS] for row in left if RHS in row))
+    return ReducedColumns(
+        pivots, tuple(c for c in columns if c not in solved), tuple(row[RHS] for row in left if RHS in row)
+    )
 
 
 def overdetermined(field: Field, rows: Sequence[Row], columns: Sequence[int], parameter: int) -> list[Ratio]:

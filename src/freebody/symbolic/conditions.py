@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.language.expression import ZERO, Expr, Number, Product, Sum, add, multiply, negate
+from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add, multiply, negate
 from freebody.language.notation import Stated, compared, reworded
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
@@ -34,7 +34,7 @@ _FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
 
 def relation_text(e: Expr, relation: str) -> Stated:
     """a - b > 0 as a > b, without a number in front; for people and for machines."""
-    if isinstance(e, Product) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
+    if isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and len(e.factors) > 1:
         if e.factors[0].value < 0:
             relation = _FLIPPED[relation]
         e = multiply(*e.factors[1:])
@@ -55,7 +55,7 @@ def relation_text(e: Expr, relation: str) -> Stated:
 def _is_negative(e: Expr) -> bool:
     if isinstance(e, Number):
         return e.value < 0
-    return isinstance(e, Product) and isinstance(e.factors[0], Number) and e.factors[0].value < 0
+    return isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and e.factors[0].value < 0
 
 
 def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | None, bool]:

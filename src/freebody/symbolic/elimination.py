@@ -34,7 +34,7 @@ class Unknown:
 
 
 @dataclass(frozen=True)
-class Equation:
+class RowEquation:
     """value = 0, from the row of that name."""
 
     name: str
@@ -42,7 +42,7 @@ class Equation:
 
 
 @dataclass(frozen=True)
-class Line:
+class TangentPair:
     """A tangent in the held measures, (x, y) = length e(angle) + offset n(angle): two equations that carry its
     name, and two unknowns."""
 
@@ -60,14 +60,14 @@ class Elimination:
 
     field: Field
     unknowns: dict[int, Unknown]
-    equations: list[Equation]
-    lines: list[Line]
+    equations: list[RowEquation]
+    lines: list[TangentPair]
     is_zero: Callable[[Ratio], bool]
     straight: Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
     named_rank: int  # coordinates of this rank and above are wanted; rather solve a line by a root
     angle_by: Callable[[int, Ratio, Ratio, Ratio], Ratio | None] | None = None  # q from a cos q + b sin q + d = 0
     solved: list[tuple[int, Ratio]] = initial(default_factory=list[tuple[int, Ratio]])
-    loops: list[Equation] = initial(default_factory=list[Equation])
+    loops: list[RowEquation] = initial(default_factory=list[RowEquation])
     redundant: list[str] = initial(default_factory=list[str])
 
     def __post_init__(self) -> None:
@@ -75,7 +75,7 @@ class Elimination:
         in_time = {index for index, g in self.field.generators.items() if g.kind == "time"}
         self._moving = frozenset(self.unknowns) | in_time
         # by identity; the equation is kept so that its identity is not given away again
-        self._options: dict[int, tuple[Equation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
+        self._options: dict[int, tuple[RowEquation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
         open_equations = list(self.equations)
         while True:
             open_equations = [e for e in open_equations if not self._is_settled(e)]
@@ -116,7 +116,7 @@ class Elimination:
         return x
 
     # -- steps --------------------------------------------------------------------------------
-    def _is_settled(self, equation: Equation) -> bool:
+    def _is_settled(self, equation: RowEquation) -> bool:
         """True for 0 = 0, which is a redundant row; it is noted."""
         if self.field.ingredients(equation.value) & self._moving:
             return False
@@ -125,11 +125,11 @@ class Elimination:
             return True
         return False
 
-    def _insert(self, equation: Equation, values: dict[int, Ratio]) -> Equation:
+    def _insert(self, equation: RowEquation, values: dict[int, Ratio]) -> RowEquation:
         if not self.field.ingredients(equation.value) & values.keys():
             return equation
         value = self.field.follow(equation.value, values)
-        return Equation(equation.name, value.numerator())
+        return RowEquation(equation.name, value.numerator())
 
     def _is_still(self, x: Ratio) -> bool:
         return not self.field.ingredients(x) & self._moving
@@ -145,7 +145,7 @@ class Elimination:
             return None
         return parts[1], parts[0]
 
-    def _single_options(self, equation: Equation) -> list[tuple[tuple[int, int], int, Ratio]]:
+    def _single_options(self, equation: RowEquation) -> list[tuple[tuple[int, int], int, Ratio]]:
         if id(equation) not in self._options:
             found: list[tuple[tuple[int, int], int, Ratio]] = []
             for index in equation.value.generators() & self.unknowns.keys():
@@ -155,11 +155,11 @@ class Elimination:
             self._options[id(equation)] = equation, sorted(found, key=lambda item: item[0])
         return self._options[id(equation)][1]
 
-    def _best_single(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _best_single(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """The equation and coordinate of lowest rank; equations of lines last, since a line between bodies on
         guides is better solved for the line."""
         best: tuple[tuple[int, int], bool] | None = None
-        found: tuple[Equation, dict[int, Ratio]] | None = None
+        found: tuple[RowEquation, dict[int, Ratio]] | None = None
         names = {line.name for line in self.lines}
         for equation in equations:
             for rank, index, value in self._single_options(equation)[:1]:
@@ -168,17 +168,19 @@ class Elimination:
                     best, found = key, (equation, {index: value})
         return None if found is None else ([found[0]], found[1])
 
-    def _open_lines(self, equations: list[Equation]) -> Iterator[tuple[Line, Ratio, Ratio, list[Equation]]]:
+    def _open_lines(
+        self, equations: list[RowEquation]
+    ) -> Iterator[tuple[TangentPair, Ratio, Ratio, list[RowEquation]]]:
         gone = {index for index, _value in self.solved}
         for line in self.lines:
             if line.angle in self.unknowns and not {line.angle, line.length} & gone:
                 used = [e for e in equations if e.name == line.name]
                 yield line, self._so_far(line.x), self._so_far(line.y), used
 
-    def _known_line(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _known_line(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """A line between places that stand still, one that turns with a known angle at a constant length, or one
         between the same places as an earlier line. The equations of such a line go."""
-        seen: dict[object, tuple[Line, bool]] = {}
+        seen: dict[object, tuple[TangentPair, bool]] = {}
         for line, x, y, used in self._open_lines(equations):
             own = {line.length, line.angle}
             if self._is_still(x) and self._is_still(y):
@@ -204,7 +206,7 @@ class Elimination:
             return used, {line.length: self.field.variable(first.length), line.angle: angle}
         return None
 
-    def _explicit_line(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _explicit_line(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""
         for line, x, y, used in self._open_lines(equations):
             if {line.length, line.angle} & (self.field.ingredients(x) | self.field.ingredients(y)):
@@ -213,7 +215,7 @@ class Elimination:
             return used, {line.length: length, line.angle: angle}
         return None
 
-    def _known_turn(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _known_turn(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """A line of constant length that turns with a known angle, where its own angle is decided already: then the two
         are equal."""
         for line in self.lines:
@@ -228,7 +230,7 @@ class Elimination:
             known = known_angle(self.field, y, x, length)
             if known is None:
                 continue
-            difference = Equation(line.name, self._so_far(self.field.variable(line.angle)) - known)
+            difference = RowEquation(line.name, self._so_far(self.field.variable(line.angle)) - known)
             options = self._single_options(difference)
             if not options:
                 continue
@@ -236,12 +238,12 @@ class Elimination:
             return used, {line.length: length, index: value}
         return None
 
-    def _explicit_angle(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _explicit_angle(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """An angle that an equation contains by its cosine and sine alone, both linearly and with short
         coefficients."""
         if self.angle_by is None:
             return None
-        found: list[tuple[tuple[int, ...], Equation, int, tuple[Ratio, Ratio, Ratio]]] = []
+        found: list[tuple[tuple[int, ...], RowEquation, int, tuple[Ratio, Ratio, Ratio]]] = []
         for unknown in self.unknowns.values():
             pair = self.field.pair_of(unknown.index)
             if pair is None or unknown.rank[0] > self.named_rank:
@@ -261,13 +263,13 @@ class Elimination:
                     return [equation], {index: angle}
         return None
 
-    def _best_pair(self, equations: list[Equation]) -> tuple[list[Equation], dict[int, Ratio]] | None:
+    def _best_pair(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
         """Two equations linear in x and y of one body, solved together (Cramer)."""
         for unknown in sorted(self.unknowns.values(), key=lambda u: u.rank):
             if unknown.partner is None:
                 continue
             x, y = unknown.index, unknown.partner
-            rows: list[tuple[Equation, Ratio, Ratio, Ratio]] = []
+            rows: list[tuple[RowEquation, Ratio, Ratio, Ratio]] = []
             for equation in equations:
                 row = self._plane(equation.value, x, y)
                 if row is not None:

@@ -32,7 +32,7 @@ _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
 
 
 @dataclass(frozen=True)
-class Rest:
+class ClosedFormRest:
     """An equilibrium: coordinates by generator, where it exists, and where it is stable.
 
     is_stable: at the first sample, or wherever the conditions `stable` hold if there is no other choice; None where the
@@ -45,11 +45,11 @@ class Rest:
 
 
 @dataclass(frozen=True)
-class Small:
+class ClosedFormOscillations:
     """Small oscillations about an equilibrium: squared angular frequencies."""
 
     squares: tuple[Ratio, ...]
-    rest: Rest
+    rest: ClosedFormRest
     notes: tuple[str, ...] = ()
 
     @property
@@ -57,7 +57,7 @@ class Small:
         return self.rest.values
 
 
-def small_oscillations(model: SymbolicModel, start: StartState) -> Small:
+def small_oscillations(model: SymbolicModel, start: StartState) -> ClosedFormOscillations:
     """M x'' + K x = 0 about the equilibrium that is stable (else nearest to the start); roots of
     det(K - s M) = 0, in closed form where its factors are linear or quadratic."""
     if not model.coordinates:
@@ -81,10 +81,10 @@ def small_oscillations(model: SymbolicModel, start: StartState) -> Small:
         if index in base.generators():
             roots += _polynomial_roots(model, base.coefficients(index)) * exponent
     ordered = sorted(roots, key=lambda r: (model.at_samples(r) or [0.0])[0])
-    return Small(tuple(ordered), rest, tuple(notes))
+    return ClosedFormOscillations(tuple(ordered), rest, tuple(notes))
 
 
-def _is_start(model: SymbolicModel, rest: Rest, start: StartState) -> bool:
+def _is_start(model: SymbolicModel, rest: ClosedFormRest, start: StartState) -> bool:
     return all(rest.values[c.index] == start.of(c.index) for c in model.coordinates)
 
 
@@ -124,14 +124,14 @@ def _polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     )
 
 
-def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> Rest:
+def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: bool = True) -> ClosedFormRest:
     """Coordinates at which the forcing vanishes at rest. Tries the start, then solves factor by factor for one
     coordinate at a time. With `stable_first` a stable one is preferred to an unstable start."""
     f = model.field
     rest = {c.speed: f.zero for c in model.coordinates} | {f.index(f.time): f.zero}
     forces = [f.follow(F, rest) for F in model.forcing]
     at_start = {c.index: start.of(c.index) for c in model.coordinates}
-    first: Rest | None = None
+    first: ClosedFormRest | None = None
     if all(model.vanishes(f.follow(F, at_start)) for F in forces):
         first = _judged(model, at_start)
         if first is not None and (first.is_stable is not False or not stable_first):
@@ -144,7 +144,7 @@ def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: b
     return min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
 
 
-def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> Rest | None:
+def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None:
     """The equilibrium with its conditions; None where there is none, for any parameters or at the first sample."""
     conditions = exists(at.values())
     state = SymbolicState(model, at | {c.speed: model.field.zero for c in model.coordinates})
@@ -174,27 +174,27 @@ def _at_first(model: SymbolicModel, c: Condition) -> bool:
     return values[0] > -ROUND_OFF if c.relation == ">=" else values[0] != 0 if c.relation == "!=" else values[0] > 0
 
 
-def _with_stability(model: SymbolicModel, at: dict[int, Ratio], conditions: tuple[Condition, ...]) -> Rest:
+def _with_stability(model: SymbolicModel, at: dict[int, Ratio], conditions: tuple[Condition, ...]) -> ClosedFormRest:
     """By the leading minors of the stiffness."""
     _M, K = linearised(model, at)
     n = len(K)
     if not all(model.vanishes(K[j][k] - K[k][j]) for j in range(n) for k in range(j)):
-        return Rest(at, conditions, (), None)  # forces without a potential
+        return ClosedFormRest(at, conditions, (), None)  # forces without a potential
     needed: list[Condition] = []
     verdict: bool | None = True
     for size in range(1, n + 1):
         minor = model.field.lowest_terms(_determinant([row[:size] for row in K[:size]]))
         if minor.is_zero():
-            return Rest(at, conditions, (), _of_high_order(model, at) if n == 1 else None)
+            return ClosedFormRest(at, conditions, (), _of_high_order(model, at) if n == 1 else None)
         condition, possible = require(minor, ">", "stable")
         if not possible:
-            return Rest(at, conditions, (), None if _is_gyroscopic(model, at) else False)
+            return ClosedFormRest(at, conditions, (), None if _is_gyroscopic(model, at) else False)
         if condition is not None:
             needed.append(condition)
             verdict = verdict and _at_first(model, condition)
     if verdict is False and _is_gyroscopic(model, at):
         verdict = None
-    return Rest(at, conditions, tuple(needed), verdict)
+    return ClosedFormRest(at, conditions, tuple(needed), verdict)
 
 
 def _is_gyroscopic(model: SymbolicModel, at: dict[int, Ratio]) -> bool:

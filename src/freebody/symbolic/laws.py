@@ -26,7 +26,7 @@ _NOW = 1e-12  # a time that counts as the start, by the unit of time of a law
 
 
 @dataclass(frozen=True)
-class Instant:
+class LawInstant:
     """Something that happens at a time: the coordinate and its rate then. key: grows with the time and has its sign;
     None: it is after the start, and after the others that are. period: after which it comes again."""
 
@@ -37,19 +37,19 @@ class Instant:
     period: Ratio | None = None
 
 
-Instants = tuple[list[Instant], list[_Need]] | None  # with what they need to be real; None: no closed form
+Instants = tuple[list[LawInstant], list[_Need]] | None  # with what they need to be real; None: no closed form
 
 
 @dataclass(frozen=True)
-class First:
+class FirstInstant:
     """The first of several instants, and what must be positive (or not negative) for it to be so."""
 
-    instant: Instant
+    instant: LawInstant
     conditions: tuple[tuple[Ratio, str], ...]
 
 
 @dataclass(frozen=True)
-class Law:
+class MotionLaw:
     """What all laws know: the model, and the value and rate at the start."""
 
     model: SymbolicModel
@@ -80,7 +80,7 @@ class Law:
 
 
 @dataclass(frozen=True)
-class Uniform(Law):
+class UniformLaw(MotionLaw):
     """Constant acceleration."""
 
     a: Ratio
@@ -94,7 +94,7 @@ class Uniform(Law):
 
 
 @dataclass(frozen=True)
-class Oscillation(Law):
+class Oscillation(MotionLaw):
     """Harmonic about a centre."""
 
     center: Ratio
@@ -117,13 +117,13 @@ class Oscillation(Law):
     def places(self, value: Ratio) -> Instants:
         w = self.w
         waves, needs = self._turns(self.q0 - self.center, self.u0 / w, value - self.center)
-        return [Instant(tau / w, value, w * slope, key, self._period) for tau, slope, key in waves], needs
+        return [LawInstant(tau / w, value, w * slope, key, self._period) for tau, slope, key in waves], needs
 
     def rates(self, value: Ratio) -> Instants:
         # u is a wave as well: u0 cos(tau) - w x0 sin(tau), and du/dtau = -w (q - c)
         w = self.w
         waves, needs = self._turns(self.u0, -w * (self.q0 - self.center), value)
-        found = [Instant(tau / w, self.center - slope / w, value, key, self._period) for tau, slope, key in waves]
+        found = [LawInstant(tau / w, self.center - slope / w, value, key, self._period) for tau, slope, key in waves]
         return found, needs
 
     @property
@@ -157,7 +157,7 @@ class Oscillation(Law):
 
 
 @dataclass(frozen=True)
-class Growth(Law):
+class Growth(MotionLaw):
     """Away from a centre, or towards it for ever."""
 
     center: Ratio
@@ -180,12 +180,12 @@ class Growth(Law):
     def places(self, value: Ratio) -> Instants:
         k = self.k
         found, needs = self._logs(self.q0 - self.center, self.u0 / k, value - self.center)
-        return [Instant(tau / k, value, k * slope, key) for tau, slope, key in found], needs
+        return [LawInstant(tau / k, value, k * slope, key) for tau, slope, key in found], needs
 
     def rates(self, value: Ratio) -> Instants:
         k = self.k
         found, needs = self._logs(self.u0, k * (self.q0 - self.center), value)
-        return [Instant(tau / k, self.center + slope / k, value, key) for tau, slope, key in found], needs
+        return [LawInstant(tau / k, self.center + slope / k, value, key) for tau, slope, key in found], needs
 
     def _logs(self, a: Ratio, b: Ratio, y: Ratio) -> tuple[list[_Turn], list[_Need]]:
         """tau with a cosh(tau) + b sinh(tau) = y, each with d/dtau there and a key; E = exp(tau) is a root of
@@ -217,7 +217,7 @@ class Growth(Law):
 
 
 @dataclass(frozen=True)
-class Decay(Law):
+class Decay(MotionLaw):
     """A resistance that is linear in the rate: u tends to `end`, or leaves it."""
 
     end: Ratio
@@ -237,17 +237,19 @@ class Decay(Law):
             return None  # the time stands in a sum of itself and an exponential
         grown = 1 + self.gamma * (value - self.q0) / self.u0
         log = functions(self.model.field, self.model.is_negative)["log"]
-        return [Instant(log(grown) / self.gamma, value, self.u0 * grown, (value - self.q0) / self.u0)], [(grown, ">")]
+        return [LawInstant(log(grown) / self.gamma, value, self.u0 * grown, (value - self.q0) / self.u0)], [
+            (grown, ">")
+        ]
 
     def rates(self, value: Ratio) -> Instants:
         grown = (self.end - value) / (self.end - self.u0)
         log = functions(self.model.field, self.model.is_negative)["log"]
         time = log(grown) / self.gamma
         place = self.q0 + (value - self.u0 + self.gamma * self.end * time) / self.gamma
-        return [Instant(time, place, value, (grown - 1) / self.gamma)], [(grown, ">")]
+        return [LawInstant(time, place, value, (grown - 1) / self.gamma)], [(grown, ">")]
 
 
-def first(model: SymbolicModel, instants: Sequence[Instant]) -> First | None:
+def first(model: SymbolicModel, instants: Sequence[LawInstant]) -> FirstInstant | None:
     """The instant that comes first after the start at every sample, as many periods later as that needs; None where
     none comes at any. Raises CannotAnswer where that depends on the parameter values."""
     times = [model.at_samples(i.time) for i in instants]
@@ -272,10 +274,10 @@ def first(model: SymbolicModel, instants: Sequence[Instant]) -> First | None:
     if n:
         assert chosen.period is not None
         chosen = replace(chosen, time=chosen.time + chosen.period)
-    return First(chosen, tuple(needs))
+    return FirstInstant(chosen, tuple(needs))
 
 
-def _order(model: SymbolicModel, chosen: Instant, n: int, others: Sequence[Instant]) -> list[_Need]:
+def _order(model: SymbolicModel, chosen: LawInstant, n: int, others: Sequence[LawInstant]) -> list[_Need]:
     """Why an instant (a period later for n = 1) comes first: it is after the start, and each other either was before it
     or is later."""
     needs: list[_Need] = []

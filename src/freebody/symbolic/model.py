@@ -32,7 +32,7 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, Vector
 from freebody.measures.geometry import ZERO as NOTHING
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
-from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
+from freebody.symbolic.elimination import GIVEN, Elimination, RowEquation, TangentPair, Unknown
 from freebody.symbolic.field import Field, Generator, NoValue, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, Dual, DualGeometry, FieldGeometry, Tangent, straight_tangent
@@ -84,12 +84,12 @@ class SymbolicModel:
         self._speeds: dict[int, int] = {}
         self._names: dict[int, str] = {}
         self._tangents: dict[Any, tuple[Ratio, Ratio]] = {}
-        self._lines: list[Line] = []
+        self._lines: list[TangentPair] = []
         self._defined: dict[int, Ratio] = {}  # named measures as coordinates: what they are
         self._tangent_label = ""
         self._tangent_of: Measure | None = None
-        self._definitions: list[Equation] = []
-        self._line_equations: dict[Any, list[Equation]] = {}
+        self._definitions: list[RowEquation] = []
+        self._line_equations: dict[Any, list[RowEquation]] = {}
         self._defined_lines: set[Any] = set()
         self._made_for: dict[str, list[int]] = {}  # the unknowns that came with a measure, by its definition
         self._without_rate: set[int] = set()  # speeds of measures without a rate at a sample
@@ -97,7 +97,7 @@ class SymbolicModel:
         self._make_poses()
         self._raw = self._raw_geometry()
         self._sample_values = [self._values_at(sample) for sample in self.samples]
-        self.extra: list[Equation] = []
+        self.extra: list[RowEquation] = []
         self._is_eliminated = False  # while coordinates are chosen nothing is known of loops
         self.elimination = self._eliminate([])
         self._finish_coordinates()
@@ -112,7 +112,7 @@ class SymbolicModel:
         self.redundant = self._not_by_construction(redundant)
         self.lengths = self._raw.scalars  # what the geometry is made of, in parameters
 
-    def _with_equations(self, extra: list[Equation]) -> None:
+    def _with_equations(self, extra: list[RowEquation]) -> None:
         """Eliminates again, with equations that were found out."""
         self.extra = extra
         self._is_eliminated = False
@@ -258,8 +258,8 @@ class SymbolicModel:
         c, s = cos_sin(f, angle)
         name = f"line {k}"
         self._line_equations[key] = [
-            Equation(name, v.x - length * c + offset * s),
-            Equation(name, v.y - length * s - offset * c),
+            RowEquation(name, v.x - length * c + offset * s),
+            RowEquation(name, v.y - length * s - offset * c),
         ]
         self._define_line(key)
         self._tangents[key] = length, angle
@@ -267,7 +267,7 @@ class SymbolicModel:
             of = self._tangent_of
             self._coordinate_measures[f.index(angle)] = Bearing(of.start, of.end)
             self._coordinate_measures[f.index(length)] = of
-        self._lines.append(Line(name, v.x, v.y, offset, f.index(length), f.index(angle)))
+        self._lines.append(TangentPair(name, v.x, v.y, offset, f.index(length), f.index(angle)))
         return length, angle
 
     def _new_label(self, wanted: str) -> str:
@@ -283,9 +283,9 @@ class SymbolicModel:
             self._definitions += self._line_equations[key]
 
     # -- positions ----------------------------------------------------------------------------
-    def _named_by_formula(self) -> list[Equation]:
+    def _named_by_formula(self) -> list[RowEquation]:
         """Named measures that are linear in an unnamed coordinate, and so can take its place."""
-        found: list[Equation] = []
+        found: list[RowEquation] = []
         taken: set[int] = set()
         for name, measure in self.system.measures.items():
             own = self._known_unknown(name)
@@ -305,7 +305,7 @@ class SymbolicModel:
                 slope = self.field.partial(value, c.index)
                 inside = self.field.ingredients(value)
                 if slope.is_constant() and not slope.is_zero() and len(inside & self._unknowns.keys()) == 1:
-                    found.append(Equation(f"define {name}", own - value))
+                    found.append(RowEquation(f"define {name}", own - value))
                     taken.add(c.index)
                     break
             else:
@@ -318,7 +318,7 @@ class SymbolicModel:
         for key in self._straight.keys() - known_lines:
             del self._straight[key]
 
-    def _constant_coordinates(self) -> list[Equation]:
+    def _constant_coordinates(self) -> list[RowEquation]:
         """Dependent coordinates that do not move: their start values, where these are known, are their values."""
         f = self.field
         lines = {line.length for line in self._lines} | {line.angle for line in self._lines}
@@ -333,12 +333,12 @@ class SymbolicModel:
                     value = self.recognised_start(c)
                 if value is not None:
                     values[c.index] = value
-        return [Equation(GIVEN, f.variable(index) - value) for index, value in values.items()]
+        return [RowEquation(GIVEN, f.variable(index) - value) for index, value in values.items()]
 
-    def _equal_angles(self) -> list[Equation]:
+    def _equal_angles(self) -> list[RowEquation]:
         """Angles bound by closed loops that differ from others by the same multiple of a right angle at all samples, or
         whose sum does."""
-        found: list[Equation] = []
+        found: list[RowEquation] = []
         kept = [c for c in self.coordinates if c.is_angle]
         general = any(not s.is_start for s in self.samples)
         for c in self.dependent if general and self.elimination.loops else ():
@@ -349,7 +349,7 @@ class SymbolicModel:
                 values = list(self._at(difference, range(len(self.samples))))
                 constant = recognised(self.field, values, is_angle=True)
                 if constant is not None:
-                    found.append(Equation(GIVEN, difference - constant))
+                    found.append(RowEquation(GIVEN, difference - constant))
                     break
             else:
                 kept.append(c)
@@ -375,14 +375,14 @@ class SymbolicModel:
         """A held measure in absolute coordinates."""
         return measure.value(self._raw)
 
-    def _eliminate(self, given: list[Equation]) -> Elimination:
+    def _eliminate(self, given: list[RowEquation]) -> Elimination:
         """Tries the named and offered measures as coordinates; one that only adds a loop of its own is dropped."""
         self._defined_lines = set()
-        equations: list[Equation] = list(given)
+        equations: list[RowEquation] = list(given)
         for row in self.system.held:
             if not isinstance(row.measure, NonholonomicForm) and not self._holds_by_construction(row):
                 self._tangent_label, self._tangent_of = row.connection, row.measure
-                equations.append(Equation(row.name, self._held_value(row.measure) - self._target(row)))
+                equations.append(RowEquation(row.name, self._held_value(row.measure) - self._target(row)))
         constraints = equations + self._definitions
         self._definitions = []
         measures = self.system.measures
@@ -395,7 +395,7 @@ class SymbolicModel:
         for k, (name, measure) in enumerate(self.system.offered):
             if measure not in named and name not in taken:
                 candidates.append((f"define {name}", name, measure, (OFFERED, -k)))
-        defined: list[tuple[str, list[Equation], list[int]]] = []
+        defined: list[tuple[str, list[RowEquation], list[int]]] = []
         for label, name, measure, rank in candidates:
             before = set(self._unknowns)
             self._tangent_label, self._tangent_of = name, measure
@@ -411,7 +411,7 @@ class SymbolicModel:
             )
             self._defined[self.field.index(own)] = value
             self._coordinate_measures[self.field.index(own)] = measure
-            made = [Equation(label, own - value)] + [Equation(label, e.value) for e in self._definitions]
+            made = [RowEquation(label, own - value)] + [RowEquation(label, e.value) for e in self._definitions]
             self._definitions = []
             # made in the first pass: those of a measure that is dropped in a later one go with it
             new = self._made_for.setdefault(label, [i for i in self._unknowns if i not in before])
@@ -932,7 +932,7 @@ class SymbolicModel:
         return len(self.coordinates)
 
     @property
-    def loops(self) -> tuple[Equation, ...]:
+    def loops(self) -> tuple[RowEquation, ...]:
         """Equations among the coordinates that remain: the closed loops."""
         return tuple(self.elimination.loops)
 

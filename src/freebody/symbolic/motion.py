@@ -25,13 +25,13 @@ from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
-from freebody.symbolic.laws import Decay, Growth, Instant, Law, Oscillation, Uniform, first
+from freebody.symbolic.laws import Decay, Growth, LawInstant, MotionLaw, Oscillation, UniformLaw, first
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import Coordinate, SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
-from freebody.symbolic.way import Way
+from freebody.symbolic.way import EnergyPath
 from freebody.symbolic.zeros import solve_linear
 
 
@@ -254,7 +254,7 @@ def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], va
     return f.zero if given is None else given
 
 
-class Motion:
+class SmoothMotion:
     """The closed-form motion of a model from its start."""
 
     def __init__(self, model: SymbolicModel, start: StartState) -> None:
@@ -325,12 +325,12 @@ class Motion:
         k = self.model.coordinates.index(c)
         return self.field.lowest_terms(self.model.solved_accelerations[self.model.accelerations[k]])
 
-    def law_of(self, c: Coordinate) -> Law | None:
+    def law_of(self, c: Coordinate) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
         a = self._acceleration(c)
         if a.is_constant():
-            return Uniform(self.model, q0, u0, a)
+            return UniformLaw(self.model, q0, u0, a)
         linear = self._linear_law(a, c)
         if linear is None:
             return None
@@ -387,7 +387,7 @@ class Motion:
             raise NeverHappens(
                 _HOLDS_ALWAYS if holds else f"{c.name} stays where it starts: at rest, and not accelerated"
             )
-        if isinstance(law, Uniform):
+        if isinstance(law, UniformLaw):
             return self._uniform(c.name, law, at).of(c, at)
         instants = None if law is None else law.places(at)
         if instants is not None:
@@ -403,15 +403,15 @@ class Motion:
         rest = value
         for slope, c in zip(slopes, found, strict=True):
             rest = rest - slope * f.variable(c.index)
-        if not all(x.is_constant() for x in (*slopes, rest)) or not all(isinstance(law, Uniform) for law in laws):
+        if not all(x.is_constant() for x in (*slopes, rest)) or not all(isinstance(law, UniformLaw) for law in laws):
             return None
         q0, u0, a = rest, f.zero, f.zero
         for slope, law in zip(slopes, laws, strict=True):
-            assert isinstance(law, Uniform)
+            assert isinstance(law, UniformLaw)
             q0, u0, a = q0 + slope * law.q0, u0 + slope * law.u0, a + slope * law.a
-        return self._uniform(text, Uniform(self.model, q0, u0, f.lowest_terms(a)), target).of(None, target)
+        return self._uniform(text, UniformLaw(self.model, q0, u0, f.lowest_terms(a)), target).of(None, target)
 
-    def _uniform(self, name: str, law: Uniform, at: Ratio) -> _Passage:
+    def _uniform(self, name: str, law: UniformLaw, at: Ratio) -> _Passage:
         a, u0, distance = law.a, law.u0, self.field.lowest_terms(at - law.q0)
         if a.is_zero():
             if u0.is_zero():
@@ -430,7 +430,7 @@ class Motion:
             return _Passage(time, a * time, [note], [(distance / a, ">")])
         return self._one_of_two(name, law, distance, at)
 
-    def _one_of_two(self, name: str, law: Uniform, distance: Ratio, at: Ratio) -> _Passage:
+    def _one_of_two(self, name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> _Passage:
         """The roots of a t^2/2 + u0 t = d; their product is -2 d/a."""
         a, u0 = law.a, law.u0
         square = u0 * u0 + 2 * a * distance
@@ -464,7 +464,7 @@ class Motion:
         note = Stated(words, to_python(tidy(other)))
         return _Passage(chosen, root if pick == 0 else -root, [note], needs)
 
-    def _first(self, c: Coordinate, instants: list[Instant], needs: list[tuple[Ratio, str]]) -> Reached:
+    def _first(self, c: Coordinate, instants: list[LawInstant], needs: list[tuple[Ratio, str]]) -> Reached:
         found = first(self.model, instants)
         if found is None:
             if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
@@ -489,7 +489,7 @@ class Motion:
         law = self.law_of(c)
         if law is not None and law.is_still:
             raise NeverHappens(_HOLDS_ALWAYS if wanted.is_zero() else f"{c.name} stays at rest: nothing accelerates it")
-        if isinstance(law, Uniform):
+        if isinstance(law, UniformLaw):
             if law.a.is_zero():
                 same = (wanted - law.u0).is_zero()
                 raise NeverHappens(_HOLDS_ALWAYS if same else f"the rate of {c.name} is constant")
@@ -515,10 +515,10 @@ class Motion:
         at, needs, says = self._way(c).where(wanted)
         return Reached(None, c, at, wanted, [], needs, f"no closed form was found for the time: {_INTEGRAL}", says)
 
-    def _way(self, c: Coordinate) -> Way:
+    def _way(self, c: Coordinate) -> EnergyPath:
         square = self.speed_squared(c, self.field.variable(c.index))
         a0 = self.field.follow(self._acceleration(c), self.start.values)
-        return Way(self.model, c, square, self.start.of(c.index), self.start.of(c.speed), a0)
+        return EnergyPath(self.model, c, square, self.start.of(c.index), self.start.of(c.speed), a0)
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""

@@ -17,7 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.measures.geometry import Pose, Vector
 from freebody.model.elements import NonholonomicForm
-from freebody.symbolic.elimination import GIVEN, Elimination, Equation, Line, Unknown
+from freebody.symbolic.elimination import GIVEN, Elimination, RowEquation, TangentPair, Unknown
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
@@ -60,8 +60,8 @@ class StartPose:
         self.field = field
         self._system = system
         self._own = dict(unknowns)
-        self._lines: list[Line] = []
-        self._definitions: list[Equation] = []
+        self._lines: list[TangentPair] = []
+        self._definitions: list[RowEquation] = []
         self._tangents: dict[Any, tuple[Ratio, Ratio]] = {}
         self._straight = straight_tangent(field, is_negative)
         self._poses = poses
@@ -72,7 +72,7 @@ class StartPose:
         f = self.field
         equations = [*self._given(), *self._kept()]
         at_start = {f.index(f.time): f.zero}
-        equations = [Equation(e.name, f.follow(e.value, at_start).numerator()) for e in equations]
+        equations = [RowEquation(e.name, f.follow(e.value, at_start).numerator()) for e in equations]
         unknowns = dict(self._own)
         absolute = [index for index, u in unknowns.items() if u.rank[0] != _LINE]
         found = Elimination(f, unknowns, equations, self._lines, lambda x: x.is_zero(), self._straight, _LINE)
@@ -106,34 +106,34 @@ class StartPose:
         return any(index in p.angle.generators() for p in poses) or any(index == line.angle for line in self._lines)
 
     # -- equations ----------------------------------------------------------------------------
-    def _given(self) -> list[Equation]:
+    def _given(self) -> list[RowEquation]:
         """Places and angles of bodies, and named measures."""
         g, scalar = self._geometry, self._geometry.scalar
-        found: list[Equation] = []
+        found: list[RowEquation] = []
         for body in self._system.moving:
             pose, start = self._poses[body.name], body.start
             assert isinstance(pose, Pose)
             if body.turns and start.angle is not None:
-                found.append(Equation(GIVEN, pose.angle - scalar(start.angle)))
+                found.append(RowEquation(GIVEN, pose.angle - scalar(start.angle)))
             if start.at is not None:
                 point, place = start.at
                 here = pose.place(Vector(*map(scalar, body.points[point])))
-                found += [Equation(GIVEN, c - scalar(e)) for c, e in zip((here.x, here.y), place, strict=True)]
+                found += [RowEquation(GIVEN, c - scalar(e)) for c, e in zip((here.x, here.y), place, strict=True)]
         for name, expr in self._system.start.items():
             with suppress(CannotAnswer, ZeroDivisionError):
-                found.append(Equation(GIVEN, self._system.measures[name].value(g) - scalar(expr)))
+                found.append(RowEquation(GIVEN, self._system.measures[name].value(g) - scalar(expr)))
         return found
 
-    def _kept(self) -> list[Equation]:
+    def _kept(self) -> list[RowEquation]:
         """What is held at values that are known before the start is."""
         g = self._geometry
-        found: list[Equation] = []
+        found: list[RowEquation] = []
         for row in self._system.held:
             if isinstance(row.measure, NonholonomicForm) or row.measure.incremental:
                 continue
             with suppress(CannotAnswer, ZeroDivisionError):
                 target = self.field.zero if row.in_symbols is None else g.scalar(row.in_symbols)
-                found.append(Equation(row.name, row.measure.value(g) - target))
+                found.append(RowEquation(row.name, row.measure.value(g) - target))
         return [*found, *self._definitions]
 
     def _tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
@@ -158,10 +158,10 @@ class StartPose:
         c, s = cos_sin(f, angle)
         name = f"line {k}"
         self._definitions += [
-            Equation(name, v.x - length * c + offset * s),
-            Equation(name, v.y - length * s - offset * c),
+            RowEquation(name, v.x - length * c + offset * s),
+            RowEquation(name, v.y - length * s - offset * c),
         ]
-        self._lines.append(Line(name, v.x, v.y, offset, f.index(length), f.index(angle)))
+        self._lines.append(TangentPair(name, v.x, v.y, offset, f.index(length), f.index(angle)))
         self._tangents[key] = length, angle
         return length, angle
 

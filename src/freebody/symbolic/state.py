@@ -9,8 +9,8 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import (
     Expr,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     children,
@@ -134,9 +134,9 @@ def _is_polynomial(law: Expr) -> bool:
     match law:
         case Symbol():
             return True
-        case Sum() | Product():
+        case Sum() | ProductOf():
             return all(map(_is_polynomial, children(law)))
-        case Power(base, _):
+        case PowerOf(base, _):
             n = whole_exponent(law)
             return n is not None and n >= 0 and _is_polynomial(base)
         case _:

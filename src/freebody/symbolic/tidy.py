@@ -16,8 +16,8 @@ from freebody.language.expression import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     add,
     divide,
@@ -88,7 +88,7 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
 
 def _root_of(inside: Expr) -> Expr:
     """The root of an expression; that of a square is a size."""
-    if isinstance(inside, Power) and inside.exponent == number(2):
+    if isinstance(inside, PowerOf) and inside.exponent == number(2):
         return Call("abs", inside.base)
     return Call("sqrt", inside)
 
@@ -118,14 +118,14 @@ def _fraction(top: Expr, bottom: Expr) -> Expr:
     ratio = n_top / n_bottom
     if ratio < 0 and isinstance(rest_bottom, Sum) and any(map(_is_negative, rest_bottom.terms)):
         ratio, rest_bottom = -ratio, _positive_first([negate(t) for t in rest_bottom.terms])
-    elif ratio < 0 and isinstance(rest_bottom, Product):
+    elif ratio < 0 and isinstance(rest_bottom, ProductOf):
         ratio, rest_bottom = _sign_of_a_factor(ratio, rest_bottom)
     up = multiply(number(ratio.numerator), *_factors(rest_top))
     down = multiply(number(ratio.denominator), *_factors(rest_bottom))
     return divide(up, down)
 
 
-def _sign_of_a_factor(ratio: Fraction, product: Product) -> tuple[Fraction, Expr]:
+def _sign_of_a_factor(ratio: Fraction, product: ProductOf) -> tuple[Fraction, Expr]:
     """-1/(a (b - c)) = 1/(a (c - b))"""
     for k, factor in enumerate(product.factors):
         if isinstance(factor, Sum) and any(map(_is_negative, factor.terms)):
@@ -137,13 +137,13 @@ def _sign_of_a_factor(ratio: Fraction, product: Product) -> tuple[Fraction, Expr
 def _number_part(e: Expr) -> tuple[Fraction, Expr]:
     if isinstance(e, Number):
         return e.value, number(1)
-    if isinstance(e, Product) and isinstance(e.factors[0], Number):
+    if isinstance(e, ProductOf) and isinstance(e.factors[0], Number):
         return e.factors[0].value, multiply(*e.factors[1:])
     return Fraction(1), e
 
 
 def _factors(e: Expr) -> tuple[Expr, ...]:
-    return e.factors if isinstance(e, Product) else (e,)
+    return e.factors if isinstance(e, ProductOf) else (e,)
 
 
 def _root_on_top(x: Ratio) -> Ratio:

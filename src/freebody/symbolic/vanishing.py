@@ -28,7 +28,7 @@ MayVanish = Callable[[int], bool]  # of a generator that is a parameter
 
 
 @dataclass(frozen=True)
-class Case:
+class VanishingCase:
     """Equalities that hold together (none: always), and what they put in for generators. A given function of time that
     is zero is so at all times, and its rates with it."""
 
@@ -43,10 +43,10 @@ class Case:
         except ZeroDivisionError:
             raise CannotAnswer(f"it has no value for {joined(self.texts())}") from None
 
-    def with_more(self, more: Case) -> Case:
+    def with_more(self, more: VanishingCase) -> VanishingCase:
         """Both cases together."""
         values = {k: more.put_in(v) for k, v in self.values.items()} | dict(more.values)
-        return Case((*self.equalities, *more.equalities), values, self.is_solved and more.is_solved)
+        return VanishingCase((*self.equalities, *more.equalities), values, self.is_solved and more.is_solved)
 
     def kills(self, x: Ratio) -> bool:
         """Whether an element is zero in this case. Raises CannotAnswer where it has no value then."""
@@ -59,7 +59,7 @@ class Case:
         return tuple(equality_text(e) for e in self.equalities)
 
 
-ALWAYS = Case((), {})
+ALWAYS = VanishingCase((), {})
 
 
 def equality_text(x: Ratio) -> Stated:
@@ -121,22 +121,22 @@ def is_given_function(field: Field, index: int) -> bool:
     return g.kind == "time" and g.display != Symbol("t")
 
 
-def cases_where_zero(coefficients: Sequence[Ratio], may_vanish: MayVanish) -> tuple[Case, ...]:
+def cases_where_zero(coefficients: Sequence[Ratio], may_vanish: MayVanish) -> tuple[VanishingCase, ...]:
     """All cases in which every coefficient is zero, the more special left out where a more general one covers them.
     No case: they are never all zero; the case without equalities: they always are."""
     return most_general(list(_cases(list(coefficients), ALWAYS, may_vanish)))
 
 
-def most_general(found: Sequence[Case]) -> tuple[Case, ...]:
+def most_general(found: Sequence[VanishingCase]) -> tuple[VanishingCase, ...]:
     """The cases that no other one covers."""
-    general: list[Case] = []
+    general: list[VanishingCase] = []
     for k, case in enumerate(found):
         if not any(implies(case, other) for other in (*general, *found[k + 1 :])):
             general.append(case)
     return tuple(general)
 
 
-def implies(case: Case, other: Case) -> bool:
+def implies(case: VanishingCase, other: VanishingCase) -> bool:
     """Whether all equalities of the other case hold in this one."""
     try:
         return all(case.kills(e) for e in other.equalities)
@@ -144,7 +144,7 @@ def implies(case: Case, other: Case) -> bool:
         return False
 
 
-def _cases(open_: list[Ratio], so_far: Case, may_vanish: MayVanish) -> Iterator[Case]:
+def _cases(open_: list[Ratio], so_far: VanishingCase, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     open_ = [x for x in open_ if not x.is_zero()]
     if not open_:
         if all(map(so_far.kills, so_far.equalities)):  # what came later may contradict what came before
@@ -161,11 +161,11 @@ def _cases(open_: list[Ratio], so_far: Case, may_vanish: MayVanish) -> Iterator[
             continue
         if not way.is_solved:
             rest = [x for x in rest if not _divides(way.equalities[0], x)]
-        together = Case((*so_far.equalities, *way.equalities), values, so_far.is_solved and way.is_solved)
+        together = VanishingCase((*so_far.equalities, *way.equalities), values, so_far.is_solved and way.is_solved)
         yield from _cases(rest, together, may_vanish)
 
 
-def _read_off(case: Case) -> Case:
+def _read_off(case: VanishingCase) -> VanishingCase:
     """The case with each equality that later ones made simpler as what it has come to."""
     equalities: list[Ratio] = []
     for e in case.equalities:
@@ -180,7 +180,7 @@ def _read_off(case: Case) -> Case:
     field = equalities[0].field if equalities else None
     functions = [e for e in equalities if field is not None and _is_function(field, e)]
     later = [r for e in functions for r in _rates_of(e)]
-    return Case(tuple(e for e in equalities if e not in later), case.values, case.is_solved)
+    return VanishingCase(tuple(e for e in equalities if e not in later), case.values, case.is_solved)
 
 
 def _is_function(field: Field, x: Ratio) -> bool:
@@ -200,14 +200,14 @@ def _divides(factor: Ratio, x: Ratio) -> bool:
     return (x / factor).den is None
 
 
-def _ways(x: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
+def _ways(x: Ratio, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     """The ways in which one coefficient can be zero."""
     _unit, factors = x.field.factor(x.num)
     for base, _exponent in factors:
         yield from factor_zero(base, may_vanish)
 
 
-def factor_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
+def factor_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     """The ways in which an irreducible factor can be zero."""
     field = base.field
     if not base.generators():
@@ -240,11 +240,11 @@ def _right_angle(base: Ratio) -> int | None:
     return index + 1 if kind == "cos" else index - 1
 
 
-def _generator_zero(field: Field, index: int, may_vanish: MayVanish) -> Iterator[Case]:
+def _generator_zero(field: Field, index: int, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     g = field.generators[index]
     x = field.variable(index)
     if is_given_function(field, index):
-        yield Case((x,), dict(_with_rates(field, index, field.zero)))
+        yield VanishingCase((x,), dict(_with_rates(field, index, field.zero)))
     elif g.kind in ("cos", "sin"):
         angle = field.angles[index if g.kind == "cos" else index - 1]
         inside = [k for k in angle.generators() if may_vanish(k)]
@@ -252,12 +252,12 @@ def _generator_zero(field: Field, index: int, may_vanish: MayVanish) -> Iterator
             target = field.zero if g.kind == "sin" else field.pi / 2
             slope = field.partial(angle, inside[0])
             rest = angle - slope * field.variable(inside[0])
-            yield Case((x,), {inside[0]: (target - rest) / slope})
+            yield VanishingCase((x,), {inside[0]: (target - rest) / slope})
     elif g.kind == "parameter" and may_vanish(index):
-        yield Case((x,), {index: field.zero})
+        yield VanishingCase((x,), {index: field.zero})
 
 
-def _sum_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
+def _sum_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     """A sum of terms of one sign is zero if every term is."""
     field = base.field
     terms = field.terms(base.num)
@@ -266,7 +266,7 @@ def _sum_zero(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
         yield from _cases(monomials, ALWAYS, may_vanish)
 
 
-def _solved(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
+def _solved(base: Ratio, may_vanish: MayVanish) -> Iterator[VanishingCase]:
     """An equality, solved for the given function of highest order, or for the parameter declared last, in which it is
     linear; and, where the coefficient of that may vanish, the cases in which both parts do."""
     field = base.field
@@ -282,11 +282,11 @@ def _solved(base: Ratio, may_vanish: MayVanish) -> Iterator[Case]:
         if g.positive and sign_of(value) in (Sign.NEGATIVE, Sign.NONPOSITIVE, Sign.ZERO):
             continue
         values = {index: value} if index not in functions else dict(_with_rates(field, index, value))
-        yield Case((base,), values)
+        yield VanishingCase((base,), values)
         if not sign_of(parts[1]).is_strict:
             yield from _cases(list(parts), ALWAYS, may_vanish)
         return
-    yield Case((base,), {}, is_solved=False)
+    yield VanishingCase((base,), {}, is_solved=False)
 
 
 def _with_rates(field: Field, index: int, value: Ratio) -> Iterable[tuple[int, Ratio]]:
@@ -299,6 +299,6 @@ def _with_rates(field: Field, index: int, value: Ratio) -> Iterable[tuple[int, R
         index, value = field.index(rate), field.rate(value)
 
 
-def texts_of(cases: Sequence[Case]) -> tuple[str, ...]:
+def texts_of(cases: Sequence[VanishingCase]) -> tuple[str, ...]:
     """One text for every case, its equalities joined."""
     return tuple(joined(case.texts()) for case in cases)

@@ -23,7 +23,7 @@ _TURNS = range(-2, 3)  # by which a place of an angle may differ from the formul
 _N_STEPS = 64
 
 
-class Way:
+class EnergyPath:
     """The motion of the one coordinate of a model with a first integral of energy."""
 
     def __init__(self, model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio, u0: Ratio, a0: Ratio) -> None:

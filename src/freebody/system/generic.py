@@ -30,7 +30,7 @@ from freebody.errors import InputError, ModelError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.geometry import GROUND, Components, Direction, Point
-from freebody.model.elements import ConstraintRow, Line, NonholonomicForm, Parameter, Plane, RigidBody
+from freebody.model.elements import BodyPlane, ConstraintRow, Line, NonholonomicForm, Parameter, RigidBody
 from freebody.model.names import Names
 from freebody.model.rotations import dot
 from freebody.system.modes import sticking_row
@@ -230,10 +230,10 @@ class _GenericReader(Reader):
             radius = self.names.fresh("radius", name, f"the radius of {name}", self.names.numeric(radius))
         return replace(body, points=points, radius=radius)
 
-    def _plane(self, body: RigidBody, name: str, spec: Any) -> Plane:
+    def _plane(self, body: RigidBody, name: str, spec: Any) -> BodyPlane:
         plane = super()._plane(body, name, spec)
         normal = self.names.turned(plane.normal, plane.normal.body, plane.name, "plane", plane.name)
-        return Plane(self._own_point(plane.through, plane.name), normal, plane.name)
+        return BodyPlane(self._own_point(plane.through, plane.name), normal, plane.name)
 
     def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
         line = super()._line(body, name, spec)

@@ -22,14 +22,14 @@ from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class Mode:
+class ContactMode:
     """Contact states by name. A rub that is not listed has no force: its bound is open."""
 
     closed: frozenset[str] = frozenset()
     rubs: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
 
     @classmethod
-    def of(cls, closed: set[str] | frozenset[str], rubs: Mapping[str, int]) -> Mode:
+    def of(cls, closed: set[str] | frozenset[str], rubs: Mapping[str, int]) -> ContactMode:
         return cls(frozenset(closed), tuple(sorted(rubs.items())))
 
     @property
@@ -42,7 +42,7 @@ def ideal_bounds(system: System) -> tuple[ConstraintRow, ...]:
     return tuple(row for row in system.held if row.unilateral)
 
 
-def is_held_in(row: ConstraintRow, mode: Mode) -> bool:
+def is_held_in(row: ConstraintRow, mode: ContactMode) -> bool:
     """Whether a row of the system is held in a mode: one that cannot pull, or needs such a one, only while that is
     closed."""
     if row.unilateral:
@@ -68,7 +68,7 @@ def load_symbol(rub: DryFriction) -> str:
     return f"@load of {rub.name}"
 
 
-def in_mode(system: System, mode: Mode) -> tuple[System, dict[str, DryFriction]]:
+def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFriction]]:
     """The system in one mode, without bounds or dry friction of its own, and the rubs whose load its symbols name."""
     states = mode.states
     held = [row for row in system.held if is_held_in(row, mode)]

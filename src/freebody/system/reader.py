@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 from pydantic import ValidationError
 
 from freebody.connections.base import Connection
-from freebody.connections.contact import Contact, Pair
+from freebody.connections.contact import Contact, OutlinePair
 from freebody.connections.planar import Planar
 from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document import Document
@@ -39,11 +39,11 @@ from freebody.model.elements import (
     VALUE,
     AppliedLoad,
     Attitude,
+    BodyPlane,
     ConstraintRow,
     DryFriction,
     Line,
     Parameter,
-    Plane,
     RigidBody,
     Rotation,
     Sign,
@@ -376,7 +376,7 @@ class Reader:
                 body, axes = names.frames.get(on) or (names.body(on, "on").name, UNIT)
                 names.frames[name] = body, product(axes, columns_of(chain))
 
-    def _plane(self, body: RigidBody, name: str, spec: Any) -> Plane:
+    def _plane(self, body: RigidBody, name: str, spec: Any) -> BodyPlane:
         names = self.names
         entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"normal": spec}
         for key in entry:
@@ -391,7 +391,7 @@ class Reader:
             point = body.point()
         else:
             point = replace(body.point(), offset=names.components(through, LENGTH, "through"))
-        return Plane(point, replace(normal, name=f"normal of {label}"), label)
+        return BodyPlane(point, replace(normal, name=f"normal of {label}"), label)
 
     def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
         entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
@@ -696,9 +696,9 @@ class Reader:
 
     def _bounds(
         self, connections: Mapping[str, Connection]
-    ) -> tuple[tuple[Pair, ...], tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
+    ) -> tuple[tuple[OutlinePair, ...], tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
         """What may touch, other limits, and dry friction."""
-        contacts: list[Pair] = []
+        contacts: list[OutlinePair] = []
         limits: list[UnilateralConstraint] = []
         brakes: list[DryFriction] = []
         forms = self._forms()
@@ -798,7 +798,7 @@ class Reader:
 
 
 def _rows_to_ask_for(
-    contacts: tuple[Pair, ...], limits: tuple[UnilateralConstraint, ...], brakes: tuple[DryFriction, ...]
+    contacts: tuple[OutlinePair, ...], limits: tuple[UnilateralConstraint, ...], brakes: tuple[DryFriction, ...]
 ) -> list[ConstraintRow]:
     """Rows that questions can name; of a crowd of contacts nobody asks for one."""
     bounds, rubs = list(limits), list(brakes)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Self, cast
 
 from freebody.connections.base import Connection
-from freebody.connections.contact import Pair
+from freebody.connections.contact import OutlinePair
 from freebody.errors import InputError
 from freebody.language.document import Document
 from freebody.language.expression import Expr
@@ -61,7 +61,7 @@ class System:
     # dimensions that the model leaves open: the parameter of each, and where it would stand in the document
     unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
     mode: str | None = None  # the assembly mode at the start, by name
-    contacts: tuple[Pair, ...] = ()  # outlines that may touch
+    contacts: tuple[OutlinePair, ...] = ()  # outlines that may touch
     limits: tuple[UnilateralConstraint, ...] = ()  # bounds other than contacts: stops
     brakes: tuple[DryFriction, ...] = ()  # dry friction other than that of contacts
     space: bool = False  # three dimensions

@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from freebody.testing.models import Taste, random_model
     from freebody.testing.mutations import MUTATIONS, mutated
     from freebody.testing.outcomes import End, Outcome, run, studies
-    from freebody.testing.relations import RELATIONS, Relation, Verdict, check
+    from freebody.testing.relations import RELATIONS, Relation, RelationVerdict, check
 
 _HOMES = {
     **dict.fromkeys(("Taste", "random_model"), "models"),
     **dict.fromkeys(("MUTATIONS", "mutated"), "mutations"),
-    **dict.fromkeys(("RELATIONS", "Relation", "Verdict", "check"), "relations"),
+    **dict.fromkeys(("RELATIONS", "Relation", "RelationVerdict", "check"), "relations"),
     **dict.fromkeys(("End", "Outcome", "run", "studies"), "outcomes"),
 }
 
@@ -32,8 +32,8 @@ __all__ = [
     "End",
     "Outcome",
     "Relation",
+    "RelationVerdict",
     "Taste",
-    "Verdict",
     "check",
     "mutated",
     "random_model",

@@ -31,7 +31,7 @@ from freebody.study.evidence import element_at
 from freebody.study.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulate import Simulator
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.reader import register_kinds
 from freebody.system.schema import json_schema
 from freebody.system.system import System as Description
@@ -80,7 +80,7 @@ def closed(kind: str) -> Description:
     system = described(kind)
     if not system.bounds and not system.rubs:
         return system
-    mode = Mode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.rubs})
+    mode = ContactMode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.rubs})
     return in_mode(system, mode)[0]
 
 

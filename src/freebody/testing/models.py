@@ -30,7 +30,7 @@ from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
 from freebody.questions.base import FORMS
 from freebody.system.reader import register_kinds
-from freebody.testing.patterns import Slot, fields_of, filled, options_of, phrase, shape_fields
+from freebody.testing.patterns import PatternSlot, fields_of, filled, options_of, phrase, shape_fields
 
 _SIZES = ("1", "2", "0.5", "0.2", "3", "0.125", "10", "1/3")
 _EXTREME = ("0", "1e-12", "1e-9", "1e9", "1e12", "1e-50", "1e50", "-1")
@@ -190,7 +190,7 @@ class Maker:
 
     def _needs_measure(self, slots: Any) -> bool:
         """Whether a law of measures stands among the fields."""
-        if isinstance(slots, Slot):
+        if isinstance(slots, PatternSlot):
             return slots.role == "law" and bool(slots.given[1])
         if isinstance(slots, dict):
             slots = list(cast("dict[str, Any]", slots).values())
@@ -229,7 +229,7 @@ class Maker:
                     break
 
     # -- filling ------------------------------------------------------------------------------
-    def _fill(self, slot: Slot, favourite: Sequence[str] = ()) -> Any:
+    def _fill(self, slot: PatternSlot, favourite: Sequence[str] = ()) -> Any:
         rng = self.rng
         match slot.role:
             case "body" | "wheel":
@@ -261,7 +261,7 @@ class Maker:
             case _:
                 return slot.given
 
-    def _another(self, slot: Slot, favourite: Sequence[str]) -> str:
+    def _another(self, slot: PatternSlot, favourite: Sequence[str]) -> str:
         """A body, seldom the last one; a round one where the example has one, ground where the example has it."""
         rng = self.rng
         able = [b for b in self.bodies if slot.role == "body" or "radius" in repr(self.data["bodies"][b])]

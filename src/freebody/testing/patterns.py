@@ -27,7 +27,7 @@ _OPTIONAL = re.compile(r"\[([^\[\]]*)\]")
 
 
 @dataclass(frozen=True)
-class Slot:
+class PatternSlot:
     """A place: what it takes ("body", "wheel", "point", "surface", "measure", "direction", "quantity", "number",
     "law" ...), and what the example has there. A law has its text, and the names in it: measures and parameters."""
 
@@ -60,13 +60,13 @@ def options_of(kind: type[Spec], given: Mapping[str, Any]) -> dict[str, Any]:
         if name in given or (field.alias or name) in given:
             continue
         if field.annotation is bool:
-            found[name] = Slot("flag", field.default)
+            found[name] = PatternSlot("flag", field.default)
         elif field.annotation in (Heading, Heading | None):
-            found[name] = Slot("direction", "right")
+            found[name] = PatternSlot("direction", "right")
         elif str(field.annotation) in ("<class 'str'>", "str | None"):
-            found[name] = Slot("name", field.default)
+            found[name] = PatternSlot("name", field.default)
         elif field.annotation in (Formula, Formula | None):
-            found[name] = Slot("any quantity", field.default)
+            found[name] = PatternSlot("any quantity", field.default)
     return found
 
 
@@ -77,41 +77,41 @@ def _slots(value: Any, data: Mapping[str, Any]) -> Any:
     if isinstance(value, list):
         return [_slots(item, data) for item in cast("list[Any]", value)]
     if isinstance(value, bool):
-        return Slot("flag", value)
+        return PatternSlot("flag", value)
     if isinstance(value, (int, float)):
-        return Slot("number", value)
+        return PatternSlot("number", value)
     return _slot_of_text(value, data) if isinstance(value, str) else value
 
 
-def _slot_of_text(text: str, data: Mapping[str, Any]) -> Slot:
+def _slot_of_text(text: str, data: Mapping[str, Any]) -> PatternSlot:
     bodies = {"ground", *cast("dict[str, Any]", data.get("bodies", {}))}
     ground = cast("dict[str, Any]", data.get("ground", {}))
     measures = cast("dict[str, Any]", data.get("measures", {}))
     if text in bodies:
-        return Slot("wheel" if "radius" in repr(data["bodies"].get(text)) else "body", text)
+        return PatternSlot("wheel" if "radius" in repr(data["bodies"].get(text)) else "body", text)
     if any(text in ground.get(section, {}) for section in ("lines", "planes")):
-        return Slot("surface", text)
+        return PatternSlot("surface", text)
     if text in measures:
-        return Slot("measure", text)
+        return PatternSlot("measure", text)
     if text in _COMPASS:
-        return Slot("direction", text)
+        return PatternSlot("direction", text)
     if text.partition(".")[0] in bodies and " " not in text:
-        return Slot("point", text)
+        return PatternSlot("point", text)
     try:
-        return Slot("quantity", text, parse_quantity(text).dimension)
+        return PatternSlot("quantity", text, parse_quantity(text).dimension)
     except FreebodyError:
         pass
     words = set(re.findall(r"[A-Za-z_]\w*", text))
     if words & bodies and not words & set(measures):
-        return Slot("phrase", text)
+        return PatternSlot("phrase", text)
     parameters = cast("dict[str, Any]", data.get("parameters", {}))
     used = {name: parameters[name] for name in sorted(words & set(parameters))}
-    return Slot("law", (text, tuple(sorted(words & set(measures))), used))
+    return PatternSlot("law", (text, tuple(sorted(words & set(measures))), used))
 
 
-def filled(slots: Any, fill: Callable[[Slot], Any]) -> Any:
+def filled(slots: Any, fill: Callable[[PatternSlot], Any]) -> Any:
     """The value with every slot filled."""
-    if isinstance(slots, Slot):
+    if isinstance(slots, PatternSlot):
         return fill(slots)
     if isinstance(slots, dict):
         return {key: filled(item, fill) for key, item in cast("dict[str, Any]", slots).items()}
@@ -151,4 +151,4 @@ def _alternative(text: str, rng: random.Random) -> str:
     return chosen
 
 
-__all__ = ["LENGTH", "Slot", "example_of", "fields_of", "filled", "options_of", "phrase", "shape_fields"]
+__all__ = ["LENGTH", "PatternSlot", "example_of", "fields_of", "filled", "options_of", "phrase", "shape_fields"]

@@ -53,7 +53,7 @@ class Relation:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class RelationVerdict:
     """What came of one relation on one model. `differences` is empty where it holds; `applies` is False where the
     relation says nothing of the model."""
 
@@ -81,19 +81,19 @@ def _relation(name: str) -> Callable[[Change], Change]:
     return register
 
 
-def check(relation: Relation, system: System, *, seed: int = 0, before: Observed | None = None) -> Verdict:
+def check(relation: Relation, system: System, *, seed: int = 0, before: Observed | None = None) -> RelationVerdict:
     """Asks the model and the changed models. before: what the model answers, where that is known already."""
     rng = random.Random(f"{relation.name} {seed}")
     changes = [c for c in relation.change(system, rng) if _is_readable(c.data)]
     if not changes:
-        return Verdict(relation.name, False)
+        return RelationVerdict(relation.name, False)
     before = observed(system, until=SHORT) if before is None else before
     found: list[str] = []
     for changed in changes:
         until = SHORT * changed.reading.time if before.numbers else None
         after = observed(System.from_data(changed.data), until=until, studies=before.facts)
         found += differences(before, after, changed.reading)
-    return Verdict(relation.name, True, tuple(found))
+    return RelationVerdict(relation.name, True, tuple(found))
 
 
 def _is_readable(data: Data) -> bool:
@@ -364,4 +364,4 @@ def mirrored(system: System, rng: random.Random) -> list[Changed]:
     return [] if data is None else [Changed(data, Reading(mirrored=True, same_coordinates=False))]
 
 
-__all__ = ["DIMENSIONLESS", "RELATIONS", "Changed", "Relation", "Verdict", "check"]
+__all__ = ["DIMENSIONLESS", "RELATIONS", "Changed", "Relation", "RelationVerdict", "check"]

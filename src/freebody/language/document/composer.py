@@ -30,23 +30,23 @@ from freebody.language.document.tree import (
     MAX_DEPTH,
     MAX_LINE,
     MAX_VALUES,
+    DocumentNode,
+    DocumentStep,
     Key,
-    Node,
     Place,
     Scalar,
-    Step,
     kind_of,
 )
 
 _BEGINNING = "a model begins with a section such as 'bodies:'"
 
 
-def compose(text: str, file: str | None) -> Node:
+def compose(text: str, file: str | None) -> DocumentNode:
     """The tree of a text. Raises ModelError with all its problems."""
     return _Composer(text, file).compose()
 
 
-class _Stop(Exception):
+class _RestUnread(Exception):
     """The rest of the text is not worth reading."""
 
 
@@ -60,12 +60,12 @@ class _Composer:
     n_values: int = 0
     _last: Any = None
 
-    def compose(self) -> Node:
-        root: Node | None = None
+    def compose(self) -> DocumentNode:
+        root: DocumentNode | None = None
         try:
             self._check_lines()
             root = self._document()
-        except _Stop:
+        except _RestUnread:
             pass
         except YAMLError as error:
             self.problems.append(syntax_problem(error, self.text, self._last))
@@ -88,7 +88,7 @@ class _Composer:
             if line.startswith("%"):
                 self._stop(Problem((), f"a line must not begin with '{line.split()[0][:20]}'", number, 1))
 
-    def _document(self) -> Node | None:
+    def _document(self) -> DocumentNode | None:
         parser: Any = YAML(typ="safe", pure=True)
         events = self._watched(parser.parse(self.text))
         next(events)
@@ -109,11 +109,11 @@ class _Composer:
             self._last = event
             yield event
 
-    def _node(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> Node:
+    def _node(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> DocumentNode:
         self.n_values += 1
         if self.n_values > MAX_VALUES:
             self._note(path, event, f"more than {MAX_VALUES} values; is this the right file?")
-            raise _Stop
+            raise _RestUnread
         if _is(event, AliasEvent):
             self._note(path, event, f"'*{event.anchor}' repeats another part of the file; write it out twice")
             return self._made(None, event, event)
@@ -122,7 +122,7 @@ class _Composer:
             return self._made(self._scalar(event, path), event, event)
         if depth > MAX_DEPTH:
             self._note((), event, f"lists and mappings stand more than {MAX_DEPTH} deep in each other")
-            raise _Stop
+            raise _RestUnread
         if _is(event, SequenceStartEvent):
             return self._sequence(event, events, path, depth)
         return self._mapping(event, events, path, depth)
@@ -135,17 +135,17 @@ class _Composer:
             tag = str(event.tag).replace("tag:yaml.org,2002:", "!!")
             self._note(path, event, f"the tag '{tag}' is not allowed; delete it and write the plain value")
 
-    def _sequence(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> Node:
-        items: list[Node] = []
+    def _sequence(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> DocumentNode:
+        items: list[DocumentNode] = []
         for inner in events:
             if _is(inner, SequenceEndEvent):
                 return self._made(items, event, inner, items[-1] if items else None)
             items.append(self._node(inner, events, (*path, len(items)), depth + 1))
-        raise _Stop
+        raise _RestUnread
 
-    def _mapping(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> Node:
-        entries: dict[str, Step] = {}
-        last: Node | None = None
+    def _mapping(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> DocumentNode:
+        entries: dict[str, DocumentStep] = {}
+        last: DocumentNode | None = None
         for inner in events:
             if _is(inner, MappingEndEvent):
                 return self._made(entries, event, inner, last)
@@ -157,11 +157,11 @@ class _Composer:
             key = Key(inner.start_mark.line + 1, inner.start_mark.column + 1, inner.end_mark.index)
             if last.is_empty:
                 last = self._empty(key)
-            first = entries.setdefault(name, Step(key, last)).key
+            first = entries.setdefault(name, DocumentStep(key, last)).key
             if first is not None and first is not key:
                 message = f"the key {name} stands in line {first.line} already; keep one of the two"
                 self._note(at, inner, message)
-        raise _Stop
+        raise _RestUnread
 
     def _key(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> str | None:
         """A key's text as written, so that `on`, `1` and `null` name themselves; None where it is no text."""
@@ -176,11 +176,11 @@ class _Composer:
         self._note(path, event, f"this key is {found}; a key must be plain text")
         return None
 
-    def _empty(self, key: Key) -> Node:
+    def _empty(self, key: Key) -> DocumentNode:
         """An empty value, right after its colon, or its key in `{only a key}`; YAML marks it further on."""
         colon = re.compile(r"\s*:").match(self.text, key.end)
         at = key.end if colon is None else colon.end()
-        return Node(None, key.line, key.column, at, at)
+        return DocumentNode(None, key.line, key.column, at, at)
 
     def _scalar(self, event: Any, path: Place) -> Scalar:
         self._check_text(event, path)
@@ -194,13 +194,13 @@ class _Composer:
         if re.search("[\ud800-\udfff]", event.value):
             self._note(path, event, "half a character (a surrogate escape); write the character itself")
 
-    def _made(self, content: Any, first: Any, last: Any, inner: Node | None = None) -> Node:
+    def _made(self, content: Any, first: Any, last: Any, inner: DocumentNode | None = None) -> DocumentNode:
         """A block collection ends with its last value; its own end mark lies after the comments below."""
         mark = first.start_mark
         is_block = getattr(first, "flow_style", None) is False
         end = inner.end if is_block and inner is not None else last.end_mark.index
         span = self.text[mark.index : end]
-        return Node(
+        return DocumentNode(
             content,
             mark.line + 1,
             mark.column + 1,
@@ -210,7 +210,7 @@ class _Composer:
         )
 
     def _note(self, path: Place, at: Any, message: str) -> None:
-        if isinstance(at, Node):
+        if isinstance(at, DocumentNode):
             line, column = at.line, at.column
         else:
             line, column = at.start_mark.line + 1, at.start_mark.column + 1
@@ -218,14 +218,14 @@ class _Composer:
 
     def _stop(self, problem: Problem) -> NoReturn:
         self.problems.append(problem)
-        raise _Stop
+        raise _RestUnread
 
 
 def _is(event: Any, kind: type[Any]) -> bool:
     return isinstance(event, kind)
 
 
-def _no_mapping(root: Node, text: str) -> str:
+def _no_mapping(root: DocumentNode, text: str) -> str:
     if root.content is None:
         return f"the file is empty; {_BEGINNING}"
     squeezed = squeezed_colon(text[root.start : root.end])

@@ -16,7 +16,7 @@ from freebody.errors import InputError, ModelError, Problem
 from freebody.language.document.composer import compose
 from freebody.language.document.file import text_of
 from freebody.language.document.plain import checked, with_value
-from freebody.language.document.tree import Node, Place, Step, kind_of
+from freebody.language.document.tree import DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
 
 
@@ -28,7 +28,7 @@ class Document:
 
     __slots__ = ("_has_places", "_root", "_text", "file")
 
-    def __init__(self, text: str, file: str | None, root: Node, has_places: bool) -> None:
+    def __init__(self, text: str, file: str | None, root: DocumentNode, has_places: bool) -> None:
         self._text = text
         self._root = root
         self._has_places = has_places
@@ -126,20 +126,20 @@ class Document:
             )
         return changed
 
-    def _walk(self, path: Place) -> list[Step]:
+    def _walk(self, path: Place) -> list[DocumentStep]:
         """The steps from the top along `path`, as far as it exists."""
-        steps = [Step(None, self._root)]
+        steps = [DocumentStep(None, self._root)]
         for part in path:
             content = steps[-1].node.content
             if isinstance(content, dict) and str(part) in content:
                 steps.append(content[str(part)])
             elif isinstance(content, list) and isinstance(part, int) and 0 <= part < len(content):
-                steps.append(Step(None, content[part]))
+                steps.append(DocumentStep(None, content[part]))
             else:
                 break
         return steps
 
-    def _replaced(self, step: Step, value: Any) -> str:
+    def _replaced(self, step: DocumentStep, value: Any) -> str:
         key, node = step.key, step.node
         new = flow_text(value)
         if node.is_empty:
@@ -156,7 +156,7 @@ class Document:
             new = f" {new}"
         return self._spliced(start, node.end, new)
 
-    def _added(self, node: Node, entries: dict[str, Step], name: str, value: Any) -> str:
+    def _added(self, node: DocumentNode, entries: dict[str, DocumentStep], name: str, value: Any) -> str:
         entry = f"{scalar_text(name, flow=True)}: {flow_text(value)}"
         last = next(reversed(entries.values()))
         end = last.node.end

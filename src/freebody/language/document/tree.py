@@ -28,10 +28,10 @@ class Key:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class DocumentNode:
     """One value and the span of text, start to end, it was read from."""
 
-    content: Scalar | list[Node] | dict[str, Step]
+    content: Scalar | list[DocumentNode] | dict[str, DocumentStep]
     line: int
     column: int
     start: int
@@ -51,11 +51,11 @@ class Node:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class DocumentStep:
     """A value together with its key; list items and the top have none."""
 
     key: Key | None
-    node: Node
+    node: DocumentNode
 
 
 def kind_of(value: Any) -> str:

@@ -19,8 +19,8 @@ from freebody.language.expression.tree import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     add,
@@ -41,9 +41,9 @@ def substitute(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
             return replacements.get(name, expr)
         case Sum(terms):
             return add(*[substitute(term, replacements) for term in terms])
-        case Product(factors):
+        case ProductOf(factors):
             return multiply(*[substitute(factor, replacements) for factor in factors])
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return power(substitute(base, replacements), substitute(exponent, replacements))
         case Call("rate", argument):
             inner = substitute(argument, replacements)
@@ -66,7 +66,7 @@ def differentiate(expr: Expr, name: str) -> Expr:
             return ONE if other == name else ZERO
         case Sum(terms):
             return add(*[differentiate(term, name) for term in terms])
-        case Product(factors):
+        case ProductOf(factors):
             changes = [differentiate(factor, name) for factor in factors]
             return add(
                 *[
@@ -75,7 +75,7 @@ def differentiate(expr: Expr, name: str) -> Expr:
                     if change != ZERO
                 ]
             )
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return _differentiate_power(base, exponent, name)
         case Call(function, argument):
             change = ZERO if function == "rate" else differentiate(argument, name)
@@ -89,7 +89,7 @@ def _differentiate_power(base: Expr, exponent: Expr, name: str) -> Expr:
     if of_base != ZERO:
         terms.append(multiply(exponent, power(base, add(exponent, MINUS_ONE)), of_base))
     if of_exponent != ZERO:
-        terms.append(multiply(Power(base, exponent), Call("log", base), of_exponent))
+        terms.append(multiply(PowerOf(base, exponent), Call("log", base), of_exponent))
     return add(*terms)
 
 

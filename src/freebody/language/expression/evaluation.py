@@ -14,8 +14,8 @@ from freebody.language.expression.tree import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     whole_exponent,
@@ -65,10 +65,10 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
             for term in terms[1:]:
                 total = total + _evaluate(term, values, functions)
             return total
-        case Product(factors):
+        case ProductOf(factors):
             result = None
             for factor in factors:
-                if isinstance(factor, Power) and (n := whole_exponent(factor)) is not None and n < 0:
+                if isinstance(factor, PowerOf) and (n := whole_exponent(factor)) is not None and n < 0:
                     below = _whole_power(_evaluate(factor.base, values, functions), -n)
                     above = functions.get("number", float)(Fraction(1)) if result is None else result
                     result = above / below
@@ -76,7 +76,7 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
                     value = _evaluate(factor, values, functions)
                     result = value if result is None else result * value
             return result
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return _evaluate_power(expr, base, exponent, values, functions)
         case Call("rate", argument):
             key = rate_key(expr)
@@ -92,7 +92,7 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
 
 
 def _evaluate_power(
-    expr: Power, base: Expr, exponent: Expr, values: Mapping[str, Any], functions: Mapping[str, Any]
+    expr: PowerOf, base: Expr, exponent: Expr, values: Mapping[str, Any], functions: Mapping[str, Any]
 ) -> Any:
     below = _evaluate(base, values, functions)
     n = whole_exponent(expr)

@@ -9,8 +9,8 @@ from freebody.language.expression.tree import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     add,
@@ -49,7 +49,7 @@ def domain(expr: Expr) -> list[tuple[Expr, str]]:
         found += domain(part)
     one = number(1)
     match expr:
-        case Power(base, Number(exponent)):
+        case PowerOf(base, Number(exponent)):
             is_whole = exponent.denominator == 1
             if exponent < 0:
                 found.append((base, "!=" if is_whole else ">"))
@@ -88,9 +88,9 @@ def n_operations(expr: Expr) -> int:
             # A minus between terms is the subtraction itself; only one in front is an operation more.
             minuses = sum(map(_is_negative, terms[1:]))
             return len(terms) - 1 + sum(map(n_operations, terms)) - minuses
-        case Product(factors):
+        case ProductOf(factors):
             return _n_operations_of_product(factors)
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             inverse = 1 if isinstance(exponent, Number) and exponent.value < 0 else 0
             if inverse and exponent == MINUS_ONE:
                 return 1 + n_operations(base)
@@ -108,7 +108,7 @@ def _n_operations_of_product(factors: tuple[Expr, ...]) -> int:
                 count += (value < 0) - (abs(value.numerator) == 1)
                 count += value.denominator != 1
                 n_numerators += abs(value.numerator) != 1
-            case Power(base, Number(value)) if value < 0:
+            case PowerOf(base, Number(value)) if value < 0:
                 count += n_operations(power(base, Number(-value)))
             case _:
                 count += n_operations(factor)
@@ -120,7 +120,7 @@ def _is_negative(expr: Expr) -> bool:
     match expr:
         case Number(value):
             return value < 0
-        case Product((Number(value), *_)):
+        case ProductOf((Number(value), *_)):
             return value < 0
         case _:
             return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from freebody.language.expression.tree import Call, Expr, Power, Product, Sum, Symbol, add, multiply, power
+from freebody.language.expression.tree import Call, Expr, PowerOf, ProductOf, Sum, Symbol, add, multiply, power
 
 
 def replace_rates(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
@@ -14,9 +14,9 @@ def replace_rates(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
             return replacements[name]
         case Sum(terms):
             return add(*(replace_rates(t, replacements) for t in terms))
-        case Product(factors):
+        case ProductOf(factors):
             return multiply(*(replace_rates(f, replacements) for f in factors))
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return power(replace_rates(base, replacements), replace_rates(exponent, replacements))
         case Call(function, argument):
             return Call(function, replace_rates(argument, replacements))

@@ -92,14 +92,14 @@ class Sum(_Operators):
 
 
 @dataclass(frozen=True, slots=True)
-class Product(_Operators):
+class ProductOf(_Operators):
     """factors[0] * factors[1] * ..."""
 
     factors: tuple[Expr, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Power(_Operators):
+class PowerOf(_Operators):
     """base ** exponent"""
 
     base: Expr
@@ -114,7 +114,7 @@ class Call(_Operators):
     argument: Expr
 
 
-Expr: TypeAlias = Number | Symbol | Sum | Product | Power | Call
+Expr: TypeAlias = Number | Symbol | Sum | ProductOf | PowerOf | Call
 Operand: TypeAlias = Expr | int | float | Fraction
 
 ZERO = Number(Fraction(0))
@@ -177,7 +177,7 @@ def multiply(*factors: Expr) -> Expr:
     """The product; numbers are folded into one coefficient in front."""
     kept: list[Expr] = []
     coefficient = Fraction(1)
-    for factor in _flatten(factors, Product):
+    for factor in _flatten(factors, ProductOf):
         if isinstance(factor, Number):
             coefficient *= factor.value
         else:
@@ -186,13 +186,13 @@ def multiply(*factors: Expr) -> Expr:
         return ZERO
     if coefficient != 1 or not kept:
         kept.insert(0, Number(coefficient))
-    return kept[0] if len(kept) == 1 else Product(tuple(kept))
+    return kept[0] if len(kept) == 1 else ProductOf(tuple(kept))
 
 
 def power(base: Expr, exponent: Expr) -> Expr:
     """The power; exponent 1/2 becomes sqrt. Raises ZeroDivisionError for a negative power of the number 0."""
     if not isinstance(exponent, Number):
-        return ONE if base == ONE else Power(base, exponent)
+        return ONE if base == ONE else PowerOf(base, exponent)
     n = exponent.value
     if n == 1:
         return base
@@ -205,14 +205,14 @@ def power(base: Expr, exponent: Expr) -> Expr:
             raise ZeroDivisionError("division by zero")
         return ZERO
     if n.denominator != 1 or abs(n) > MAX_EXPONENT:
-        return Power(base, exponent)
+        return PowerOf(base, exponent)
     if isinstance(base, Number):
         return Number(base.value**n.numerator)
     # (x^m)^n = x^(m n) holds for whole m and n, whatever the sign of x.
-    inner = whole_exponent(base) if isinstance(base, Power) else None
-    if isinstance(base, Power) and inner is not None and abs(inner * n) <= MAX_EXPONENT:
+    inner = whole_exponent(base) if isinstance(base, PowerOf) else None
+    if isinstance(base, PowerOf) and inner is not None and abs(inner * n) <= MAX_EXPONENT:
         return power(base.base, Number(inner * n))
-    return Power(base, exponent)
+    return PowerOf(base, exponent)
 
 
 def negate(expr: Expr) -> Expr:
@@ -225,7 +225,7 @@ def divide(numerator: Expr, denominator: Expr) -> Expr:
     return multiply(numerator, power(denominator, MINUS_ONE))
 
 
-def whole_exponent(expr: Power) -> int | None:
+def whole_exponent(expr: PowerOf) -> int | None:
     """The exponent when it is an integer number, else None."""
     exponent = expr.exponent
     if isinstance(exponent, Number) and exponent.value.denominator == 1:
@@ -240,9 +240,9 @@ def children(expr: Expr) -> tuple[Expr, ...]:
             return ()
         case Sum(terms):
             return terms
-        case Product(factors):
+        case ProductOf(factors):
             return factors
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return (base, exponent)
         case Call(_, argument):
             return (argument,)
@@ -256,7 +256,7 @@ def _tree(operand: object) -> Expr:
     raise TypeError(f"an expression or a number is needed here, not {type(operand).__name__}")
 
 
-def _flatten(parts: Iterable[Expr], kind: type[Sum] | type[Product]) -> Iterable[Expr]:
+def _flatten(parts: Iterable[Expr], kind: type[Sum] | type[ProductOf]) -> Iterable[Expr]:
     for part in parts:
         if isinstance(part, kind):
             yield from part.terms if isinstance(part, Sum) else part.factors

@@ -5,7 +5,7 @@ As on one line, every text carries how strongly its top operation binds; what st
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
@@ -41,16 +41,16 @@ def latex(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
                 sign = (" - " if text else "-") if is_subtracted else (" + " if text else "")
                 text += sign + _at_least(PRODUCT, term)
             return text, SUM
-        case Product(factors):
+        case ProductOf(factors):
             return _fraction(factors)
-        case Power(_, Number(value)) if value < 0:
+        case PowerOf(_, Number(value)) if value < 0:
             return _fraction((expr,))
-        case Power(Call("sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" as function, argument), exponent) if is_whole(
-            exponent
+        case PowerOf(Call("sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" as function, argument), exponent) if (
+            is_whole(exponent)
         ):
             operator = f"{_OPERATORS[function]}^{{{latex(exponent)[0]}}}"
             return operator + _argument(argument, is_followed), PRODUCT
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return f"{_at_least(ATOM, base)}^{{{latex(exponent)[0]}}}", POWER
         case Call("sqrt", argument):
             return rf"\sqrt{{{latex(argument)[0]}}}", POWER

@@ -6,7 +6,7 @@ or raised needs no bracket. Source: W3C, MathML Core, 2025.
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
@@ -43,16 +43,16 @@ def mathml(expr: Expr, is_followed: bool = False) -> tuple[str, int]:
                 sign = _MINUS if is_subtracted else "<mo>+</mo>" if text else ""
                 text += sign + _at_least(PRODUCT, term)
             return text, SUM
-        case Product(factors):
+        case ProductOf(factors):
             return _fraction(factors)
-        case Power(_, Number(value)) if value < 0:
+        case PowerOf(_, Number(value)) if value < 0:
             return _fraction((expr,))
-        case Power(Call("sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" as function, argument), exponent) if is_whole(
-            exponent
+        case PowerOf(Call("sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" as function, argument), exponent) if (
+            is_whole(exponent)
         ):
             operator = f"<msup><mi>{function}</mi>{row(mathml(exponent)[0])}</msup>"
             return operator + _argument(argument, is_followed), PRODUCT
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return _raised(base, row(mathml(exponent)[0])), POWER
         case Call("sqrt", argument):
             return f"<msqrt>{mathml(argument)[0]}</msqrt>", POWER
@@ -147,7 +147,7 @@ def _is_word(factor: Expr, is_before: bool = False) -> bool:
             return _is_word(argument, is_before)
         case Call(function, _):
             return not is_before and function not in ("sqrt", "abs", "exp")
-        case Power(base, _):
+        case PowerOf(base, _):
             return _is_word(base, is_before)
         case _:
             return False

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from freebody.language.expression import MINUS_ONE, Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import MINUS_ONE, Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation.parts import (
     ATOM,
     LETTER_OF,
@@ -30,7 +30,7 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True, slots=True)
-class _Line:
+class _OneLineWriter:
     """A writer on one line; `write` returns the text and how strongly its top operation binds."""
 
     times: str
@@ -46,13 +46,13 @@ class _Line:
                 return self.name(name), ATOM
             case Sum(terms):
                 return self._sum(terms)
-            case Power(base, Number(value)) if value >= 0 or base == MINUS_ONE:
+            case PowerOf(base, Number(value)) if value >= 0 or base == MINUS_ONE:
                 return self._power(base, expr.exponent)
-            case Power(_, Number()):
+            case PowerOf(_, Number()):
                 return self._product((expr,))
-            case Power(base, exponent):
+            case PowerOf(base, exponent):
                 return self._power(base, exponent)
-            case Product(factors):
+            case ProductOf(factors):
                 return self._product(factors)
             case Call(_, argument):
                 return self.call(expr, self.write(argument)[0]), ATOM
@@ -123,5 +123,5 @@ def _split_index(rest: str) -> tuple[str, str]:
     return (rest, "") if stem.endswith("_") else (stem, index)
 
 
-PYTHON = _Line("*", str, _python_call, _python_power)
-TEXT = _Line("·", _text_name, _text_call, _text_power)
+PYTHON = _OneLineWriter("*", str, _python_call, _python_power)
+TEXT = _OneLineWriter("·", _text_name, _text_call, _text_power)

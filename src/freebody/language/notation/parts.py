@@ -17,8 +17,8 @@ from freebody.language.expression import (
     ONE,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     power,
 )
 from freebody.language.parser import GREEK, MAX_DIGITS
@@ -61,9 +61,9 @@ def _gather(factors: tuple[Expr, ...], above: list[Expr], below: list[Expr]) -> 
         match factor:
             case Number(value):
                 coefficient *= value
-            case Power(Product(inner), Number(value)) if value == -1:
+            case PowerOf(ProductOf(inner), Number(value)) if value == -1:
                 coefficient /= _gather(inner, below, above)
-            case Power(base, Number(value)) if value < 0:
+            case PowerOf(base, Number(value)) if value < 0:
                 below.append(power(base, Number(-value)))
             case _:
                 above.append(factor)
@@ -79,9 +79,9 @@ def _without_sign(term: Expr) -> tuple[bool, Expr]:
     match term:
         case Number(value) if value < 0:
             return True, Number(-value)
-        case Product((Number(value), *rest)) if value < 0 and rest:
+        case ProductOf((Number(value), *rest)) if value < 0 and rest:
             kept = (*(() if value == -1 else (Number(-value),)), *rest)
-            return True, kept[0] if len(kept) == 1 else Product(kept)
+            return True, kept[0] if len(kept) == 1 else ProductOf(kept)
         case _:
             return False, term
 

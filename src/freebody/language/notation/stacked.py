@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from freebody.language.expression import Call, Expr, Number, Power, Product, Sum
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum
 from freebody.language.notation.one_line import TEXT
 from freebody.language.notation.parts import (
     ATOM,
@@ -23,7 +23,7 @@ from freebody.language.notation.parts import (
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class TextBox:
     """Lines of equal width; `baseline` is the line at which boxes stand side by side."""
 
     lines: tuple[str, ...]
@@ -38,27 +38,27 @@ class Box:
         return len(self.lines) - self.baseline - 1
 
 
-def stacked(expr: Expr) -> tuple[Box, int]:
+def stacked(expr: Expr) -> tuple[TextBox, int]:
     match expr:
         case Sum(terms):
-            row: list[Box] = []
+            row: list[TextBox] = []
             for is_subtracted, term in signed_terms(terms):
                 sign = (" - " if row else "-") if is_subtracted else (" + " if row else "")
                 row += [_flat(sign), _box_at_least(PRODUCT, term)]
             return _beside(row), SUM
-        case Product(factors):
+        case ProductOf(factors):
             return _box_of_quotient(factors)
         case Number(value) if value.denominator != 1 and as_decimal(abs(value)) is None:
             return _box_of_quotient((expr,))
-        case Power(_, Number(value)) if value < 0:
+        case PowerOf(_, Number(value)) if value < 0:
             return _box_of_quotient((expr,))
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return _raised(_box_at_least(ATOM, base), stacked(exponent)[0]), POWER
         case Call("sqrt", argument):
             return _root(stacked(argument)[0]), ATOM
         case Call("abs", argument):
             inner = stacked(argument)[0]
-            bar = Box(("│",) * len(inner.lines), inner.baseline)
+            bar = TextBox(("│",) * len(inner.lines), inner.baseline)
             return _beside([bar, inner, bar]), ATOM
         case Call(function, argument) if function != "rate":
             return _beside([_flat(function), _in_brackets(stacked(argument)[0])]), ATOM
@@ -67,12 +67,12 @@ def stacked(expr: Expr) -> tuple[Box, int]:
             return _flat(text), strength
 
 
-def _box_at_least(strength: int, expr: Expr) -> Box:
+def _box_at_least(strength: int, expr: Expr) -> TextBox:
     box, own = stacked(expr)
     return box if own >= strength else _in_brackets(box)
 
 
-def _box_of_quotient(factors: tuple[Expr, ...]) -> tuple[Box, int]:
+def _box_of_quotient(factors: tuple[Expr, ...]) -> tuple[TextBox, int]:
     parts = quotient(factors)
     box = _box_row(parts.above)
     if parts.is_negative:
@@ -83,20 +83,20 @@ def _box_of_quotient(factors: tuple[Expr, ...]) -> tuple[Box, int]:
     return box, MINUS if parts.is_negative else PRODUCT
 
 
-def _box_row(factors: tuple[Expr, ...]) -> Box:
+def _box_row(factors: tuple[Expr, ...]) -> TextBox:
     if len(factors) == 1:
         return stacked(factors[0])[0]
-    row: list[Box] = []
+    row: list[TextBox] = []
     for factor in factors:
         row += [*([_flat("⋅")] if row else []), _box_at_least(PRODUCT, factor)]
     return _beside(row)
 
 
-def _flat(text: str) -> Box:
-    return Box((text,), 0)
+def _flat(text: str) -> TextBox:
+    return TextBox((text,), 0)
 
 
-def _beside(boxes: list[Box]) -> Box:
+def _beside(boxes: list[TextBox]) -> TextBox:
     above = max(box.baseline for box in boxes)
     height = above + 1 + max(box.below for box in boxes)
     lines = [""] * height
@@ -105,36 +105,36 @@ def _beside(boxes: list[Box]) -> Box:
         for i in range(height):
             inside = top <= i < top + len(box.lines)
             lines[i] += box.lines[i - top] if inside else " " * box.width
-    return Box(tuple(lines), above)
+    return TextBox(tuple(lines), above)
 
 
-def _over(above: Box, below: Box) -> Box:
+def _over(above: TextBox, below: TextBox) -> TextBox:
     width = max(above.width, below.width)
     rows = [line.center(width) for line in above.lines]
     rows += ["─" * width, *(line.center(width) for line in below.lines)]
-    return Box(tuple(rows), len(above.lines))
+    return TextBox(tuple(rows), len(above.lines))
 
 
-def _raised(base: Box, exponent: Box) -> Box:
+def _raised(base: TextBox, exponent: TextBox) -> TextBox:
     lines = [" " * base.width + line for line in exponent.lines]
     lines += [line + " " * exponent.width for line in base.lines]
-    return Box(tuple(lines), len(exponent.lines) + base.baseline)
+    return TextBox(tuple(lines), len(exponent.lines) + base.baseline)
 
 
-def _in_brackets(box: Box) -> Box:
+def _in_brackets(box: TextBox) -> TextBox:
     n = len(box.lines)
     if n == 1:
-        return Box((f"({box.lines[0]})",), 0)
+        return TextBox((f"({box.lines[0]})",), 0)
     left, right = "⎛" + "⎜" * (n - 2) + "⎝", "⎞" + "⎟" * (n - 2) + "⎠"
     lines = tuple(left[i] + line + right[i] for i, line in enumerate(box.lines))
-    return Box(lines, box.baseline)
+    return TextBox(lines, box.baseline)
 
 
-def _root(box: Box) -> Box:
+def _root(box: TextBox) -> TextBox:
     """A root sign whose slope climbs one line and one column at a time, as high as its argument."""
     n = len(box.lines)
     lines = [" " * n + " " + "_" * box.width]
     for i, line in enumerate(box.lines):
         slope = " " * (n - 1 - i) + ("╲╱" if i == n - 1 else " ╱")
         lines.append(slope.ljust(n + 1) + line)
-    return Box(tuple(lines), box.baseline + 1)
+    return TextBox(tuple(lines), box.baseline + 1)

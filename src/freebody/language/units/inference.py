@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from fractions import Fraction
 
 from freebody.errors import UnitError
-from freebody.language.expression import Call, Expr, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import to_python
 from freebody.language.units.dimension import DIMENSIONLESS, TIME, Dimension
 
@@ -39,13 +39,13 @@ def _dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension 
             return dimensions[name]
         case Sum(terms):
             return _dimension_of_sum(terms, dimensions)
-        case Product(factors):
+        case ProductOf(factors):
             result = DIMENSIONLESS
             parts = [_dimension_of(factor, dimensions) for factor in factors]
             for part in parts:
                 result = result * (part or DIMENSIONLESS)
             return None if None in parts else result
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return _dimension_of_power(base, exponent, dimensions)
         case Call(function, argument):
             return _dimension_of_call(function, argument, dimensions)

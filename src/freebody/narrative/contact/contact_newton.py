@@ -9,12 +9,12 @@ from typing import Any, cast
 import numpy as np
 
 from freebody.language.expression import Expr, Symbol
-from freebody.narrative.contact.contact_table import ContactPlanner, ContactState, ContactTable, Law
+from freebody.narrative.contact.contact_table import ContactPlanner, ContactState, ContactTable, SlidingLaw
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import Script
-from freebody.narrative.principles.elimination import Row
+from freebody.narrative.principles.elimination import EliminationRow
 from freebody.narrative.principles.kinematics import Kinematics, scaled
-from freebody.narrative.principles.newton import Newton, Written
+from freebody.narrative.principles.newton import Newton, WrittenPrinciple
 from freebody.narrative.principles.planner import Plan, Planner
 from freebody.narrative.principles.symmetry import Copies
 from freebody.questions.base import Quantity
@@ -86,11 +86,11 @@ class ContactNewton(Newton):
             rows = [self._in_coordinates(script, w) for w in written]
             return self._solve(script, [*rows, *laws], asked)
 
-    def _needed(self, written: Sequence[Written], asked: Sequence[int]) -> list[Law]:
+    def _needed(self, written: Sequence[WrittenPrinciple], asked: Sequence[int]) -> list[SlidingLaw]:
         standing = {row for w in written for row in w.reactions}
         return [law for n, law in self.table.laws.items() if n in standing or self.reaction(n) in asked]
 
-    def _law(self, script: Script, law: Law) -> Row:
+    def _law(self, script: Script, law: SlidingLaw) -> EliminationRow:
         """F = mu N against the slip, as a line and as an equation."""
         f, name = self.field, law.rub.name
         self.name_reactions(script, [name, *([law.load] if law.load else [])])
@@ -105,4 +105,4 @@ class ContactNewton(Newton):
         way = "forward" if law.sense * law.rub.row.sign > 0 else "backward"
         args = {"connection": law.rub.row.connection, "force": symbol}
         number = script.line(symbol, right, why=f"friction.slides_{way}", args=args)
-        return Row(entries, f.lowest_terms(rest), number)
+        return EliminationRow(entries, f.lowest_terms(rest), number)

@@ -18,7 +18,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.planner import Array, Entry
-from freebody.narrative.principles.table import Principle, Slot, Table
+from freebody.narrative.principles.table import PrincipleTable, Slot, WritablePrinciple
 from freebody.narrative.principles.wide_planner import WidePlanner
 from freebody.study.phases.phase import Phase
 from freebody.symbolic.field import Ratio
@@ -29,7 +29,7 @@ _MOVING = 0.4
 
 
 @dataclass(frozen=True)
-class Law:
+class SlidingLaw:
     """F = factor * R of a friction that slides: R the reaction of the row `load`; without one F = factor."""
 
     rub: DryFriction
@@ -40,7 +40,7 @@ class Law:
     is_back: bool  # the load is the size of a reaction that is negative here
 
 
-class ContactTable(Table):
+class ContactTable(PrincipleTable):
     """Principles, reactions, frictions and loads of one phase in the plane."""
 
     def __init__(self, phase: Phase) -> None:
@@ -72,8 +72,8 @@ class ContactTable(Table):
         return Meaning(Symbol(symbol.name), what, read, "")
 
 
-def _laws(phase: Phase) -> list[Law]:
-    found: list[Law] = []
+def _laws(phase: Phase) -> list[SlidingLaw]:
+    found: list[SlidingLaw] = []
     for name, sense in phase.mode.states.items():
         if not sense:
             continue
@@ -81,7 +81,7 @@ def _laws(phase: Phase) -> list[Law]:
         coefficient = phase.coefficient(rub, sense, at_rest=False)
         factor = -sense * rub.row.sign * coefficient
         load, is_back = _load(phase, rub)
-        found.append(Law(rub, sense, coefficient, -factor if is_back else factor, load, is_back))
+        found.append(SlidingLaw(rub, sense, coefficient, -factor if is_back else factor, load, is_back))
     return found
 
 
@@ -132,7 +132,7 @@ class ContactPlanner(WidePlanner):
             row[column] = 0.0
         return row
 
-    def _cost(self, p: Principle, row: Array, place: int) -> float:
+    def _cost(self, p: WritablePrinciple, row: Array, place: int) -> float:
         """Moments about a point that moves with the contact are what one takes last."""
         moves = p.centre is not None and not p.centre.is_fixed and not p.centre.mass_center_of
         return super()._cost(p, row, place) + (_MOVING if moves else 0.0)

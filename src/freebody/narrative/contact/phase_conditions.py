@@ -13,7 +13,7 @@ from freebody.narrative.lines.script import Argument, Script
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
-from freebody.symbolic.phases.relations import Relation, readable
+from freebody.symbolic.phases.relations import SolvedRelation, readable
 from freebody.symbolic.tidy import tidy
 
 _SIGNS: dict[str, Sign] = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠"}
@@ -114,7 +114,7 @@ def tell_conditions(script: Script, way: PhaseSequence, lines: Mapping[str, tupl
                 script.line(left, right, relations=(sign,), why=key, args={**args, "lines": uses}, uses=uses)
 
 
-def _sides(r: Relation) -> tuple[Expr, Sign, Expr]:
+def _sides(r: SolvedRelation) -> tuple[Expr, Sign, Expr]:
     if r.unknown is not None and r.bound is not None:
         return r.element.field.generators[r.unknown].display, _SIGNS[r.relation], readable(r.bound)
     return sides_of(readable(r.element), r.relation)
@@ -127,7 +127,7 @@ def sides_of(e: Expr, relation: str) -> tuple[Expr, Sign, Expr]:
     return (left, sign, right) if left != ZERO else (right, _TURNED[sign], left)
 
 
-def _purpose(r: Relation) -> tuple[str, dict[str, Argument]]:
+def _purpose(r: SolvedRelation) -> tuple[str, dict[str, Argument]]:
     return told_purpose(r.purposes[0] if r.purposes else "")
 
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Product, Sum, Symbol, add, negate
+from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol, add, negate
 from freebody.language.notation.parts import signed_terms
 from freebody.narrative.contact.phase_contacts import ZERO, slip_symbol
 from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.study.phases.phase import Watch
+from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import Energy, Uniform
+from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
 
@@ -32,9 +32,9 @@ def tell_event(
         base = lines.get(watch.name, 0)
         uses = tuple(n for n in dict.fromkeys((base, *_lines_of(leg, told, element))) if n)
         with on_the_way(script, leg.course):
-            if isinstance(course, Uniform):
+            if isinstance(course, UniformMotion):
                 found = _in_time(script, way, leg, course, symbol, element, uses)
-            elif isinstance(course, Energy) and zero.at is not None:
+            elif isinstance(course, EnergyMotion) and zero.at is not None:
                 found = _on_the_way(script, way, leg, course, symbol, element, uses)
             else:
                 raise CannotAnswer("the event has no closed form")
@@ -52,7 +52,7 @@ def _lines_of(leg: PhaseSegment, told: Told, element: Ratio) -> tuple[int, ...]:
     return tuple(found)
 
 
-def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Watch) -> tuple[Expr, Ratio]:
+def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> tuple[Expr, Ratio]:
     """What reaches zero (or its value): how it is written, and as an element that vanishes at the event."""
     phase, f = leg.phase, leg.phase.model.field
     symbols = leg.newton.table.symbols
@@ -81,7 +81,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Watch
             return shown, f.lowest_terms(value)
 
 
-def _reserve(script: Script, leg: PhaseSegment, watch: Watch) -> Expr:
+def _reserve(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     """What is left of the friction that can be transmitted."""
     rub = leg.phase.rubs[watch.name]
     names = leg.newton.table.symbols
@@ -94,7 +94,7 @@ def _reserve(script: Script, leg: PhaseSegment, watch: Watch) -> Expr:
     return limit + held
 
 
-def _gap(script: Script, leg: PhaseSegment, watch: Watch) -> Expr:
+def _gap(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     row = leg.phase.bounds[watch.name].row
     symbol = Symbol(leg.free_name("d"))
     what = Sentence("symbol.gap", {"connection": label(watch.name)})
@@ -123,7 +123,7 @@ def _in_time(
     script: Script,
     way: PhaseSequence,
     leg: PhaseSegment,
-    course: Uniform,
+    course: UniformMotion,
     symbol: Expr,
     element: Ratio,
     uses: tuple[int, ...],
@@ -170,7 +170,7 @@ def _on_the_way(
     script: Script,
     way: PhaseSequence,
     leg: PhaseSegment,
-    course: Energy,
+    course: EnergyMotion,
     symbol: Expr,
     element: Ratio,
     uses: tuple[int, ...],
@@ -211,7 +211,7 @@ def _on_the_way(
 
 def vanishing(glossary: Glossary, e: Expr) -> Expr:
     """Of a product the factor that vanishes at the event."""
-    if not isinstance(e, Product):
+    if not isinstance(e, ProductOf):
         return e
     sums = [factor for factor in e.factors if isinstance(factor, Sum)]
     world = next(iter(glossary.worlds("event")))

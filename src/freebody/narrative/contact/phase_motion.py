@@ -18,7 +18,7 @@ from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
-from freebody.symbolic.phases.course import Energy, Uniform
+from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
 
@@ -54,7 +54,7 @@ def tell_motion(
     the phase begins; places: coordinates of which not only the velocity is needed."""
     course = leg.phase.course
     told = Told()
-    if isinstance(course, Uniform):
+    if isinstance(course, UniformMotion):
         with script.stage("stage.phase_motion", "hint.phase_motion", phase=f"@{leg.number}"):
             if leg.number > 1 and course.model.coordinates:
                 meaning = leg.glossary.meanings[_name(leg.clock)]
@@ -63,7 +63,7 @@ def tell_motion(
                 if c.name in needed:
                     uses = (*_of(accelerations, c.name), *before)
                     _integrate(script, way, leg, c, course, told, uses, c.name in places)
-    elif isinstance(course, Energy):
+    elif isinstance(course, EnergyMotion):
         _energy_integral(script, way, leg, course, told, before)
     return told
 
@@ -83,7 +83,7 @@ def _integrate(
     way: PhaseSequence,
     leg: PhaseSegment,
     c: Coordinate,
-    course: Uniform,
+    course: UniformMotion,
     told: Told,
     uses: tuple[int, ...],
     place: bool,
@@ -160,7 +160,7 @@ def _reads_energy(leg: PhaseSegment, what: Part) -> Callable[[World], float]:
 
 
 def _energy_integral(
-    script: Script, way: PhaseSequence, leg: PhaseSegment, course: Energy, told: Told, before: tuple[int, ...]
+    script: Script, way: PhaseSequence, leg: PhaseSegment, course: EnergyMotion, told: Told, before: tuple[int, ...]
 ) -> None:
     """T + V is what it was, but for the work of friction; solved for the square of the speed."""
     f, c, phase = leg.phase.model.field, course.coordinate, leg.phase

@@ -12,14 +12,14 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
 from freebody.narrative.contact.contact_newton import ContactNewton
-from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, Runs
+from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, WorldRuns
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.questions.reading import Question
-from freebody.study.phases.events import First
+from freebody.study.phases.events import FirstEvent
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, pieces
-from freebody.study.phases.tree import NO_FORM, Node, tree_of, why
+from freebody.study.phases.tree import NO_FORM, PhaseNode, tree_of, why
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.system.system import System
@@ -30,8 +30,8 @@ class PhaseSegment:
     """One phase of the way, with what it is written by. first: what ends it, where the way goes on or stops there."""
 
     number: int
-    node: Node
-    first: First | None
+    node: PhaseNode
+    first: FirstEvent | None
     time: Ratio | None  # how long it lasts, in the field that all phases share
     glossary: Glossary  # at random motions of the mode
     course: CourseGlossary  # on the way
@@ -73,7 +73,7 @@ class PhaseSequence:
             self.piece: AnswerBranch = pieces(self.tree, question)[0]
         except NO_FORM as error:
             raise CannotAnswer(why(error)) from None
-        self.runs = Runs(self.tree, self.piece, question.event)
+        self.runs = WorldRuns(self.tree, self.piece, question.event)
         self.legs = [self._leg(k) for k in range(len(self.piece.nodes))]
 
     def _leg(self, k: int) -> PhaseSegment:
@@ -83,7 +83,9 @@ class PhaseSequence:
         time = None if first is None or first.zero.time is None else self.tree.to_home(phase, first.zero.time)
         return self.leg(k + 1, node, first, time, k)
 
-    def leg(self, number: int, node: Node, first: First | None, time: Ratio | None, place: int) -> PhaseSegment:
+    def leg(
+        self, number: int, node: PhaseNode, first: FirstEvent | None, time: Ratio | None, place: int
+    ) -> PhaseSegment:
         """A phase with its glossaries; both know the same symbols."""
         glossary, course = Glossary(node.phase.setup), CourseGlossary(node.phase, self.runs, place)
         course.meanings = glossary.meanings
@@ -100,14 +102,14 @@ class PhaseSequence:
             glossary.introduce(Meaning(name, what, _duration(end - 1), "s"))
         return made
 
-    def _between(self, node: Node, following: Node) -> First | None:
+    def _between(self, node: PhaseNode, following: PhaseNode) -> FirstEvent | None:
         for edge in node.edges:
             if any(after.phase is following.phase for after in edge.nodes):
                 return edge.first
         raise CannotAnswer("the phases do not follow each other")
 
     @cached_property
-    def following(self) -> Node | None:
+    def following(self) -> PhaseNode | None:
         """The phase that begins with the event that is asked for, at the parameters of the way."""
         last = self.legs[-1]
         for edge in last.node.edges:

@@ -23,8 +23,8 @@ from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch
-from freebody.study.phases.tree import Tree
-from freebody.study.phases.witness import NumericMode, Seen, Stage, follow
+from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot, follow
 
 N_MOTIONS = 3
 TIMES = (0.37, 0.71)  # of the duration of a phase
@@ -33,11 +33,11 @@ _OPEN_END = 0.7  # [s] that are looked at of a phase that nothing ends
 
 
 @dataclass(frozen=True)
-class Run:
+class WorldRun:
     """One parameter set that takes the way: its number, and the phases in numbers."""
 
     k: int
-    seen: tuple[Seen, ...]
+    seen: tuple[PhaseSnapshot, ...]
 
     def begin(self, phase: int) -> float:
         """When a phase begins."""
@@ -47,7 +47,7 @@ class Run:
 class CourseWorld(World):
     """An instant of a run, within one of its phases."""
 
-    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, run: Run, phase: int) -> None:
+    def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, run: WorldRun, phase: int) -> None:
         super().__init__(glossary, draw, snapshot)
         self.run = run
         self.phase = phase
@@ -58,30 +58,30 @@ class CourseWorld(World):
         return self.snapshot.t - self.run.begin(self.phase)
 
 
-class Runs:
+class WorldRuns:
     """The runs of a piece of an answer."""
 
-    def __init__(self, tree: Tree, piece: AnswerBranch, event: QuestionEvent | None) -> None:
+    def __init__(self, tree: PhaseTree, piece: AnswerBranch, event: QuestionEvent | None) -> None:
         self.tree = tree
         self.piece = piece
         self.event = event
 
     @cached_property
-    def found(self) -> list[Run]:
+    def found(self) -> list[WorldRun]:
         """Raises CannotAnswer where the motion cannot be followed in numbers."""
-        runs: list[Run] = []
+        runs: list[WorldRun] = []
         for k in self.piece.sets:
             if len(runs) >= N_MOTIONS:
                 break
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 seen = self._seen(int(k))
                 if seen is not None:
-                    runs.append(Run(int(k), tuple(seen)))
+                    runs.append(WorldRun(int(k), tuple(seen)))
         if len(runs) < 2:
             raise CannotAnswer("the motion could be followed in numbers at too few parameter sets to check its lines")
         return runs
 
-    def _seen(self, k: int) -> Sequence[Seen] | None:
+    def _seen(self, k: int) -> Sequence[PhaseSnapshot] | None:
         tree, piece = self.tree, self.piece
         if piece.first is None:
             return self._open(k)
@@ -94,7 +94,7 @@ class Runs:
         met = [other[:2] for other in found[-1].together]
         return found if (piece.first.watch.kind, piece.first.watch.name) in met else None
 
-    def _open(self, k: int) -> Sequence[Seen]:
+    def _open(self, k: int) -> Sequence[PhaseSnapshot]:
         """A phase that nothing ends."""
         tree, nodes = self.tree, self.piece.nodes
         key = ("open", tuple(id(n.phase) for n in nodes), k, None if self.event is None else self.event.text)
@@ -108,7 +108,7 @@ class CourseGlossary(Glossary):
     """The symbols of one phase on its way. Lines are looked at within the phase ("always"), where it begins ("start")
     and where it ends ("event"). A phase that begins with the event that is asked for is looked at there only."""
 
-    def __init__(self, phase: Phase, runs: Runs, place: int) -> None:
+    def __init__(self, phase: Phase, runs: WorldRuns, place: int) -> None:
         super().__init__(phase.setup)
         self.phase = phase
         self.runs = runs
@@ -136,7 +136,7 @@ class CourseGlossary(Glossary):
     def _within(self) -> list[World]:
         return [self._world(run, snapshot) for run in self.runs.found for snapshot in self._passed(run)]
 
-    def _passed(self, run: Run) -> list[Snapshot]:
+    def _passed(self, run: WorldRun) -> list[Snapshot]:
         """Instants of the phase between its beginning and its end, kept for other questions."""
         seen, kept = run.seen[self.place], self.runs.tree.seen
         key = ("within", tuple(map(id, run.seen)), self.place)
@@ -152,23 +152,23 @@ class CourseGlossary(Glossary):
             kept[key] = found
         return kept[key]
 
-    def _state(self, run: Run) -> tuple[Array, Array]:
+    def _state(self, run: WorldRun) -> tuple[Array, Array]:
         """Where a phase begins."""
         if self.place:
             before = run.seen[self.place - 1]
             return before.q, before.v
         return run.seen[0].mode.start()
 
-    def _mode(self, run: Run) -> NumericMode:
+    def _mode(self, run: WorldRun) -> NumericMode:
         if self.place < len(run.seen):
             return run.seen[self.place].mode
-        return NumericMode(self.runs.tree.system, Stage(self.phase), run.seen[0].mode.values)
+        return NumericMode(self.runs.tree.system, FollowedPhase(self.phase), run.seen[0].mode.values)
 
-    def _begin(self, run: Run) -> Snapshot:
+    def _begin(self, run: WorldRun) -> Snapshot:
         q, v = self._state(run)
         return self._mode(run).snapshot(q, v, run.begin(self.place))
 
-    def _world(self, run: Run, snapshot: Snapshot) -> World:
+    def _world(self, run: WorldRun, snapshot: Snapshot) -> World:
         mode = self._mode(run)
         draw = Draw(mode.values, snapshot.reference, mode.references[0].assemble())
         return CourseWorld(self, draw, snapshot, run, self.place)

@@ -14,18 +14,18 @@ from freebody.narrative.contact.phase_event import tell_event
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import Script, Sentence, Sheet, Stage
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.words import summary
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
-from freebody.symbolic.phases.course import Uniform
+from freebody.symbolic.phases.course import UniformMotion
 
 Values = dict[int, tuple[Ratio, int]]
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about a system with contacts or dry friction. Raises CannotAnswer where there is
     none."""
     refuse(method, ("newton",), "a motion in phases")
@@ -71,7 +71,7 @@ def _overview(script: Script, way: PhaseSequence) -> None:
             (str(leg.number), Sentence("phases.does", {"what": f"@{summary(leg.phase)}"}), _end_words(leg))
             for leg in way.legs
         )
-        script.add(Sheet(header, rows))
+        script.add(FormulaTable(header, rows))
 
 
 def _end_words(leg: PhaseSegment) -> Sentence:
@@ -115,7 +115,7 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
     model, assert_first = leg.phase.model, leg.first
     assert assert_first is not None
     f = model.field
-    if leg is not way.legs[-1] or not isinstance(leg.phase.course, Uniform):
+    if leg is not way.legs[-1] or not isinstance(leg.phase.course, UniformMotion):
         names = {c.name for c in model.coordinates if _moves(leg, c)}
         return names, names
     element = model.in_independent_speeds(assert_first.watch.element)
@@ -138,7 +138,7 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
 
 def _moves(leg: PhaseSegment, c: Coordinate) -> bool:
     course = leg.phase.course
-    if not isinstance(course, Uniform):
+    if not isinstance(course, UniformMotion):
         return True
     return not (course.start.of(c.speed).is_zero() and course.accelerations[c.speed].is_zero())
 
@@ -147,7 +147,7 @@ def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int
     """Accelerations and reactions that the phase needs."""
     assert leg.first is not None
     watch, newton, found = leg.first.watch, leg.newton, list[int]()
-    if isinstance(leg.phase.course, Uniform):
+    if isinstance(leg.phase.course, UniformMotion):
         found += [a for c, a in _accelerations(leg) if c.name in moving]
     if watch.kind in ("opens", "slips"):
         found.append(newton.reaction(watch.name))
@@ -172,7 +172,7 @@ def _after(script: Script, way: PhaseSequence) -> tuple[int, ...]:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[Stage]:
+def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[DerivationStage]:
     """In the phase in which the motion begins."""
     leg, question = way.legs[0], way.question
     with script.stage("stage.phase_contacts", "hint.phase_contacts", phase="@1"):

@@ -19,7 +19,7 @@ from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_table import RestTable
 from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import Listing, Script, Sentence, Stage
+from freebody.narrative.lines.script import DerivationStage, Listing, Script, Sentence
 from freebody.narrative.principles.places import place_of
 from freebody.present.report.blocks import Relation
 from freebody.questions.base import Quantity
@@ -27,9 +27,9 @@ from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer
 from freebody.study.friction.answers import prepared
-from freebody.study.friction.cases import Case, Ends, Limit
+from freebody.study.friction.cases import Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
@@ -40,17 +40,17 @@ from freebody.system.symbols import reaction_symbols
 _AT: dict[int, Relation] = {1: "≤", -1: "≥"}
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about rest. Raises CannotAnswer where there is none."""
     refuse(method, ("newton",), "rest under dry friction")
     if answer.expression is None:
         raise CannotAnswer(answer.reason or "there is no closed form")
-    telling = _Telling(context, question, answer)
+    telling = _RestTelling(context, question, answer)
     telling.tell()
     return telling.script.stages
 
 
-class _Telling:
+class _RestTelling:
     """One question about rest, while it is told."""
 
     def __init__(self, context: Context, question: Question, answer: Answer) -> None:
@@ -114,7 +114,7 @@ class _Telling:
     # -- ends ---------------------------------------------------------------------------------
     def _ends(self, ends: Ends, symbol: Symbol, name: str, signs: tuple[int, ...], row: str = "") -> None:
         """Every end that there is, then all together."""
-        told: list[tuple[int, Case, int, RestGlossary]] = []
+        told: list[tuple[int, FailureCase, int, RestGlossary]] = []
         for sign in signs:
             limit = ends.limit(sign)
             if limit.main is None or limit.first is None:
@@ -128,7 +128,7 @@ class _Telling:
         with self.script.stage("stage.value", "hint.rest_value"):
             self._together(symbol, told)
 
-    def _together(self, symbol: Symbol, told: list[tuple[int, Case, int, RestGlossary]]) -> None:
+    def _together(self, symbol: Symbol, told: list[tuple[int, FailureCase, int, RestGlossary]]) -> None:
         """low <= p <= high"""
         lines = tuple(line for _s, _c, line, _g in told)
         self.script.glossary = told[-1][3]
@@ -145,7 +145,7 @@ class _Telling:
         self.context.glossary = told[-1][3]
 
     def _case(
-        self, ends: Ends, limit: Limit, case: Case, symbol: Symbol, name: str, row: str = ""
+        self, ends: Ends, limit: HoldingLimit, case: FailureCase, symbol: Symbol, name: str, row: str = ""
     ) -> tuple[int, RestGlossary]:
         """One way to fail: equilibrium with the states of its contacts, down to the limit."""
         script = self.script
@@ -170,7 +170,7 @@ class _Telling:
         self._conditions(case, table, glossary, symbol if name else None, line)
         return line, glossary
 
-    def _solved(self, case: Case, symbol: Symbol, line: int, *, is_root: bool) -> int:
+    def _solved(self, case: FailureCase, symbol: Symbol, line: int, *, is_root: bool) -> int:
         """The condition solved for the parameter."""
         argument = solved_argument(case.element)
         if argument is not None:
@@ -182,7 +182,7 @@ class _Telling:
         return self.script.line(symbol, tidy(case.element), why=key, args={"line": line}, uses=(line,))
 
     def _conditions(
-        self, case: Case, table: RestTable, glossary: RestGlossary, symbol: Symbol | None, limit_line: int
+        self, case: FailureCase, table: RestTable, glossary: RestGlossary, symbol: Symbol | None, limit_line: int
     ) -> None:
         """Where this way to fail comes first: what the other contacts transmit at this limit is what they can."""
         for condition in case.conditions:
@@ -204,7 +204,7 @@ class _Telling:
                 )
 
     def _forces(
-        self, case: Case, table: RestTable, glossary: RestGlossary, place: str, sticks: bool
+        self, case: FailureCase, table: RestTable, glossary: RestGlossary, place: str, sticks: bool
     ) -> tuple[int, ...]:
         """The lines of what a contact transmits at the limit. Raises CannotAnswer where that is not unique."""
         row = next((r for r in table.rows.values() if r.unilateral and place_of(r) == place), None)
@@ -233,7 +233,7 @@ class _Telling:
         if limit.main is None:
             raise CannotAnswer("the failure that comes first has no closed form")
         symbol = Symbol(name)
-        told: list[tuple[Case, int, RestGlossary]] = []
+        told: list[tuple[FailureCase, int, RestGlossary]] = []
         for case in sorted(limit.cases, key=lambda c: c is limit.main):
             try:
                 told.append((case, *self._case(ends, limit, case, symbol, name)))
@@ -287,6 +287,6 @@ def _has_roots(rest: Ratio, index: int) -> bool:
     return index in numerator.generators() and len(numerator.coefficients(index)) > 2
 
 
-def _plain_equations(ends: Ends, touching: Touching) -> RestEquations:
+def _plain_equations(ends: Ends, touching: TouchingAtRest) -> RestEquations:
     """Equilibrium without a reaction that is taken as given."""
     return ends.equations if ends.asked is None else RestEquations(ends.equations.state, touching.rubs)

@@ -8,16 +8,16 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, add, multiply, negate
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced, vanishing
-from freebody.narrative.contact.rest_table import Limit, RestPlanner, RestTable
+from freebody.narrative.contact.rest_table import FrictionLimit, RestPlanner, RestTable
 from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.lines.script import Argument, Script
-from freebody.narrative.principles.elimination import Row, Solver, Unknowns
+from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.narrative.principles.kinematics import Term, scaled
-from freebody.narrative.principles.newton import Newton, Written
+from freebody.narrative.principles.newton import Newton, WrittenPrinciple
 from freebody.narrative.principles.places import place_of
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.symmetry import Copies
-from freebody.narrative.principles.table import Principle
+from freebody.narrative.principles.table import WritablePrinciple
 from freebody.symbolic.active_set import Failure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -53,14 +53,14 @@ class RestNewton(Newton):
         return RestPlanner(self.table, numbers, self.failure, self.asked_rows).equations()
 
     # -- writing ------------------------------------------------------------------------------
-    def _momentum(self, p: Principle) -> tuple[Expr, list[Term]]:
+    def _momentum(self, p: WritablePrinciple) -> tuple[Expr, list[Term]]:
         """Nothing is accelerated."""
         return tidy(self.field.zero), []
 
-    def _say_of_moving_point(self, script: Script, p: Principle) -> None:
+    def _say_of_moving_point(self, script: Script, p: WritablePrinciple) -> None:
         """At rest any point will do."""
 
-    def tell(self, script: Script) -> tuple[list[Row], list[Row]]:
+    def tell(self, script: Script) -> tuple[list[EliminationRow], list[EliminationRow]]:
         """The equations as lines, and what the contacts say; the rows of both."""
         plan = self.equations()
         with script.stage("stage.bodies", "hint.bodies", bodies=self._bodies(plan)):
@@ -75,23 +75,23 @@ class RestNewton(Newton):
             said += [self._limit(script, limit) for n, limit in self.limits.items() if n in standing]
         return [self._row(w) for w in written], said
 
-    def _row(self, w: Written) -> Row:
+    def _row(self, w: WrittenPrinciple) -> EliminationRow:
         entries = {self.index(row): arm for row, arm in w.reactions.items()}
         rest = self.field.zero if w.rest is None else w.rest
-        return Row(entries, self.field.lowest_terms(-rest), w.number)
+        return EliminationRow(entries, self.field.lowest_terms(-rest), w.number)
 
     def index(self, row: str) -> int:
         return self.field.index(self.table.reactions[row])
 
-    def _absent(self, script: Script, name: str) -> Row:
+    def _absent(self, script: Script, name: str) -> EliminationRow:
         """What opens transmits nothing."""
         symbol = Symbol(self.table.symbols[name].name)
         self.name_reactions(script, [name])
         key = "verge.opens" if name in self.failure.opens else "verge.free"
         number = script.line(symbol, tidy(self.field.zero), why=key, args={"force": symbol})
-        return Row({self.index(name): self.field.one}, self.field.zero, number)
+        return EliminationRow({self.index(name): self.field.one}, self.field.zero, number)
 
-    def _limit(self, script: Script, limit: Limit) -> Row:
+    def _limit(self, script: Script, limit: FrictionLimit) -> EliminationRow:
         """F = mu N against the slip, or Euler and Eytelwein for a string round a drum."""
         f, name = self.field, limit.rub.name
         self.name_reactions(script, [name, *([limit.load] if limit.load else [])])
@@ -100,7 +100,7 @@ class RestNewton(Newton):
         args: dict[str, Argument] = {"connection": place_of(limit.rub.row), "force": symbol}
         if not limit.load:
             number = script.line(symbol, tidy(factor), why="verge.largest", args=args)
-            return Row({self.index(name): f.one}, factor, number)
+            return EliminationRow({self.index(name): f.one}, factor, number)
         pressing = Symbol(self.table.symbols[limit.load].name)
         entries = {self.index(name): f.one, self.index(limit.load): f.lowest_terms(-factor)}
         if limit.rub.static_back is None:
@@ -110,7 +110,7 @@ class RestNewton(Newton):
             sides = add(pressing, negate(symbol)), multiply(tidy(ratio), pressing)
             args |= {"after": pressing, "before": sides[0], "drum": limit.rub.row.ends[0]}
             number = script.line(*sides, why="verge.euler", args=args)
-        return Row({k: x for k, x in entries.items() if not x.is_zero()}, f.zero, number)
+        return EliminationRow({k: x for k, x in entries.items() if not x.is_zero()}, f.zero, number)
 
     # -- solving ------------------------------------------------------------------------------
     def solver(self, script: Script) -> Eliminator:
@@ -126,7 +126,7 @@ class Eliminator(Solver):
         self.condition: tuple[Expr, Expr] | None = None  # the sides of what is left
         self.rest = model.field.zero  # what vanishes there
 
-    def residual(self, rows: Sequence[Row], said: Sequence[Row]) -> int:
+    def residual(self, rows: Sequence[EliminationRow], said: Sequence[EliminationRow]) -> int:
         """The line of what must hold for the equations to have a solution."""
         work = self.with_said(rows, said)
         while True:
@@ -138,7 +138,7 @@ class Eliminator(Solver):
                 raise CannotAnswer("the chosen equations say nothing about the limit")
             self._step(work)
 
-    def with_said(self, rows: Sequence[Row], said: Sequence[Row]) -> list[Row]:
+    def with_said(self, rows: Sequence[EliminationRow], said: Sequence[EliminationRow]) -> list[EliminationRow]:
         """The equations with what the contacts say put in, one after the other."""
         work = [self._without_zeros(row) for row in rows]
         for given in said:
@@ -146,7 +146,7 @@ class Eliminator(Solver):
             work = [self._put_in(row, unknown, given) if unknown in row.entries else row for row in work]
         return work
 
-    def _step(self, work: list[Row]) -> None:
+    def _step(self, work: list[EliminationRow]) -> None:
         """Solves one equation for the force that stands in the fewest, and puts it into the others."""
         present = {u for row in work for u in row.entries}
         many = {u: sum(1 for row in work if u in row.entries) for u in present}
@@ -167,24 +167,24 @@ class Eliminator(Solver):
             if unknown in row.entries:
                 work[k] = self._put_in(row, unknown, given)
 
-    def _are_alike(self, a: Row, b: Row) -> bool:
+    def _are_alike(self, a: EliminationRow, b: EliminationRow) -> bool:
         """Whether two equations contain the same combination of forces."""
         if a.entries.keys() != b.entries.keys() or len(a.entries) < 2:
             return False
         first = next(iter(a.entries))
         return all((a.entries[u] * b.entries[first] - b.entries[u] * a.entries[first]).is_zero() for u in a.entries)
 
-    def _combined(self, row: Row, other: Row, unknown: int) -> Row:
+    def _combined(self, row: EliminationRow, other: EliminationRow, unknown: int) -> EliminationRow:
         """One equation less a multiple of the other."""
         factor = row.entries[unknown] / other.entries[unknown]
         rest = self.field.lowest_terms(row.rest - factor * other.rest)
-        return Row({}, rest, self._condition(rest, (other.number, row.number), "solve.same_forces"))
+        return EliminationRow({}, rest, self._condition(rest, (other.number, row.number), "solve.same_forces"))
 
-    def _put_in(self, row: Row, unknown: int, given: Row) -> Row:
+    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         made = super()._put_in(row, unknown, given)
         if made.entries or made.rest.is_zero():
             return made
-        return Row({}, made.rest, self._condition(made.rest, (given.number, row.number), "solve.put_in"))
+        return EliminationRow({}, made.rest, self._condition(made.rest, (given.number, row.number), "solve.put_in"))
 
     def _condition(self, rest: Ratio, uses: tuple[int, int], why: str) -> int:
         """0 = rest, with its terms on the sides on which they are positive."""

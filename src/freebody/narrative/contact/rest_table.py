@@ -18,9 +18,9 @@ from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, DryFriction, NonholonomicForm
 from freebody.narrative.principles.planner import Array, Entry, Plan, is_multiple
-from freebody.narrative.principles.table import Pair, Principle, Slot, Table
+from freebody.narrative.principles.table import Pair, PrincipleTable, Slot, WritablePrinciple
 from freebody.narrative.principles.wide_planner import WidePlanner
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure, RestEquations
 from freebody.symbolic.field import Ratio
 from freebody.system.symbols import reaction_symbols
@@ -30,7 +30,7 @@ _TERM = 0.05  # for a force in an equation
 
 
 @dataclass(frozen=True)
-class Limit:
+class FrictionLimit:
     """F = factor * R at its limit, R the reaction of the row `load`, or F = factor without one; sense: of the slip."""
 
     rub: DryFriction
@@ -40,10 +40,10 @@ class Limit:
     load: str
 
 
-class RestTable(Table):
+class RestTable(PrincipleTable):
     """Principles, reactions and frictions in the start pose."""
 
-    def __init__(self, touching: Touching, equations: RestEquations) -> None:
+    def __init__(self, touching: TouchingAtRest, equations: RestEquations) -> None:
         super().__init__(equations.state.model)
         self.touching = touching
         self.equations = equations
@@ -69,9 +69,9 @@ class RestTable(Table):
         return True
 
     # -- states of the contacts ---------------------------------------------------------------
-    def limits(self, failure: Failure) -> dict[str, Limit]:
+    def limits(self, failure: Failure) -> dict[str, FrictionLimit]:
         """The frictions that are at their limit. Raises CannotAnswer for one with a resultant of two components."""
-        found: dict[str, Limit] = {}
+        found: dict[str, FrictionLimit] = {}
         for name, sense in failure.slips:
             rub = self.equations.rubs[name]
             if len(rub.load) > 1:
@@ -86,7 +86,7 @@ class RestTable(Table):
                 row = self.rows[load]
                 own = 1 if row.unilateral else dict(failure.signs).get(load, 1) * row.sign
                 factor = own * factor
-            found[name] = Limit(rub, sense, c, self.model.field.lowest_terms(factor), load)
+            found[name] = FrictionLimit(rub, sense, c, self.model.field.lowest_terms(factor), load)
         return found
 
     def absent(self, failure: Failure) -> tuple[str, ...]:
@@ -166,7 +166,7 @@ class RestPlanner(WidePlanner):
                 kept.append(e)
         return kept
 
-    def _cost(self, p: Principle, row: Array, place: int) -> float:
+    def _cost(self, p: WritablePrinciple, row: Array, place: int) -> float:
         """Equations with fewer forces come first."""
         arms = (self._arm(p.weights, name) for name in self._slopes if name not in self.gone)
         return super()._cost(p, row, place) + _TERM * sum(1 for arm in arms if abs(arm) > ROUND_OFF)

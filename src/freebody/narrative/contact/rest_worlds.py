@@ -20,7 +20,7 @@ from freebody.numeric.friction_limits import rest_problem
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.draws import Draw
-from freebody.study.friction.cases import Case, Compared, Ends, Limit
+from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 
 N_WORLDS = 5
 
@@ -36,7 +36,7 @@ class RestWorld(World):
 class RestGlossary(Glossary):
     """The symbols of one limit. parameter: what is put to its limit; nothing where a reaction is asked for."""
 
-    def __init__(self, ends: Ends, limit: Limit, case: Case, parameter: str) -> None:
+    def __init__(self, ends: Ends, limit: HoldingLimit, case: FailureCase, parameter: str) -> None:
         super().__init__(ends.setup)
         self.touching = ends.touching
         self.is_linear = ends.is_linear

@@ -31,7 +31,7 @@ FEWEST = 2  # random motions at which a line must have been looked at
 
 
 @dataclass(frozen=True)
-class Line:
+class NumberedFormula:
     """A numbered formula: sides, the relations between them, why it is true, and from which lines it follows."""
 
     number: int
@@ -59,7 +59,7 @@ class Legend:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class FormulaTable:
     """A table: header and cells are sentences, expressions or names."""
 
     header: tuple[Sentence, ...]
@@ -75,11 +75,11 @@ class Diagram:
     caption: Sentence
 
 
-Item = Sentence | Line | Listing | Legend | Sheet | Diagram
+Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Diagram
 
 
 @dataclass(frozen=True)
-class Stage:
+class DerivationStage:
     """A part of a derivation that is revealed at once. hint: what one should try oneself."""
 
     title: Sentence
@@ -92,7 +92,7 @@ class Script:
 
     def __init__(self, glossary: Glossary, first: int = 1) -> None:
         self.glossary = glossary
-        self.stages: list[Stage] = []
+        self.stages: list[DerivationStage] = []
         self._items: list[Item] = []
         self._number = first
         self._constants: set[str] = set()
@@ -109,7 +109,7 @@ class Script:
             yield
             if self._items:
                 shown = Sentence(hint, args) if hint else None
-                self.stages.append(Stage(Sentence(title, args), shown, tuple(self._items)))
+                self.stages.append(DerivationStage(Sentence(title, args), shown, tuple(self._items)))
         finally:
             self._items = before
 
@@ -144,7 +144,7 @@ class Script:
         self._introduce_constants(sides)
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
-        self._items.append(Line(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
+        self._items.append(NumberedFormula(number, sides, tuple(relations), reason, tuple(uses), label, when, unit))
         return number
 
     def _introduce_constants(self, sides: Sequence[Side]) -> None:

@@ -23,7 +23,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import Motion, StartState
+from freebody.symbolic.motion import SmoothMotion, StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
@@ -42,7 +42,7 @@ _DYNAMICS = (
 
 
 @dataclass(frozen=True)
-class Factor:
+class MarkedFactor:
     """What one factor multiplies: "mass" and "inertia" of a body, its "speed" and "turning", a "load", "bias" (terms
     with velocities), "start" (speeds) or "event" (the value that is reached)."""
 
@@ -61,7 +61,7 @@ class Marked:
     def __init__(self, setup: Setup, *, with_speeds: bool = True) -> None:
         self.setup = setup
         self.with_speeds = with_speeds
-        self.factors: dict[Factor, int] = {}  # with their generators
+        self.factors: dict[MarkedFactor, int] = {}  # with their generators
         self._names: dict[str, Ratio] = {}
         model = setup.model
         self.model: SymbolicModel = copy.copy(model)
@@ -82,7 +82,7 @@ class Marked:
         self.model.body_accelerations = {name: self._accelerations(name) for name in model.velocities}
 
     def _factor(self, what: str, of: str = "") -> Ratio:
-        factor = Factor(what, of)
+        factor = MarkedFactor(what, of)
         field = self.setup.model.field
         made = field.generator(
             Generator(factor.symbol, "parameter", compute=lambda _values, _functions: 1.0), key=("factor", factor)
@@ -108,7 +108,7 @@ class Marked:
 
     def _times(self, what: str, of: str, expr: Expr) -> Expr:
         self._factor(what, of)
-        return multiply(Factor(what, of).symbol, expr)
+        return multiply(MarkedFactor(what, of).symbol, expr)
 
     def _velocity(self, body: str, v: Elements) -> Elements:
         if not self.with_speeds:
@@ -135,8 +135,8 @@ class Marked:
         start = StartState(self._started())
         is_uniform = False
         if question.event is not None:
-            value = multiply(Factor("event").symbol, question.event.value)
-            motion = Motion(model, start)
+            value = multiply(MarkedFactor("event").symbol, question.event.value)
+            motion = SmoothMotion(model, start)
             reached = motion.reach(replace(question.event, value=value))
             if reached.coordinate is None:
                 raise CannotAnswer("the event involves several coordinates")

@@ -20,8 +20,8 @@ from freebody.narrative.mistakes.marked import Marked
 from freebody.narrative.mistakes.miscounted import miscounted
 from freebody.narrative.mistakes.miswritten import BodyEquations
 from freebody.narrative.mistakes.omissions import marked_omissions
-from freebody.narrative.mistakes.slips import Mistake, Numbers, slips
-from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, Wanted, WrongOptions, near
+from freebody.narrative.mistakes.slips import Mistake, PointAnswers, slips
+from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, WantedOption, WrongOptions, near
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
@@ -39,12 +39,12 @@ def found_mistakes(context: Context, question: Question, answer: Answer) -> Mapp
         return miscounted(context.system, question, wrong)
     try:
         with working_precision():
-            return _Search(context, question, answer, wrong).found()
+            return _MistakeSearch(context, question, answer, wrong).found()
     except FAILURES:  # an option without its mistake is better than no derivation
         return {}
 
 
-class _Search:
+class _MistakeSearch:
     """Looks for the mistakes behind the options of one question."""
 
     def __init__(self, context: Context, question: Question, answer: Answer, wrong: Sequence[str]) -> None:
@@ -53,7 +53,7 @@ class _Search:
         self.options = WrongOptions(context, question, answer, wrong)
         self.one: dict[int, Ratio] = {}  # all factors, where the answer has some
         self.answers, self.mistakes = self._mistakes()
-        self.left: list[Wanted]
+        self.left: list[WantedOption]
         self.points: list[Point]
         self.left, self.points = self.options.read()
         self.steps = MOST_STEPS
@@ -101,7 +101,7 @@ class _Search:
     # -- the search ---------------------------------------------------------------------------
     def _leading(self, mistakes: Iterable[Mistake]) -> Iterator[tuple[str, Sentence]]:
         """Letters to which mistakes lead."""
-        numbers = [Numbers(self.answers, p) for p in self.points]
+        numbers = [PointAnswers(self.answers, p) for p in self.points]
         cost = 2 * sum(len(x.num) + (0 if x.den is None else len(x.den)) for x in self.answers) + 4
         for mistake in mistakes:
             self.steps -= cost
@@ -118,7 +118,7 @@ class _Search:
                 if self.options.may_be(seen, wanted) and self._is(mistake, wanted):
                     yield wanted.letter, mistake.said
 
-    def _is(self, mistake: Mistake, wanted: Wanted) -> bool:
+    def _is(self, mistake: Mistake, wanted: WantedOption) -> bool:
         """Whether the mistake gives the option exactly."""
         alone = replace(mistake, values={**self.one, **mistake.values})
         try:

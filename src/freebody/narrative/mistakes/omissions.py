@@ -9,7 +9,7 @@ from functools import singledispatch, singledispatchmethod
 from freebody.errors import CannotAnswer
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.narrative.lines.script import Argument, Sentence
-from freebody.narrative.mistakes.marked import Factor, Marked
+from freebody.narrative.mistakes.marked import Marked, MarkedFactor
 from freebody.narrative.mistakes.slips import Mistake
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
@@ -52,13 +52,13 @@ class Omissions:
         for body in self.system.moving:
             yield from self._sizes(body)
 
-    def _put(self, value: int | Fraction | Ratio, *factors: Factor) -> dict[int, Ratio]:
+    def _put(self, value: int | Fraction | Ratio, *factors: MarkedFactor) -> dict[int, Ratio]:
         """The same value for some factors, as far as the system has them."""
         known = self.marked.factors
         return {known[f]: self.field.element(value) for f in factors if f in known}
 
     def _mistake(
-        self, key: str, value: int | Fraction | Ratio, *factors: Factor, is_common: bool = True, **said: Argument
+        self, key: str, value: int | Fraction | Ratio, *factors: MarkedFactor, is_common: bool = True, **said: Argument
     ) -> Iterator[Mistake]:
         values = self._put(value, *factors)
         if values:
@@ -66,8 +66,8 @@ class Omissions:
 
     # -- bodies -------------------------------------------------------------------------------
     def _body(self, body: RigidBody) -> Iterator[Mistake]:
-        mass, inertia = Factor("mass", body.name), Factor("inertia", body.name)
-        weights = [Factor("load", p.name) for p in self._weights(body.name)]
+        mass, inertia = MarkedFactor("mass", body.name), MarkedFactor("inertia", body.name)
+        weights = [MarkedFactor("load", p.name) for p in self._weights(body.name)]
         name = body.name
         if inertia in self.marked.factors:
             key = "pulley" if self._is_gripped(name) else "inertia"
@@ -87,10 +87,10 @@ class Omissions:
     def _sizes(self, body: RigidBody) -> Iterator[Mistake]:
         """Factors that come from formulas remembered wrongly."""
         name = body.name
-        inertia, mass = Factor("inertia", name), Factor("mass", name)
+        inertia, mass = MarkedFactor("inertia", name), MarkedFactor("mass", name)
         if inertia in self.marked.factors:
             yield from self._shapes(body, inertia)
-        speed, turning = Factor("speed", name), Factor("turning", name)
+        speed, turning = MarkedFactor("speed", name), MarkedFactor("turning", name)
         for key, value in (("twice", 2), ("half", Fraction(1, 2))):
             yield from self._mistake(f"speed_{key}", value, speed, turning, is_common=False, body=name)
             yield from self._mistake(f"turning_{key}", value, turning, is_common=False, body=name)
@@ -98,7 +98,7 @@ class Omissions:
             yield from self._mistake(f"mass_{key}", value, mass, is_common=False, body=name)
         yield from self._mistake("turning_turned", -1, turning, is_common=False, body=name)
 
-    def _shapes(self, body: RigidBody, inertia: Factor) -> Iterator[Mistake]:
+    def _shapes(self, body: RigidBody, inertia: MarkedFactor) -> Iterator[Mistake]:
         scalar = self.marked.setup.model.geometry.scalar
         given = self.system.document.data.get("bodies", {}).get(body.name)
         if isinstance(given, dict) and "rod" in given:
@@ -136,26 +136,26 @@ class Omissions:
 
     def _load(self, load: str) -> Iterator[Mistake]:
         pushes = [p for p in self.system.pushes if p.load == load]
-        everywhere = [Factor("load", p.name) for p in pushes]
+        everywhere = [MarkedFactor("load", p.name) for p in pushes]
         yield from self._mistake("load", 0, *everywhere, load=load)
         yield from self._mistake("load_turned", -1, *everywhere, load=load)
         if len(pushes) > 1:
             for push in pushes:
                 bodies = tuple(sorted(self._moving(push.measure.bodies())))
-                factor = Factor("load", push.name)
+                factor = MarkedFactor("load", push.name)
                 yield from self._mistake("load_on", 0, factor, load=load, bodies=bodies)
                 yield from self._mistake("load_on_turned", -1, factor, load=load, bodies=bodies)
 
     def _motion(self) -> Iterator[Mistake]:
         """Terms with velocities, the start, the integration, the event."""
         event = self.question.event
-        yield from self._mistake("bias", 0, Factor("bias"))
-        yield from self._mistake("bias_turned", -1, Factor("bias"))
-        loads = [Factor("load", p.name) for p in self.system.pushes]
+        yield from self._mistake("bias", 0, MarkedFactor("bias"))
+        yield from self._mistake("bias_turned", -1, MarkedFactor("bias"))
+        loads = [MarkedFactor("load", p.name) for p in self.system.pushes]
         q, half = self.question.quantity, Fraction(1, 2)
         if event is not None:
-            yield from self._mistake("start", 0, Factor("start"))
-            yield from self._mistake("start_turned", -1, Factor("start"))
+            yield from self._mistake("start", 0, MarkedFactor("start"))
+            yield from self._mistake("start_turned", -1, MarkedFactor("start"))
             if event.order == 0 and self.is_uniform and q.is_of_event:
                 yield from self._mistake("half_of_time", 2, *loads)
             elif event.order == 0 and q.kinematic_order == 1:
@@ -170,12 +170,12 @@ class Omissions:
 
     @_of_kind.register(Energy)
     def _of_energy(self, q: Energy) -> Iterator[Mistake]:
-        moving = [Factor(what, b.name) for b in self.system.moving for what in ("mass", "inertia")]
+        moving = [MarkedFactor(what, b.name) for b in self.system.moving for what in ("mass", "inertia")]
         yield from self._mistake("half_of_energy", 2, *moving)
         yield from self._mistake("kinetic", 0, *moving)
         names = tuple(b.name for b in self.system.moving)
         for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
-            yield from self._mistake(key, 0, *(Factor(what, name) for name in names), bodies=names)
+            yield from self._mistake(key, 0, *(MarkedFactor(what, name) for name in names), bodies=names)
 
     def _event(self) -> Iterator[Mistake]:
         """A drop taken for a way along an incline, or the other way round."""
@@ -189,20 +189,20 @@ class Omissions:
                 x = f.variable(index)
                 if index in with_angles.generators():
                     times = x if index in with_angles.denominator().generators() else 1 / x
-                    yield from self._mistake("way", times, Factor("event"), way=tidy(with_angles * times))
-        yield from self._mistake("way_twice", 2, Factor("event"), is_common=False)
+                    yield from self._mistake("way", times, MarkedFactor("event"), way=tidy(with_angles * times))
+        yield from self._mistake("way_twice", 2, MarkedFactor("event"), is_common=False)
 
     # -- copies -------------------------------------------------------------------------------
     def _copies(self, group: tuple[str, ...]) -> Iterator[Mistake]:
         whats = ("mass", "inertia")
-        others = [Factor(what, body) for body in group[1:] for what in whats]
-        loads = [Factor("load", p.name) for p in self.system.pushes if set(group[1:]) & set(p.measure.bodies())]
+        others = [MarkedFactor(what, body) for body in group[1:] for what in whats]
+        loads = [MarkedFactor("load", p.name) for p in self.system.pushes if set(group[1:]) & set(p.measure.bodies())]
         yield from self._mistake("counted_once", 0, *others, *loads, bodies=group)
         for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
-            yield from self._mistake(key, 0, *(Factor(what, b) for b in group), bodies=group)
-        both = [Factor(what, body) for body in group for what in whats]
+            yield from self._mistake(key, 0, *(MarkedFactor(what, b) for b in group), bodies=group)
+        both = [MarkedFactor(what, body) for body in group for what in whats]
         yield from self._mistake("all_inertias", 0, *both, bodies=group)
-        moving = [Factor(what, body) for body in group for what in ("speed", "turning")]
+        moving = [MarkedFactor(what, body) for body in group for what in ("speed", "turning")]
         yield from self._mistake("speeds_twice", 2, *moving, bodies=group)
 
 

@@ -64,7 +64,7 @@ class Mistake:
         return Mistake(said, {**self.values, **other.values}, factor, turns_root=turns, breaks_units=breaks)
 
 
-class Numbers:
+class PointAnswers:
     """Answers in numbers at one point, quickly for many mistakes."""
 
     def __init__(self, answers: Sequence[Ratio], base: Mapping[int, Any]) -> None:

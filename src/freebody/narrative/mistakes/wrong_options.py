@@ -17,7 +17,7 @@ from freebody.language.parser import parse
 from freebody.language.units import dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.mistakes.slips import Mistake, Numbers
+from freebody.narrative.mistakes.slips import Mistake, PointAnswers
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.draws import SEED
@@ -42,7 +42,7 @@ Elements = tuple[Ratio, ...]
 
 
 @dataclass
-class Wanted:
+class WantedOption:
     """A wrong option as elements, and in numbers at the points."""
 
     letter: str
@@ -65,12 +65,12 @@ class WrongOptions:
         given = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
         self.answer = self._elements([e for e in given if e is not None])
 
-    def read(self) -> tuple[list[Wanted], list[Point]]:
+    def read(self) -> tuple[list[WantedOption], list[Point]]:
         """The options that can be compared, and the points at which they are."""
         wanted = [w for letter in self.letters if (w := self._option(letter)) is not None]
         points = self._points()  # last: numbers for all roots that stand in an option
         for w in wanted:
-            w.numbers = [Numbers(w.parts, p).of(Mistake(Sentence(""))) for p in points]
+            w.numbers = [PointAnswers(w.parts, p).of(Mistake(Sentence(""))) for p in points]
         return wanted, points
 
     @property
@@ -78,7 +78,7 @@ class WrongOptions:
         """Whether an option has another unit than the answer."""
         return any(self._breaks_units(self.question.options[letter]) for letter in self.letters)
 
-    def may_be(self, seen: Sequence[tuple[float, ...]], wanted: Wanted) -> bool:
+    def may_be(self, seen: Sequence[tuple[float, ...]], wanted: WantedOption) -> bool:
         """Whether numbers at the points are those of an option; where only differences count, their changes."""
         if not self.up_to_constant:
             return all(map(near, seen, wanted.numbers))
@@ -88,7 +88,7 @@ class WrongOptions:
                 return False
         return True
 
-    def is_exactly(self, found: Sequence[Ratio], wanted: Wanted) -> bool:
+    def is_exactly(self, found: Sequence[Ratio], wanted: WantedOption) -> bool:
         """Whether elements are those of an option; for energies up to a constant."""
         for a, b in zip(found, wanted.parts, strict=True):
             difference = a.field.lowest_terms(a - b)
@@ -126,13 +126,13 @@ class WrongOptions:
         except FAILURES:
             return False
 
-    def _option(self, letter: str) -> Wanted | None:
+    def _option(self, letter: str) -> WantedOption | None:
         text = self.question.options[letter]
         try:
             parts = self._elements(self._parsed(text))
         except FAILURES:
             return None
-        return Wanted(letter, parts, self._breaks_units(text))
+        return WantedOption(letter, parts, self._breaks_units(text))
 
     def _points(self) -> list[Point]:
         """Random motions; of each draw two instants, where only differences count."""

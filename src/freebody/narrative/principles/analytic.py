@@ -15,7 +15,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.narrative.principles.elimination import Row, Solver, Unknowns
+from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
@@ -34,7 +34,7 @@ def by_lagrange(context: Context, script: Script, asked: Sequence[int]) -> dict[
     T = kinetic_energy(context)
     with script.stage("stage.lagrange", "hint.lagrange"):
         t_line = _kinetic_line(context, script, T)
-        rows: list[Row] = []
+        rows: list[EliminationRow] = []
         for c in model.coordinates:
             rows.append(_equation(context, script, c, T, t_line))
     solver = Solver(model, script, _unknowns(model))
@@ -161,7 +161,7 @@ def _kinetic_line(context: Context, script: Script, T: Ratio) -> int:
     return script.line(*sides, why="energy.kinetic")
 
 
-def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line: int) -> Row:
+def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line: int) -> EliminationRow:
     """d/dt dT/du - dT/dq = Q for one coordinate."""
     model, f = context.setup.model, context.setup.model.field
     u, q = rates_of(c.name, 1), Symbol(c.name)
@@ -213,7 +213,7 @@ def _moves_with(model: SymbolicModel, x: Ratio, c: Coordinate) -> bool:
     return c.index in model.field.ingredients(x)
 
 
-def _row(model: SymbolicModel, left: Ratio, right: Ratio, number: int) -> Row:
+def _row(model: SymbolicModel, left: Ratio, right: Ratio, number: int) -> EliminationRow:
     """An equation collected by the accelerations."""
     f = model.field
     entries: dict[int, Ratio] = {}
@@ -223,10 +223,10 @@ def _row(model: SymbolicModel, left: Ratio, right: Ratio, number: int) -> Row:
         if not slope.is_zero():
             entries[a] = f.lowest_terms(slope)
             rest = rest + slope * f.variable(a)
-    return Row(entries, f.lowest_terms(rest), number)
+    return EliminationRow(entries, f.lowest_terms(rest), number)
 
 
-def _collected(script: Script, solver: Solver, rows: list[Row]) -> None:
+def _collected(script: Script, solver: Solver, rows: list[EliminationRow]) -> None:
     """Every equation with the accelerations on the left."""
     for row in rows:
         left, right = solver.sides(row)

@@ -19,7 +19,7 @@ from freebody.symbolic.tidy import sign_is_negative, tidy
 
 
 @dataclass
-class Row:
+class EliminationRow:
     """sum of entries * unknowns = rest, as it stands in line `number`."""
 
     entries: dict[int, Ratio]
@@ -46,10 +46,10 @@ class Solver:
         self.when: When = when
 
     # -- forward and back ---------------------------------------------------------------------
-    def solve(self, rows: Sequence[Row], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+    def solve(self, rows: Sequence[EliminationRow], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
         """The values of unknowns and the lines in which they stand. Raises CannotAnswer where the rows do not tell."""
         work = [self._without_zeros(row) for row in rows]
-        solved: list[tuple[int, Row]] = []  # unknown, and the row that gives it by later ones
+        solved: list[tuple[int, EliminationRow]] = []  # unknown, and the row that gives it by later ones
         order = self._order(work, asked)
         for unknown in order:
             having = [row for row in work if unknown in row.entries]
@@ -65,7 +65,7 @@ class Solver:
             work = [self._put_in(row, unknown, given) if row in having else row for row in work]
         return self._back(solved, asked)
 
-    def _order(self, work: Sequence[Row], asked: Sequence[int]) -> list[int]:
+    def _order(self, work: Sequence[EliminationRow], asked: Sequence[int]) -> list[int]:
         """Reactions first; among these and among accelerations those in the fewest equations; last the asked
         acceleration."""
         present = {u for row in work for u in row.entries}
@@ -76,18 +76,18 @@ class Solver:
         rest = sorted((u for u in present if u not in self.unknowns.reactions), key=lambda u: (u in asked, -u))
         return [*first, *rest]
 
-    def _trouble(self, row: Row, unknown: int) -> tuple[int, int, int]:
+    def _trouble(self, row: EliminationRow, unknown: int) -> tuple[int, int, int]:
         """How hard it is to solve a row for an unknown."""
         entry = row.entries[unknown]
         simple = 0 if entry.fraction() is not None else len(entry.generators())
         return simple, len(entry.num), len(row.entries)
 
-    def _without_zeros(self, row: Row) -> Row:
+    def _without_zeros(self, row: EliminationRow) -> EliminationRow:
         kept = {u: x for u, x in row.entries.items() if not self.model.vanishes(x)}
-        return Row(kept, row.rest, row.number)
+        return EliminationRow(kept, row.rest, row.number)
 
     # -- steps --------------------------------------------------------------------------------
-    def _isolated(self, row: Row, unknown: int) -> Row:
+    def _isolated(self, row: EliminationRow, unknown: int) -> EliminationRow:
         """unknown = (rest - others)/entry, as a line unless it stands there already."""
         entry = row.entries[unknown]
         f = self.field
@@ -95,7 +95,7 @@ class Solver:
         rest = f.lowest_terms(row.rest / entry)
         right = self._side(others, rest)
         if (entry - 1).is_zero() and not others:
-            return Row(row.entries, row.rest, row.number)
+            return EliminationRow(row.entries, row.rest, row.number)
         name = self.unknowns.names[unknown]
         number = self.script.line(
             name,
@@ -105,9 +105,9 @@ class Solver:
             uses=(row.number,),
             when=self.when,
         )
-        return Row({unknown: f.one, **{u: -x for u, x in others.items()}}, rest, number)
+        return EliminationRow({unknown: f.one, **{u: -x for u, x in others.items()}}, rest, number)
 
-    def _put_in(self, row: Row, unknown: int, given: Row) -> Row:
+    def _put_in(self, row: EliminationRow, unknown: int, given: EliminationRow) -> EliminationRow:
         """A row with an unknown replaced, collected."""
         f = self.field
         factor = row.entries[unknown]
@@ -116,7 +116,7 @@ class Solver:
             if u != unknown:
                 entries[u] = f.lowest_terms(entries.get(u, f.zero) - factor * x)
         rest = f.lowest_terms(row.rest - factor * given.rest)
-        made = self.cleared(self._without_zeros(Row(entries, rest, 0)))
+        made = self.cleared(self._without_zeros(EliminationRow(entries, rest, 0)))
         if not made.entries:
             return made
         left, right = self.sides(made)
@@ -128,9 +128,9 @@ class Solver:
             uses=(given.number, row.number),
             when=self.when,
         )
-        return Row(made.entries, made.rest, number)
+        return EliminationRow(made.entries, made.rest, number)
 
-    def cleared(self, row: Row) -> Row:
+    def cleared(self, row: EliminationRow) -> EliminationRow:
         """The row without common denominators that are products, and with a positive first coefficient."""
         f = self.field
         factor = f.one
@@ -142,9 +142,9 @@ class Solver:
         if leading and sign_is_negative(f.lowest_terms(row.entries[min(leading)] * factor)):
             factor = -factor
         entries = {u: f.lowest_terms(x * factor) for u, x in row.entries.items()}
-        return Row(entries, f.lowest_terms(row.rest * factor), row.number)
+        return EliminationRow(entries, f.lowest_terms(row.rest * factor), row.number)
 
-    def _back(self, solved: list[tuple[int, Row]], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+    def _back(self, solved: list[tuple[int, EliminationRow]], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
         """Values from the last unknown to those that are asked for."""
         values: dict[int, tuple[Ratio, int]] = {}
         needed = self._needed(solved, asked)
@@ -155,7 +155,7 @@ class Solver:
             raise CannotAnswer("the chosen equations do not contain what is asked for")
         return {unknown: values[unknown] for unknown in asked}
 
-    def _value(self, row: Row, unknown: int, values: dict[int, tuple[Ratio, int]]) -> tuple[Ratio, int]:
+    def _value(self, row: EliminationRow, unknown: int, values: dict[int, tuple[Ratio, int]]) -> tuple[Ratio, int]:
         """The last step for one unknown, whose companions in its row are known."""
         entry, rest, uses = row.entries[unknown], row.rest, [row.number]
         for u, x in row.entries.items():
@@ -173,7 +173,7 @@ class Solver:
         number = self.script.line(name, tidy(value), why=key, args=args, uses=uses, when=self.when)
         return value, number
 
-    def _needed(self, solved: list[tuple[int, Row]], asked: Sequence[int]) -> set[int]:
+    def _needed(self, solved: list[tuple[int, EliminationRow]], asked: Sequence[int]) -> set[int]:
         needed = set(asked)
         for unknown, row in solved:
             if unknown in needed:
@@ -181,7 +181,7 @@ class Solver:
         return needed
 
     # -- how rows are written -----------------------------------------------------------------
-    def sides(self, row: Row) -> tuple[Expr, Expr]:
+    def sides(self, row: EliminationRow) -> tuple[Expr, Expr]:
         """Accelerations on the left, known terms and reactions on the right; reactions alone go left."""
         left = {u: x for u, x in row.entries.items() if u not in self.unknowns.reactions}
         right = {u: -x for u, x in row.entries.items() if u in self.unknowns.reactions}

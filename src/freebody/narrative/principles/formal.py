@@ -9,7 +9,7 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.narrative.principles.table import Table
+from freebody.narrative.principles.table import PrincipleTable
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.state import SymbolicState
 
@@ -23,7 +23,7 @@ def elements(field: Field, value: Any) -> tuple[Ratio, ...]:
 class FormalState(SymbolicState):
     """A state whose reactions are symbols and whose accelerations are those of the independent coordinates."""
 
-    def __init__(self, table: Table) -> None:
+    def __init__(self, table: PrincipleTable) -> None:
         super().__init__(table.model)
         self.table = table
 

@@ -16,7 +16,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.principles.table import Pair, Slot, Table
+from freebody.narrative.principles.table import Pair, PrincipleTable, Slot
 from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
 from freebody.symbolic.field import Generator, Ratio
@@ -67,7 +67,7 @@ class _Own:
 class Kinematics:
     """Symbols for the motion of the bodies of a system in the plane."""
 
-    def __init__(self, table: Table, glossary: Glossary) -> None:
+    def __init__(self, table: PrincipleTable, glossary: Glossary) -> None:
         self.table = table
         self.model = table.model
         self.glossary = glossary

@@ -13,10 +13,10 @@ from freebody.symbolic.field import Ratio
 def parts_of(context: Context, quantity: Quantity) -> tuple[tuple[Ratio, ...], list[int]]:
     """A quantity with accelerations and reactions as symbols, and which of these it contains."""
     if context.system.space:
-        from freebody.narrative.principles.table import Table
+        from freebody.narrative.principles.table import PrincipleTable
         from freebody.narrative.space.spatial import asked
 
-        return asked(context, quantity, Table(context.setup.model))
+        return asked(context, quantity, PrincipleTable(context.setup.model))
     parts = context.newton.asked(quantity)
     return parts, context.newton.unknowns_in(parts)
 

@@ -15,7 +15,7 @@ from freebody.language.notation.parts import signed_terms
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
-from freebody.narrative.principles.elimination import Row
+from freebody.narrative.principles.elimination import EliminationRow
 from freebody.narrative.principles.kinematics import scaled
 from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
@@ -25,10 +25,10 @@ from freebody.symbolic.tidy import tidy
 MOST_TERMS = 120  # of one entry that anybody reads
 
 
-def motion_equations(context: Context, script: Script, *, why: str = "unclosed.kane") -> list[Row]:
+def motion_equations(context: Context, script: Script, *, why: str = "unclosed.kane") -> list[EliminationRow]:
     """One line for every coordinate; the rows M q'' = F. Raises CannotAnswer where they are too long to read."""
     model, f = context.setup.model, context.setup.model.field
-    rows: list[Row] = []
+    rows: list[EliminationRow] = []
     if not model.coordinates:
         script.say("unclosed.no_freedom")
         return rows
@@ -46,7 +46,7 @@ def motion_equations(context: Context, script: Script, *, why: str = "unclosed.k
         script_line = script.line(
             add(*terms) if terms else number(0), tidy(rest), why="unclosed.along", args={"name": Symbol(c.name)}
         )
-        rows.append(Row(entries, rest, script_line))
+        rows.append(EliminationRow(entries, rest, script_line))
     return rows
 
 

@@ -14,13 +14,13 @@ from freebody.language.notation.parts import signed_terms
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Argument, Diagram, Legend, Script, Sentence
-from freebody.narrative.principles.elimination import Row, Solver, Unknowns, positive_first
+from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns, positive_first
 from freebody.narrative.principles.formal import FormalState, elements
 from freebody.narrative.principles.kinematics import Kinematics, Term, scaled, total
 from freebody.narrative.principles.places import words_of
 from freebody.narrative.principles.planner import Plan, Planner
 from freebody.narrative.principles.symmetry import Copies, copies
-from freebody.narrative.principles.table import Principle, Slot, Table
+from freebody.narrative.principles.table import PrincipleTable, Slot, WritablePrinciple
 from freebody.questions.base import Quantity
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -28,10 +28,10 @@ from freebody.symbolic.tidy import tidy
 
 
 @dataclass
-class Written:
+class WrittenPrinciple:
     """A principle as it was written: its line, and both sides as elements with symbols for what moves."""
 
-    principle: Principle
+    principle: WritablePrinciple
     number: int
     terms: list[Term] = field(default_factory=list[Term])
     rest: Ratio | None = None  # loads
@@ -48,7 +48,7 @@ class Newton:
         self.model = setup.model
         self.field = setup.model.field
         self.glossary = glossary
-        self.table = Table(setup.model)
+        self.table = PrincipleTable(setup.model)
         self.kinematics = Kinematics(self.table, glossary)
         self.told: dict[Expr, int] = {}  # symbols of motion that have been explained, and the line
         self.constraint_lines: dict[str, int] = {}
@@ -165,7 +165,7 @@ class Newton:
         return Sentence("symbol.reaction", args)
 
     # -- principles ---------------------------------------------------------------------------
-    def _principle(self, script: Script, plan: Plan, k: int) -> Written:
+    def _principle(self, script: Script, plan: Plan, k: int) -> WrittenPrinciple:
         p = self._oriented(plan.principles[k])
         script.say(f"{self.principle_words}.{p.kind}", bodies=p.bodies, **self._where(p))
         self._say_why(script, p, plan.avoided[k])
@@ -176,16 +176,16 @@ class Newton:
         self.introduce_terms(script, terms)
         label = Sentence(f"label.{p.kind}{'_clockwise' if p.is_clockwise else ''}", self._where(p))
         number = script.line(left, right, why="", label=label)
-        return Written(p, number, terms, rest, reactions)
+        return WrittenPrinciple(p, number, terms, rest, reactions)
 
-    def _oriented(self, p: Principle) -> Principle:
+    def _oriented(self, p: WritablePrinciple) -> WritablePrinciple:
         """Moments are counted in the sense that leaves fewer minus signs."""
         if p.kind != "angular":
             return p
         other = replace(p, weights={slot: -w for slot, w in p.weights.items()}, is_clockwise=True)
         return min((p, other), key=self._n_minus)
 
-    def _n_minus(self, p: Principle) -> int:
+    def _n_minus(self, p: WritablePrinciple) -> int:
         """Minus signs in a principle as it is written."""
         found = 0
         for side in (self._momentum(p)[0], self._forces(p)[0]):
@@ -193,13 +193,13 @@ class Newton:
             found += sum(minus for minus, _e in signed_terms(terms))
         return found
 
-    def _where(self, p: Principle) -> dict[str, Argument]:
+    def _where(self, p: WritablePrinciple) -> dict[str, Argument]:
         if p.aim is not None:
             return {"direction": p.aim.words}
         assert p.centre is not None
         return {"point": p.centre.words}
 
-    def _say_why(self, script: Script, p: Principle, avoided: Sequence[str]) -> None:
+    def _say_why(self, script: Script, p: WritablePrinciple, avoided: Sequence[str]) -> None:
         """Which reactions the principle keeps out, and how."""
         forces = [row for row in avoided if p.kind == "angular" or self._is_force(row)]  # couples stay out of momentum
         names = tuple(dict.fromkeys(self.table.symbols[self.merged.get(row, row)].name for row in forces))
@@ -214,7 +214,7 @@ class Newton:
         """Whether a reaction is more than a couple."""
         return any(slot != "angle" for _body, slot in self.table.directions[row])
 
-    def _say_of_moving_point(self, script: Script, p: Principle) -> None:
+    def _say_of_moving_point(self, script: Script, p: WritablePrinciple) -> None:
         """The term v_O x P of a moving centre, or why it is not there."""
         assert p.centre is not None
         if p.centre.is_fixed or p.centre.mass_center_of:
@@ -231,7 +231,7 @@ class Newton:
         else:
             script.say("moving_point.instant", point=p.centre.words, term=tidy(f.lowest_terms(term)))
 
-    def _momentum(self, p: Principle) -> tuple[Expr, list[Term]]:
+    def _momentum(self, p: WritablePrinciple) -> tuple[Expr, list[Term]]:
         """The rate of momentum as it is written, and its terms with mass or inertia in the coefficient."""
         terms: list[Term] = []
         shown: list[Expr] = []
@@ -257,7 +257,7 @@ class Newton:
                     shown.append(scaled(term.coefficient * mass, term.symbol))
         return (positive_first(shown) if shown else tidy(self.field.zero)), terms
 
-    def _turns_about(self, p: Principle, body: str, w: tuple[Ratio, Ratio]) -> bool:
+    def _turns_about(self, p: WritablePrinciple, body: str, w: tuple[Ratio, Ratio]) -> bool:
         """Whether the centre is a fixed point of the body, so that I + m r^2 is its inertia there."""
         assert p.centre is None or p.kind == "angular"
         if p.centre is None or not p.centre.is_fixed:
@@ -267,7 +267,7 @@ class Newton:
         # v_G = omega x r with r from the centre: (-r_y, r_x) are the weights
         return self.model.vanishes(vx - omega * w[0]) and self.model.vanishes(vy - omega * w[1])
 
-    def _forces(self, p: Principle) -> tuple[Expr, Ratio, dict[str, Ratio]]:
+    def _forces(self, p: WritablePrinciple) -> tuple[Expr, Ratio, dict[str, Ratio]]:
         """Loads and reactions on the right: as written, the loads as an element, coefficients of reactions."""
         f = self.field
         shown: list[Expr] = []
@@ -417,7 +417,7 @@ class Newton:
         return (self.told[symbol],)
 
     # -- solving ------------------------------------------------------------------------------
-    def _in_coordinates(self, script: Script, w: Written) -> Row:
+    def _in_coordinates(self, script: Script, w: WrittenPrinciple) -> EliminationRow:
         """A principle with the symbols of motion replaced by the coordinates, collected."""
         f = self.field
         motion = total(w.terms, f.zero)
@@ -431,7 +431,7 @@ class Newton:
         for row, arm in w.reactions.items():
             if not self.model.vanishes(arm):
                 entries[f.index(self.table.reactions[row])] = f.lowest_terms(-arm)
-        row = Row(entries, f.lowest_terms(rest), w.number)
+        row = EliminationRow(entries, f.lowest_terms(rest), w.number)
         plain = all(term.is_plain for term in w.terms)
         if plain and len(w.terms) == len({term.symbol for term in w.terms}):
             return row
@@ -454,7 +454,7 @@ class Newton:
         reactions = {f.index(r): Symbol(self.table.symbols[row].name) for row, r in self.table.reactions.items()}
         return Unknowns({**names, **reactions}, set(reactions))
 
-    def _solve(self, script: Script, rows: list[Row], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
+    def _solve(self, script: Script, rows: list[EliminationRow], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
         return Solver(self.model, script, self._unknowns()).solve(rows, list(asked))
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
-from freebody.narrative.principles.table import Principle, Slot, Table
+from freebody.narrative.principles.table import PrincipleTable, Slot, WritablePrinciple
 from freebody.symbolic.field import Ratio
 from freebody.tolerances import ROUND_OFF
 
@@ -42,14 +42,14 @@ _SPAN = 1e-7
 class Plan:
     """The chosen principles, and for each the reactions that it avoids and contains (rows)."""
 
-    principles: tuple[Principle, ...]
+    principles: tuple[WritablePrinciple, ...]
     avoided: tuple[tuple[str, ...], ...]
     contained: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
 class Entry:
-    principle: Principle
+    principle: WritablePrinciple
     row: Array
     cost: float
 
@@ -57,7 +57,9 @@ class Entry:
 class Planner:
     """Chooses principles of a table. merged: reactions that symmetry makes equal, by row."""
 
-    def __init__(self, table: Table, numbers: Mapping[int, float], merged: Mapping[str, str] | None = None) -> None:
+    def __init__(
+        self, table: PrincipleTable, numbers: Mapping[int, float], merged: Mapping[str, str] | None = None
+    ) -> None:
         self.table = table
         self.model = table.model
         self.numbers = numbers
@@ -95,7 +97,7 @@ class Planner:
         found[np.abs(found) < ROUND_OFF * max(1.0, float(np.abs(found).max(initial=0.0)))] = 0.0
         return found
 
-    def _cost(self, p: Principle, row: Array, place: int) -> float:
+    def _cost(self, p: WritablePrinciple, row: Array, place: int) -> float:
         cost = EQUATION + MORE_BODIES[p.kind] * (len(p.bodies) - 1)
         if p.centre is not None and not p.centre.mass_center_of:
             cost += OTHER_POINT + (0.0 if p.centre.is_fixed else MOVING_POINT)

@@ -16,7 +16,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import World
-from freebody.narrative.principles.table import Table
+from freebody.narrative.principles.table import PrincipleTable
 
 _ALIKE = 1e-8
 
@@ -29,7 +29,7 @@ class Copies:
     rows: Mapping[str, str]
 
 
-def copies(table: Table, worlds: Sequence[World]) -> list[Copies]:
+def copies(table: PrincipleTable, worlds: Sequence[World]) -> list[Copies]:
     """All sets of copies in a system."""
     found: list[Copies] = []
     left = [body.name for body in table.system.moving]
@@ -48,7 +48,7 @@ def copies(table: Table, worlds: Sequence[World]) -> list[Copies]:
     return found
 
 
-def _exchanged(table: Table, first: str, other: str) -> dict[str, str] | None:
+def _exchanged(table: PrincipleTable, first: str, other: str) -> dict[str, str] | None:
     """The rows of the other body by those of the first; None where they do not correspond."""
     if _build(table, first) != _build(table, other) or _loads(table, first) != _loads(table, other):
         return None
@@ -60,12 +60,12 @@ def _exchanged(table: Table, first: str, other: str) -> dict[str, str] | None:
     return {row: same for row, same in pairs.items() if same is not None and row != same}
 
 
-def _build(table: Table, name: str) -> tuple[object, ...]:
+def _build(table: PrincipleTable, name: str) -> tuple[object, ...]:
     body = table.system.bodies[name]
     return body.mass, body.inertia, body.radius, body.turns
 
 
-def _loads(table: Table, name: str) -> list[tuple[Expr, str]]:
+def _loads(table: PrincipleTable, name: str) -> list[tuple[Expr, str]]:
     acting = [p for p in table.system.pushes if name in set(p.measure.bodies())]
     return sorted(((p.law, p.load) for p in acting), key=lambda pair: (str(pair[0]), pair[1]))
 
@@ -75,7 +75,7 @@ def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:
     return row.component, row.reaction, row.sign, type(row.measure).__name__, others
 
 
-def _are_alike(table: Table, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
+def _are_alike(table: PrincipleTable, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
     model = table.model
     if not (model.body_accelerations[first][2] - model.body_accelerations[other][2]).is_zero():
         return False

@@ -45,7 +45,7 @@ class Aim:
 
 
 @dataclass(frozen=True)
-class Centre:
+class MomentCentre:
     """A point about which moments are taken, by its ground coordinates; `is_fixed` on the ground."""
 
     place: Pair
@@ -55,18 +55,18 @@ class Centre:
 
 
 @dataclass(frozen=True)
-class Principle:
+class WritablePrinciple:
     """One equation that may be written."""
 
     bodies: tuple[str, ...]
     kind: Literal["linear", "angular"]
     weights: Mapping[Slot, Ratio]
     aim: Aim | None = None
-    centre: Centre | None = None
+    centre: MomentCentre | None = None
     is_clockwise: bool = False
 
 
-class Table:
+class PrincipleTable:
     """Principles, reactions and loads of a system in the plane."""
 
     def __init__(self, model: SymbolicModel) -> None:
@@ -138,16 +138,16 @@ class Table:
             found[body.name] = _distinct([*mine, *across])  # along a force is said rather than across another one
         return found
 
-    def centres(self, bodies: tuple[str, ...]) -> list[Centre]:
+    def centres(self, bodies: tuple[str, ...]) -> list[MomentCentre]:
         """Points about which moments of some bodies are worth taking: mass centres, and where the lines of action of
         two reactions from outside meet."""
         f = self.model.field
-        found: list[Centre] = []
+        found: list[MomentCentre] = []
         if len(bodies) == 1:
             body = self.system.bodies[bodies[0]]
             place = self.position(body.name)
             words = Sentence("point.mass_center", {"body": body.name})
-            found.append(Centre(place, words, self._is_still(place), body.name))
+            found.append(MomentCentre(place, words, self._is_still(place), body.name))
         outside = [
             row for row in self._acting_on_all(bodies) if any(not v.is_zero() for v in self._resultant(row, bodies)[:2])
         ]
@@ -164,7 +164,7 @@ class Table:
             y = f.lowest_terms((a[1] * b[2] - b[1] * a[2]) / determinant)
             if any(c.place == (x, y) for c in found):
                 continue
-            found.append(Centre((x, y), self._point_words(row_a, row_b), self._is_still((x, y))))
+            found.append(MomentCentre((x, y), self._point_words(row_a, row_b), self._is_still((x, y))))
         return found
 
     def _is_still(self, place: Pair) -> bool:
@@ -214,11 +214,11 @@ class Table:
                 if _is_connected(set(group), joined):
                     yield group
 
-    def principles(self) -> Iterator[Principle]:
+    def principles(self) -> Iterator[WritablePrinciple]:
         for group in self.groups():
             yield from self.of(group)
 
-    def of(self, bodies: tuple[str, ...]) -> Iterator[Principle]:
+    def of(self, bodies: tuple[str, ...]) -> Iterator[WritablePrinciple]:
         """All principles for some bodies together."""
         f = self.model.field
         aims = _distinct([aim for body in bodies for aim in self.aims[body]])
@@ -226,7 +226,7 @@ class Table:
             weights: dict[Slot, Ratio] = {}
             for body in bodies:
                 weights[body, "x"], weights[body, "y"] = aim.vector
-            yield Principle(bodies, "linear", _without_zeros(weights), aim=aim)
+            yield WritablePrinciple(bodies, "linear", _without_zeros(weights), aim=aim)
         if not any(self.system.bodies[body].turns for body in bodies):
             return
         for centre in self.centres(bodies):
@@ -237,7 +237,7 @@ class Table:
                 weights[body, "x"], weights[body, "y"] = -ry, rx
                 if self.system.bodies[body].turns:
                     weights[body, "angle"] = f.one
-            yield Principle(bodies, "angular", _without_zeros(weights), centre=centre)
+            yield WritablePrinciple(bodies, "angular", _without_zeros(weights), centre=centre)
 
 
 def _is_unit(v: Pair) -> bool:

@@ -16,11 +16,11 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, Script, Sentence, Sheet, Stage
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.narrative.principles.reactions import introduce_reactions
-from freebody.narrative.principles.table import Table
+from freebody.narrative.principles.table import PrincipleTable
 from freebody.numeric.jets import Array
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
@@ -28,8 +28,8 @@ from freebody.questions.momentum import AngularMomentum, Momentum, is_among
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
 from freebody.study.answer import Answer
-from freebody.study.balance import Balance, Principle
-from freebody.study.conserved import Finding, Judge
+from freebody.study.balance import RateBalance, RatePrinciple
+from freebody.study.conserved import ConservationFinding, Judge
 from freebody.study.evidence import element_at
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import cases_where_zero, motion_terms, texts_of
@@ -39,7 +39,7 @@ MOST_OPERATIONS = 70  # of a formula that is shown on the way
 MOST_ROWS = 8  # of the table of coefficients
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The rate of the quantity and where it vanishes. Raises CannotAnswer where there is no formula of it."""
     refuse(method, (), "conservation")
     asked = question.quantity
@@ -48,7 +48,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(answer.reason or "its rate has no closed form")
     if context.system.bounds or context.system.rubs:
         raise CannotAnswer("the law of motion changes on the way; conservation is derived for one law only")
-    telling = _Telling(context, asked, answer)
+    telling = _ConservingTelling(context, asked, answer)
     telling.tell()
     return telling.script.stages
 
@@ -60,7 +60,7 @@ class _Part:
     quantity: Quantity
     name: str
     symbol: Symbol
-    finding: Finding
+    finding: ConservationFinding
     lines: list[int] = field(default_factory=list[int])
 
     @property
@@ -72,7 +72,7 @@ class _Part:
         return self.quantity.sentence(system) or f"@{self.name}"
 
 
-class _Telling:
+class _ConservingTelling:
     """Writes one derivation."""
 
     def __init__(self, context: Context, asked: Conserved, answer: Answer) -> None:
@@ -163,11 +163,11 @@ class _Telling:
             self.script.say("conserved.turning_direction")
 
     @singledispatchmethod
-    def _say_principle(self, q: Quantity, principle: Principle | None) -> None:
+    def _say_principle(self, q: Quantity, principle: RatePrinciple | None) -> None:
         self.script.say(_key(q, "principle"))
 
     @_say_principle.register(AngularMomentum)
-    def _say_of_moments(self, q: AngularMomentum, principle: Principle | None) -> None:
+    def _say_of_moments(self, q: AngularMomentum, principle: RatePrinciple | None) -> None:
         moves = principle is not None and any("v × P" in name for name, _x in principle.parts)
         own_centre = q.about is None and isinstance(q.body, str)
         key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
@@ -184,7 +184,7 @@ class _Telling:
         self._silent(part, principle)
         f = self.model.field
         used = {g for _n, x in principle.parts for g in f.ingredients(x)}
-        table = Table(self.model)
+        table = PrincipleTable(self.model)
         rows = [row for row, r in table.reactions.items() if f.index(r) in used]
         introduce_reactions(self.context, self.script, rows, self.known)
         terms: list[Expr] = []
@@ -200,17 +200,17 @@ class _Telling:
             sides.append(tidy(total))
         part.lines.append(self.script.line(*sides, why="conserved.together", uses=part.lines[-1:]))
 
-    def _formal(self, part: _Part) -> Principle | None:
+    def _formal(self, part: _Part) -> RatePrinciple | None:
         """The principle with reactions as symbols; None for a quantity that has none of its own."""
         if part.finding.principle is None and part.finding.is_conserved is not True:
             return None
-        state = FormalState(Table(self.model))
+        state = FormalState(PrincipleTable(self.model))
         try:
-            return Balance(part.quantity, self.system, state, part.name).by_principle()
+            return RateBalance(part.quantity, self.system, state, part.name).by_principle()
         except CannotAnswer:
             return None
 
-    def _silent(self, part: _Part, principle: Principle) -> None:
+    def _silent(self, part: _Part, principle: RatePrinciple) -> None:
         """Connections and loads that act from outside and do not appear."""
         q = part.quantity
         if not principle.total(self.model.field.zero).generators():
@@ -228,7 +228,7 @@ class _Telling:
         if acting:
             self.script.say(key, names=tuple(acting))
 
-    def _touches(self, name: str, group: Group, balance: Balance) -> bool:
+    def _touches(self, name: str, group: Group, balance: RateBalance) -> bool:
         """Whether a connection or load acts on the bodies that are meant, from outside."""
         moving = {b.name for b in self.system.moving}
         rows = [row for row in self.system.held if row.connection == name]
@@ -285,7 +285,7 @@ class _Telling:
             rows.append((tidy(m), tidy(c), when))
         header = tuple(Sentence(f"conserved.table_{n}") for n in ("before", "coefficient", "zero"))
         if names or len(rows) > 1:
-            self.script.add(Sheet(header, tuple(rows)))
+            self.script.add(FormulaTable(header, tuple(rows)))
         if len(terms) > MOST_ROWS:
             self.script.say("conserved.more", n=len(terms) - MOST_ROWS)
         provided = self.judge.provided(part.finding)
@@ -351,13 +351,13 @@ def _key(q: Quantity, what: str) -> str:
     return f"conserved.{q.principle}_{what}"
 
 
-def reader_of(context: Context, q: Quantity, balance: Balance) -> Callable[[World], float]:
+def reader_of(context: Context, q: Quantity, balance: RateBalance) -> Callable[[World], float]:
     """How the numeric route reads a quantity that may be conserved."""
     return _reader(q, context, balance)
 
 
 @singledispatch
-def _reader(q: Quantity, context: Context, balance: Balance) -> Callable[[World], float]:
+def _reader(q: Quantity, context: Context, balance: RateBalance) -> Callable[[World], float]:
     """Over the numbers; by its formula where it is one of coordinates or potentials."""
     setup = context.setup
     if q.is_of_coordinates or q.is_up_to_constant:
@@ -366,7 +366,7 @@ def _reader(q: Quantity, context: Context, balance: Balance) -> Callable[[World]
 
 
 @_reader.register(GeneralizedMomentum)
-def _reader_of_conjugate(q: GeneralizedMomentum, context: Context, balance: Balance) -> Callable[[World], float]:
+def _reader_of_conjugate(q: GeneralizedMomentum, context: Context, balance: RateBalance) -> Callable[[World], float]:
     """p = sum of m v . dv/du, the slopes by velocities that the numeric route finds."""
     setup, model = context.setup, context.setup.model
     measures = {c.name: model.measure_of(c) for c in model.coordinates}

@@ -13,7 +13,7 @@ from functools import singledispatch
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
 from freebody.narrative.context import Context, Method
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
@@ -33,7 +33,7 @@ TIME = Symbol("t")
 
 
 @dataclass
-class _Way:
+class _EventWay:
     """What the way to the event is made of."""
 
     context: Context
@@ -45,7 +45,7 @@ class _Way:
     line: int  # of the acceleration
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an event. Raises CannotAnswer where the solver has no formula either."""
     event = question.event
     assert event is not None
@@ -64,7 +64,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     line = 0
     if not by_energy:
         line = _acceleration(context, script, setup.model.accelerations[k], method)
-    way = _Way(context, script, question, reached, c, acceleration, line)
+    way = _EventWay(context, script, question, reached, c, acceleration, line)
     lines = _energy(way) if by_energy else _motion(way)
     _asked(way, lines)
     return script.stages
@@ -79,14 +79,14 @@ def _acceleration(context: Context, script: Script, unknown: int, method: Method
     return by_momentum(context, script, [unknown])[unknown][1]
 
 
-def _start(way: _Way) -> tuple[Ratio, Ratio]:
+def _start(way: _EventWay) -> tuple[Ratio, Ratio]:
     """Coordinate and speed at the start."""
     c, start = way.coordinate, way.context.setup.start
     return start.of(c.index), start.of(c.speed)
 
 
 # -- integration ------------------------------------------------------------------------------
-def _motion(way: _Way) -> list[int]:
+def _motion(way: _EventWay) -> list[int]:
     """Velocity and place as functions of time, and the time of the event; the lines that give the state there."""
     a = way.acceleration
     if a.is_constant():
@@ -94,7 +94,7 @@ def _motion(way: _Way) -> list[int]:
     return _linear(way)
 
 
-def _uniform(way: _Way) -> list[int]:
+def _uniform(way: _EventWay) -> list[int]:
     script, c, a = way.script, way.coordinate, way.acceleration
     q0, u0 = _start(way)
     f = a.field
@@ -133,7 +133,7 @@ def _sum(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
     return positive_first(shown) if shown else number(0)
 
 
-def _place_line(way: _Way) -> int:
+def _place_line(way: _EventWay) -> int:
     """What the event means for the coordinate (or its rate)."""
     event, c = way.question.event, way.coordinate
     assert event is not None
@@ -143,7 +143,7 @@ def _place_line(way: _Way) -> int:
     return way.script.line(symbol, tidy(value), why="course.event", args={"event": f"@{event.text}"}, when="event")
 
 
-def _time_lines(way: _Way, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
+def _time_lines(way: _EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
     """The equation for the time, its roots, and which one is meant."""
     script, reached = way.script, way.reached
     event = way.question.event
@@ -167,7 +167,7 @@ def _time_lines(way: _Way, x_line: int, u_line: int, square: int | None, at: int
         script.say("course.note", text=f"@{note}")
 
 
-def _linear(way: _Way) -> list[int]:
+def _linear(way: _EventWay) -> list[int]:
     """An acceleration linear in the coordinate (or speed): the motion, and the time of the event."""
     script, c, reached = way.script, way.coordinate, way.reached
     assert reached.time is not None
@@ -200,7 +200,7 @@ def _linear(way: _Way) -> list[int]:
     return lines
 
 
-def _oscillation(way: _Way, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:
+def _oscillation(way: _EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x: Expr, u: Expr) -> list[int]:
     """x = center + x0 cos w t + u0/w sin w t, or with cosh and sinh."""
     from freebody.symbolic.signs import Sign, sign_of
 
@@ -236,7 +236,7 @@ def _oscillation(way: _Way, beta: Ratio, center: Ratio, x0: Ratio, u0: Ratio, x:
 
 
 # -- energy -----------------------------------------------------------------------------------
-def _energy(way: _Way) -> list[int]:
+def _energy(way: _EventWay) -> list[int]:
     """Kinetic and potential energy at the start and at the event are the same."""
     script, c, reached, context = way.script, way.coordinate, way.reached, way.context
     model, f = context.setup.model, context.setup.model.field
@@ -276,13 +276,13 @@ def _energy(way: _Way) -> list[int]:
 
 
 # -- what is asked ----------------------------------------------------------------------------
-def _asked(way: _Way, lines: Sequence[int]) -> None:
+def _asked(way: _EventWay, lines: Sequence[int]) -> None:
     """The quantity in the state at the event."""
     _tell_asked(way.question.quantity, way, lines)
 
 
 @singledispatch
-def _tell_asked(q: Quantity, way: _Way, lines: Sequence[int]) -> None:
+def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
     context, question, reached, script = way.context, way.question, way.reached, way.script
     if q.is_of_event:
         return
@@ -314,7 +314,7 @@ def _tell_asked(q: Quantity, way: _Way, lines: Sequence[int]) -> None:
 
 
 @_tell_asked.register(Work)
-def _work(quantity: Work, way: _Way, lines: Sequence[int]) -> None:
+def _work(quantity: Work, way: _EventWay, lines: Sequence[int]) -> None:
     """The work of a load that has a potential: what the potential is less than at the start."""
     context, script, f = way.context, way.script, way.context.setup.model.field
     setup, uses = context.setup, tuple(lines)
@@ -332,7 +332,7 @@ def _work(quantity: Work, way: _Way, lines: Sequence[int]) -> None:
             script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 
 
-def _ends_in_answer(way: _Way, found: Ratio) -> None:
+def _ends_in_answer(way: _EventWay, found: Ratio) -> None:
 
     f, reached, setup = found.field, way.reached, way.context.setup
     values = setup.motion.known_at(reached)

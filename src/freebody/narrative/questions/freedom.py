@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Product, Sum, negate, number
+from freebody.language.expression import Expr, ProductOf, Sum, negate, number
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, Listing, Script, Sentence, Sheet, Stage
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -19,7 +19,7 @@ from freebody.system.system import System
 MOST_ROWS = 6  # of a dependent set, that are listed one by one
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The count, the dependent constraints, the number. Raises CannotAnswer where the solver has no number."""
     refuse(method, (), "a count of freedoms")
     if answer.value is None:
@@ -55,14 +55,14 @@ def _count(script: Script, count: Gruebler) -> int:
     header = tuple(Sentence(f"mobility.table_{name}") for name in ("kind", "connections", "each", "together"))
     rows = tuple((kind, ", ".join(names), number(n), number(n * len(names))) for (kind, n), names in alike.items())
     if rows:
-        script.add(Sheet(header, rows))
+        script.add(FormulaTable(header, rows))
     terms: list[Expr] = []
     if count.bodies or not count.particles:
-        terms.append(Product((number(count.n), number(len(count.bodies)))))
+        terms.append(ProductOf((number(count.n), number(len(count.bodies)))))
     if count.particles:
-        terms.append(Product((number(count.n_point), number(len(count.particles)))))
+        terms.append(ProductOf((number(count.n_point), number(len(count.particles)))))
     for (_kind, n), names in alike.items():
-        terms.append(Product((number(-len(names)), number(n))) if len(names) > 1 else negate(number(n)))
+        terms.append(ProductOf((number(-len(names)), number(n))) if len(names) > 1 else negate(number(n)))
     counted = terms[0] if len(terms) == 1 else Sum(tuple(terms))
     return script.line(counted, number(count.count), why="mobility.count", when="never")
 

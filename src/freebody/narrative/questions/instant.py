@@ -9,11 +9,11 @@ from functools import partial
 from freebody.language.expression import Expr, Symbol
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence, Stage
+from freebody.narrative.lines.script import DerivationStage, Legend, Script, Sentence
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.newton import same_answer
-from freebody.narrative.questions.state import Parts, parts_of_state
+from freebody.narrative.questions.state import AnswerParts, parts_of_state
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.evidence import work_until
@@ -23,14 +23,14 @@ from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an instant. Raises CannotAnswer where there is none by this method."""
     newton = context.newton
     parts = newton.asked(question.quantity)
     unknowns = newton.unknowns_in(parts)
     script = context.script()
     found: dict[int, tuple[Ratio, int]] = {}
-    before = Parts(())
+    before = AnswerParts(())
     if unknowns and method in ("lagrange", "energy"):
         from freebody.narrative.principles.analytic import by_energy, by_lagrange
 
@@ -51,7 +51,7 @@ def finish(
     question: Question,
     parts: Sequence[Ratio],
     found: Mapping[int, tuple[Ratio, int]],
-    before: Parts | None = None,
+    before: AnswerParts | None = None,
 ) -> None:
     """From the unknowns to what is asked, at the start where that is meant; ends in the solver's answer."""
     model, setup = context.setup.model, context.setup

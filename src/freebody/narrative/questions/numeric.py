@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Derive, Method
-from freebody.narrative.lines.script import Script, Stage
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -14,7 +14,7 @@ from freebody.study.setup import Setup
 def or_in_numbers(derive: Derive) -> Derive:
     """The same derivation; where it cannot be done since the solver has no formula either, the equations of motion."""
 
-    def derived(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+    def derived(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
         try:
             return derive(context, question, answer, method)
         except CannotAnswer:
@@ -30,7 +30,7 @@ def _is_plain(context: Context) -> bool:
     return not context.system.bounds and not context.system.rubs
 
 
-def in_numbers(context: Context, answer: Answer) -> list[Stage]:
+def in_numbers(context: Context, answer: Answer) -> list[DerivationStage]:
     """The equations of motion, and what is done with them in numbers."""
     script = context.script()
     try:

@@ -20,9 +20,9 @@ from freebody.language.expression import Expr, Symbol, add, multiply, number, po
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, Script, Sentence, Stage
+from freebody.narrative.lines.script import Argument, DerivationStage, Script, Sentence
 from freebody.narrative.principles.analytic import by_lagrange
-from freebody.narrative.principles.elimination import Row
+from freebody.narrative.principles.elimination import EliminationRow
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.questions.base import Quantity
@@ -38,13 +38,13 @@ from freebody.symbolic.routh import determinant
 from freebody.symbolic.tidy import tidy
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """Equations of motion, the equilibrium, what is linear beside it, the frequencies. Raises CannotAnswer where the
     solver has no formula."""
     refuse(method, ("newton", "lagrange"), "small motion")
     if answer.expression is None:
         raise CannotAnswer(answer.reason or "there is no closed form")
-    telling = _Telling(context, question, answer, method)
+    telling = _SmallTelling(context, question, answer, method)
     telling.equations()
     telling.equilibrium()
     telling.asked(question.quantity)
@@ -59,7 +59,7 @@ class _Equation:
     line: int
 
 
-class _Telling:
+class _SmallTelling:
     """Writes one derivation."""
 
     def __init__(self, context: Context, question: Question, answer: Answer, method: Method) -> None:
@@ -88,15 +88,15 @@ class _Telling:
         for row in rows:
             self.found.append(_Equation(f.lowest_terms(f.follow(row.rest, still)), row.number))
 
-    def _rows(self) -> list[Row]:
+    def _rows(self) -> list[EliminationRow]:
         accelerations = self.model.accelerations
         if self.method == "lagrange":
             values = by_lagrange(self.context, self.script, accelerations)
-            return [Row({a: self.field.one}, *values[a]) for a in accelerations]
+            return [EliminationRow({a: self.field.one}, *values[a]) for a in accelerations]
         if len(accelerations) == 1 and not self.context.system.space and not self.model.dependent:
             newton = self.context.newton
             values = newton.write(self.script, newton.plan(accelerations), accelerations)
-            return [Row({a: self.field.one}, *values[a]) for a in accelerations]
+            return [EliminationRow({a: self.field.one}, *values[a]) for a in accelerations]
         with self.script.stage("unclosed.equations", "unclosed.equations_hint"):
             return motion_equations(self.context, self.script)
 

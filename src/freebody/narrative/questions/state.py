@@ -24,18 +24,18 @@ from freebody.symbolic.tidy import tidy
 
 
 @dataclass(frozen=True)
-class Parts:
+class AnswerParts:
     """Lines that an answer follows from, and the symbols whose sum it is."""
 
     lines: tuple[int, ...]
     total: Expr | tuple[Expr, ...] | None = None
 
 
-def parts_of_state(context: Context, script: Script, question: Question) -> Parts:
+def parts_of_state(context: Context, script: Script, question: Question) -> AnswerParts:
     """What a quantity is made of."""
     uses = loop_lines(context, script)
     lines, symbols = _told(question.quantity, context, script)
-    return Parts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
+    return AnswerParts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
 
 
 @singledispatch

@@ -14,7 +14,7 @@ from freebody.study.answer import Answer
 
 
 @dataclass(frozen=True)
-class Key:
+class KeyEntry:
     """What is right in one question of a variant. letter: of the right option, empty without options."""
 
     label: str
@@ -27,12 +27,12 @@ class Key:
     reason: str = ""  # why there is no answer
 
 
-def key_of(answer: Answer, label: str) -> Key:
+def key_of(answer: Answer, label: str) -> KeyEntry:
     letter = answer.choice or ""
     if answer.options and not letter:
         right = [k for k, v in answer.options.items() if v.verdict == "right"]
         letter = ", ".join(right)
-    return Key(
+    return KeyEntry(
         label,
         answer.question,
         letter,
@@ -44,7 +44,7 @@ def key_of(answer: Answer, label: str) -> Key:
     )
 
 
-def key_table(catalogue: Catalogue, keys: Sequence[Key]) -> Table:
+def key_table(catalogue: Catalogue, keys: Sequence[KeyEntry]) -> Table:
     header = tuple(
         catalogue.tell(Sentence(f"sheet.{name}")) for name in ("exercise_short", "option", "formula", "value")
     )
@@ -52,7 +52,7 @@ def key_table(catalogue: Catalogue, keys: Sequence[Key]) -> Table:
     return Table(header, rows)
 
 
-def _key_row(catalogue: Catalogue, key: Key) -> tuple[Text, ...]:
+def _key_row(catalogue: Catalogue, key: KeyEntry) -> tuple[Text, ...]:
     letter: Text = (f"({key.letter})",) if key.letter else ()
     formula: Text = () if key.expression is None else (Formula((key.expression,)),)
     if key.reason and key.expression is None:

@@ -10,7 +10,7 @@ from typing import Literal
 from freebody.errors import FreebodyError, InputError, ModelError
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.sheets.answer_key import Key, key_of, key_table
+from freebody.narrative.sheets.answer_key import KeyEntry, key_of, key_table
 from freebody.narrative.sheets.sheet_report import SheetWriter, report_words
 from freebody.narrative.sheets.statement import label_of
 from freebody.narrative.sheets.variants import Variant, as_given, variant_of
@@ -42,9 +42,9 @@ class Sheet:
             raise InputError(f"there is no variant {n}; there are 1 to {self.variants}")
         return self._made[n - 1]
 
-    def key(self, variant: int = 1) -> tuple[Key, ...]:
+    def key(self, variant: int = 1) -> tuple[KeyEntry, ...]:
         """What is right, question by question."""
-        found: list[Key] = []
+        found: list[KeyEntry] = []
         for number, exercise in enumerate(self.variant(variant), 1):
             answers = exercise.solution.answers
             for k, answer in enumerate(answers, 1):

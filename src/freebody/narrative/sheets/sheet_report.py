@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
-from freebody.narrative.sheets.statement import Statement, title_of
+from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import (
@@ -53,7 +53,7 @@ class SheetWriter:
         solutions: list[Block] = []
         for number, exercise in enumerate(self.exercises, 1):
             title = {"n": number, "title": f"@{title_of(exercise.system, catalogue)}"}
-            set_ = Statement(exercise.system, catalogue, number, self.n_figures + 1).blocks()
+            set_ = ExerciseStatement(exercise.system, catalogue, number, self.n_figures + 1).blocks()
             self.n_figures += sum(isinstance(block, Figure) for block in set_)
             solved: tuple[Block, ...] = ()
             if sheet.solutions == "inline":

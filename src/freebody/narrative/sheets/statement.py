@@ -24,7 +24,7 @@ from freebody.study.gruebler import gruebler
 from freebody.system.system import System
 
 
-class Statement:
+class ExerciseStatement:
     """The statement of one exercise in one language. number: of the exercise; figure: of its picture."""
 
     def __init__(self, system: System, catalogue: Catalogue, number: int, figure: int) -> None:

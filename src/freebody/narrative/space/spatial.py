@@ -12,11 +12,11 @@ from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry
-from freebody.narrative.lines.script import Argument, Script, Stage
+from freebody.narrative.lines.script import Argument, DerivationStage, Script
 from freebody.narrative.principles.formal import FormalState
-from freebody.narrative.principles.table import Table
+from freebody.narrative.principles.table import PrincipleTable
 from freebody.narrative.questions.instant import asked_symbol, finish, side_of
-from freebody.narrative.questions.state import Parts
+from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
 from freebody.narrative.space.spatial_frames import axes_of
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
@@ -31,16 +31,16 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an instant. Raises CannotAnswer where the solver has no formula."""
     if answer.expression is None:
         raise CannotAnswer(answer.reason or "there is no closed form")
     script = context.script()
-    table = Table(context.setup.model)
+    table = PrincipleTable(context.setup.model)
     parts, unknowns = asked(context, question.quantity, table)
     telling = SpatialTelling(context, script, at_start=question.at_start)
     found: dict[int, tuple[Ratio, int]] = {}
-    before = Parts(())
+    before = AnswerParts(())
     if unknowns and _turns_by_itself(question.quantity, telling, question, method):
         return script.stages
     if unknowns:
@@ -58,7 +58,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 
 
 def finish_at_start(
-    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: Parts
+    context: Context, script: Script, question: Question, parts: Sequence[Ratio], before: AnswerParts
 ) -> None:
     """What is asked at the start, from symbols whose values there are told."""
     here, f = context.setup.start_instant, context.setup.model.field
@@ -74,7 +74,7 @@ def finish_at_start(
         script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
 
 
-def asked(context: Context, quantity: Quantity, table: Table) -> tuple[tuple[Ratio, ...], list[int]]:
+def asked(context: Context, quantity: Quantity, table: PrincipleTable) -> tuple[tuple[Ratio, ...], list[int]]:
     """A quantity with accelerations and reactions as symbols, and which of these it contains."""
     model, f = context.setup.model, context.setup.model.field
     value: Any = quantity.value(context.system, FormalState(table))
@@ -89,7 +89,7 @@ def _unknowns(
     context: Context,
     script: Script,
     kinematics: SpatialKinematics,
-    table: Table,
+    table: PrincipleTable,
     unknowns: Sequence[int],
     method: Method,
 ) -> dict[int, tuple[Ratio, int]]:
@@ -110,22 +110,22 @@ class SpatialTelling:
         self.kinematics = SpatialKinematics(context, script)
         self.is_formal = False  # whether a sum is told by symbols that have values at the start
 
-    def parts(self, q: Quantity) -> Parts:
+    def parts(self, q: Quantity) -> AnswerParts:
         """Lines, and the sum that the quantity is. Written inside stages of their own."""
         return self._told(q)
 
     @singledispatchmethod
-    def _told(self, q: Quantity) -> Parts:
-        return Parts(())
+    def _told(self, q: Quantity) -> AnswerParts:
+        return AnswerParts(())
 
     @_told.register(RatioOf)
-    def _ratio(self, q: RatioOf) -> Parts:
+    def _ratio(self, q: RatioOf) -> AnswerParts:
         over, under = self.parts(q.top), self.parts(q.bottom)
-        return Parts(tuple(dict.fromkeys((*over.lines, *under.lines))), None)
+        return AnswerParts(tuple(dict.fromkeys((*over.lines, *under.lines))), None)
 
     # -- energies and momenta -----------------------------------------------------------------
     @_told.register(Energy)
-    def _energy(self, q: Energy) -> Parts:
+    def _energy(self, q: Energy) -> AnswerParts:
         from freebody.narrative.space.spatial_momentum import Momenta
 
         if q.what == "kinetic" and self.at_start and free_bodies(self.context, q.body):
@@ -134,20 +134,20 @@ class SpatialTelling:
         return Momenta(self.context, self.script, self.kinematics).energies(q)
 
     @_told.register(Momentum)
-    def _momentum(self, q: Momentum) -> Parts:
+    def _momentum(self, q: Momentum) -> AnswerParts:
         from freebody.narrative.space.spatial_momentum import Momenta
 
         return Momenta(self.context, self.script, self.kinematics).momenta(q)
 
     @_told.register(AngularMomentum)
-    def _spin(self, q: AngularMomentum) -> Parts:
+    def _spin(self, q: AngularMomentum) -> AnswerParts:
         from freebody.narrative.space.spatial_momentum import Momenta
 
         return Momenta(self.context, self.script, self.kinematics).spins(q)
 
     # -- turning ------------------------------------------------------------------------------
     @_told.register(AngularVelocity)
-    def _turning(self, q: AngularVelocity) -> Parts:
+    def _turning(self, q: AngularVelocity) -> AnswerParts:
         kinematics, axes = self.kinematics, axes_of(q.basis)
         bodies = [b for b in (q.body, q.relative_to) if not self.context.system.bodies[b].fixed]
         lines: list[int] = []
@@ -167,7 +167,7 @@ class SpatialTelling:
             for body in dict.fromkeys((*bodies, *((axes.body,) if axes.body != GROUND and q.order == 2 else ()))):
                 lines += kinematics.bound(body)
         is_plain = len(totals) == 1 and not q.size and not (is_component and q.order == 2)
-        return Parts(tuple(dict.fromkeys(lines)), totals[0] if is_plain else None)
+        return AnswerParts(tuple(dict.fromkeys(lines)), totals[0] if is_plain else None)
 
     def _say_of_axes(self, q: AngularVelocity, body: str) -> None:
         """How an angular acceleration follows from an angular velocity along the same axes."""
@@ -182,20 +182,20 @@ class SpatialTelling:
 
     # -- points and measures ------------------------------------------------------------------
     @_told.register(OfPoint)
-    def _point(self, q: OfPoint) -> Parts:
+    def _point(self, q: OfPoint) -> AnswerParts:
         with self.script.stage("space.places", "space.places_hint"):
             line = self.kinematics.place(q.point, str(q.point))
             if q.order:
                 self.script.say("space.differentiate_place" if q.basis is None else "space.differentiate_in_axes")
             bound = self._bound_by(q)
-            return Parts((line, *bound))
-        return Parts(())
+            return AnswerParts((line, *bound))
+        return AnswerParts(())
 
     @_told.register(OfMeasure)
-    def _measure(self, q: OfMeasure) -> Parts:
+    def _measure(self, q: OfMeasure) -> AnswerParts:
         with self.script.stage("space.velocities", "space.velocities_hint"):
-            return Parts(self._bound_by(q))
-        return Parts(())
+            return AnswerParts(self._bound_by(q))
+        return AnswerParts(())
 
     def _bound_by(self, q: OfMeasure | OfPoint) -> tuple[int, ...]:
         """Lines that tell the bound rates in a quantity."""

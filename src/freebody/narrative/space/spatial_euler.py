@@ -18,7 +18,7 @@ from freebody.narrative.lines.naming import asked_entry, fresh, named
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, Script, Sentence
 from freebody.narrative.questions.instant import asked_symbol, side_of
-from freebody.narrative.questions.state import Parts
+from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
@@ -126,7 +126,7 @@ def start_line(context: Context, script: Script, kinematics: SpatialKinematics, 
     return script.line(tuple(w), values, why="space.start_turning", args={"body": body}, when="start")
 
 
-def kinetic_energy_of_free(context: Context, script: Script, kinematics: SpatialKinematics, q: Energy) -> Parts:
+def kinetic_energy_of_free(context: Context, script: Script, kinematics: SpatialKinematics, q: Energy) -> AnswerParts:
     """m v^2/2 + sum of I w^2/2 in components, with their values at the start."""
     lines: list[int] = []
     terms: list[Expr] = []
@@ -134,7 +134,7 @@ def kinetic_energy_of_free(context: Context, script: Script, kinematics: Spatial
         for b in context.system.moving:
             if is_among(b.name, q.body):
                 lines += _energy(context, script, kinematics, b, terms)
-    return Parts(tuple(lines), add(*terms))
+    return AnswerParts(tuple(lines), add(*terms))
 
 
 def _energy(

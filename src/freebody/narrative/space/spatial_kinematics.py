@@ -15,7 +15,7 @@ from freebody.connections.rolling import Rolling
 from freebody.language.expression import Call, Expr, Symbol, add, number, rate_key
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
-from freebody.model.elements import NonholonomicForm, Plane, RigidBody
+from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.model.state import State
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
@@ -191,7 +191,7 @@ class SpatialKinematics(Frames):
                     found.append(self.script.line(*sides, why="space.velocity_row", args=args))
         return found
 
-    def rolling_body(self, connection: str) -> tuple[RigidBody, Plane] | None:
+    def rolling_body(self, connection: str) -> tuple[RigidBody, BodyPlane] | None:
         """A disk or a sphere and the fixed plane on which it rolls."""
         data = self.context.system.connections[connection]
         if not isinstance(data, Rolling) or data.on is None or data.radius is not None:
@@ -204,7 +204,7 @@ class SpatialKinematics(Frames):
         return body, plane
 
     # -- vectors ------------------------------------------------------------------------------
-    def contact_arm(self, body: RigidBody, plane: Plane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
+    def contact_arm(self, body: RigidBody, plane: BodyPlane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
         """From the centre to the point of contact."""
 
         def reads(world: World) -> Sequence[float]:
@@ -215,7 +215,7 @@ class SpatialKinematics(Frames):
         args: dict[str, Argument] = {"body": body.name, "axes": axes.words}
         return symbols, self.script.line(symbols, self.shown(arm), why="space.arm_is", args=args)
 
-    def arm(self, body: RigidBody, plane: Plane) -> Vector:
+    def arm(self, body: RigidBody, plane: BodyPlane) -> Vector:
         found = _arm_of(body, plane, self.state)
         return tuple(self.field.lowest_terms(self.field.element(x)) for x in found)
 
@@ -261,7 +261,7 @@ def _turning(context: Context, body: str) -> Callable[[World], Sequence[float]]:
     return reads
 
 
-def _arm_of(body: RigidBody, plane: Plane, state: State[Any]) -> tuple[Any, ...]:
+def _arm_of(body: RigidBody, plane: BodyPlane, state: State[Any]) -> tuple[Any, ...]:
     """-R n for a sphere, -R (n - (n.a) a)/|n x a| for a rim."""
     n = components_of(plane.normal, state, 3)
     assert body.radius is not None

@@ -14,7 +14,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.narrative.questions.state import Parts
+from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
@@ -42,7 +42,7 @@ class Momenta:
         return (line, *self.kinematics.bound(b.name))
 
     # -- energies -----------------------------------------------------------------------------
-    def energies(self, q: Energy) -> Parts:
+    def energies(self, q: Energy) -> AnswerParts:
         lines: list[int] = []
         terms: list[Expr] = []
         bodies = self.bodies(q.body) if q.what != "potential" else []
@@ -56,7 +56,7 @@ class Momenta:
                     lines.append(self._energy_line(b, value, uses, terms))
             if q.what != "kinetic":
                 lines += self._potentials(q, terms)
-        return Parts(tuple(lines), add(*terms) if terms else None)
+        return AnswerParts(tuple(lines), add(*terms) if terms else None)
 
     def _velocity(self, b: RigidBody) -> tuple[int, ...]:
         """The velocity of a mass centre that moves."""
@@ -107,7 +107,7 @@ class Momenta:
         return read
 
     # -- momenta ------------------------------------------------------------------------------
-    def spins(self, q: AngularMomentum) -> Parts:
+    def spins(self, q: AngularMomentum) -> AnswerParts:
         """Angular momenta about mass centres, then what each body contributes."""
         bodies = self.bodies(q.body)
         own: dict[str, tuple[int, ...]] = {}
@@ -118,9 +118,9 @@ class Momenta:
                 own[b.name] = (self._own_spin(b, spins[b.name]),) if spins[b.name] else ()
             if q.along is None or q.size:
                 lines = [line for b in bodies for line in (*own[b.name], *self._places(b, q))]
-                return Parts(tuple(lines or [x for found in spins.values() for x in found]))
+                return AnswerParts(tuple(lines or [x for found in spins.values() for x in found]))
             return self._shares(q, bodies, own)
-        return Parts(())
+        return AnswerParts(())
 
     def _own_spin(self, b: RigidBody, uses: tuple[int, ...]) -> int:
         axes = axes_of_body(self.context, b.name)
@@ -140,7 +140,7 @@ class Momenta:
             return ()
         return self._velocity(b)
 
-    def _shares(self, q: AngularMomentum, bodies: Sequence[RigidBody], own: dict[str, tuple[int, ...]]) -> Parts:
+    def _shares(self, q: AngularMomentum, bodies: Sequence[RigidBody], own: dict[str, tuple[int, ...]]) -> AnswerParts:
         lines: list[int] = []
         terms: list[Expr] = []
         for b in bodies:
@@ -161,14 +161,14 @@ class Momenta:
             shown = tidy(value)
             sides += [shown] if sides[-1] != shown else []
             lines.append(self.script.line(*sides, why="space.share_is", args={"body": b.name}, uses=uses))
-        return Parts(tuple(lines), add(*terms) if terms else None)
+        return AnswerParts(tuple(lines), add(*terms) if terms else None)
 
-    def momenta(self, q: Momentum) -> Parts:
+    def momenta(self, q: Momentum) -> AnswerParts:
         lines: list[int] = []
         with self.script.stage("space.momenta"):
             for b in self.bodies(q.body):
                 lines += self._velocity(b)
-        return Parts(tuple(lines))
+        return AnswerParts(tuple(lines))
 
     def _element(self, value: object) -> Ratio:
         return self.field.lowest_terms(self.field.element(value))  # type: ignore[arg-type]

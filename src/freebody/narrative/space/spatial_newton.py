@@ -16,11 +16,11 @@ from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.rates import rates_of_vector
 from freebody.narrative.lines.script import Argument, Diagram, Script, Sentence
-from freebody.narrative.principles.elimination import Row, Solver, Unknowns, positive_first
+from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns, positive_first
 from freebody.narrative.principles.kinematics import scaled
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.reactions import introduce_reactions
-from freebody.narrative.principles.table import Principle, Slot
+from freebody.narrative.principles.table import Slot, WritablePrinciple
 from freebody.narrative.space.spatial_frames import Reads, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_table import SpatialPlanner, SpatialPrinciple, SpatialTable
@@ -67,7 +67,7 @@ class SpatialNewton:
         numbers = self.model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
         planner = SpatialPlanner(self.table, numbers)
         rows = {self.field.index(r): row for row, r in self.table.reactions.items()}
-        found: list[tuple[Principle, tuple[str, ...], tuple[str, ...]]] = []
+        found: list[tuple[WritablePrinciple, tuple[str, ...], tuple[str, ...]]] = []
         for unknown in unknowns:
             target = np.zeros((1, planner.n))
             is_motion = unknown in self.model.accelerations
@@ -135,7 +135,7 @@ class SpatialNewton:
         return lambda world: tuple(q.value(self.context.system, world.snapshot))
 
     # -- principles ---------------------------------------------------------------------------
-    def _principle(self, plan: Plan, k: int) -> Row:
+    def _principle(self, plan: Plan, k: int) -> EliminationRow:
         p = plan.principles[k]
         assert isinstance(p, SpatialPrinciple)
         assert p.aim is not None
@@ -207,7 +207,7 @@ class SpatialNewton:
                 total = total + weights[slot] * slope
         return total
 
-    def _row(self, motion: Ratio, rest: Ratio, reactions: Mapping[str, Ratio], line: int) -> Row:
+    def _row(self, motion: Ratio, rest: Ratio, reactions: Mapping[str, Ratio], line: int) -> EliminationRow:
         """The line collected by its unknowns."""
         f = self.field
         entries: dict[int, Ratio] = {}
@@ -219,7 +219,7 @@ class SpatialNewton:
             known = known + slope * f.variable(a)
         for row, arm in reactions.items():
             entries[f.index(self.table.reactions[row])] = -arm
-        return Row(entries, f.lowest_terms(known), line)
+        return EliminationRow(entries, f.lowest_terms(known), line)
 
 
 def _spin_rate(context: Context, b: RigidBody) -> Reads:

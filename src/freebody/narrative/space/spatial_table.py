@@ -22,7 +22,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.planner import MORE_BODIES, Array, Planner
-from freebody.narrative.principles.table import Aim, Centre, Principle, Slot, Table
+from freebody.narrative.principles.table import Aim, MomentCentre, PrincipleTable, Slot, WritablePrinciple
 from freebody.narrative.space.spatial_frames import Vector
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
@@ -36,7 +36,7 @@ TOGETHER = 0.2  # what a further body costs
 
 
 @dataclass(frozen=True)
-class SpatialPrinciple(Principle):
+class SpatialPrinciple(WritablePrinciple):
     """One equation, along an axis by ground components."""
 
     axis: Vector = ()
@@ -56,7 +56,7 @@ class _Place:
     mass_center_of: str = ""
 
 
-class SpatialTable(Table):
+class SpatialTable(PrincipleTable):
     """Principles of a system in space."""
 
     def __init__(self, kinematics: SpatialKinematics) -> None:
@@ -146,7 +146,7 @@ class SpatialTable(Table):
         return self._frames[body]
 
     # -- principles ---------------------------------------------------------------------------
-    def of(self, bodies: tuple[str, ...]) -> Iterator[Principle]:
+    def of(self, bodies: tuple[str, ...]) -> Iterator[WritablePrinciple]:
         directions = self._directions_for(bodies)
         for d in directions:
             weights: dict[Slot, Ratio] = {}
@@ -171,7 +171,7 @@ class SpatialTable(Table):
                 parts += [f.element(dot(d.vector, a)) for a in self._axes(body)]
             for slot, w in zip(self.model.slots, parts, strict=False):
                 weights[body, slot] = f.lowest_terms(f.element(w))
-        centre = Centre((place.place[0], place.place[1]), place.words, place.is_fixed, place.mass_center_of)
+        centre = MomentCentre((place.place[0], place.place[1]), place.words, place.is_fixed, place.mass_center_of)
         aim = Aim((d.vector[0], d.vector[1]), d.words, "")
         return SpatialPrinciple(bodies, "angular", _kept(weights), aim=aim, centre=centre, axis=d.vector)
 
@@ -189,7 +189,7 @@ class SpatialPlanner(Planner):
             for body in table.system.moving
         }
 
-    def _cost(self, p: Principle, row: Array, place: int) -> float:
+    def _cost(self, p: WritablePrinciple, row: Array, place: int) -> float:
         """In space it is the equations of one body that are many: those of several bodies together are preferred."""
         alone = super()._cost(p, row, place)
         return alone + (TOGETHER - MORE_BODIES[p.kind]) * (len(p.bodies) - 1)

@@ -10,17 +10,17 @@ from freebody.language.expression import Expr, Symbol
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, Script, Sentence, Sheet, Stage
-from freebody.narrative.principles.table import Table
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
+from freebody.narrative.principles.table import PrincipleTable
 from freebody.narrative.space.spatial import SpatialTelling, asked
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answer import Answer
 from freebody.study.evidence import holds
-from freebody.study.steady.extremes import Extremum, Search, angle_of, at_start_but_for
-from freebody.study.steady.round_turn import Round
-from freebody.study.steady.turning import Turning
+from freebody.study.steady.extremes import ExtremaSearch, Extremum, angle_of, at_start_but_for
+from freebody.study.steady.round_turn import FullTurn
+from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate
@@ -30,7 +30,7 @@ N_POSES = 24  # round the turn, from which the numeric route looks for the extre
 STEPS = (math.tau / 24, 0.03, 0.003)  # of parabolas through three poses, ever closer to the extreme
 
 
-def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[Stage]:
+def tell_extremes(context: Context, question: Question, answer: Answer, q: Extremes) -> list[DerivationStage]:
     """The quantity, its slope, the stationary places, the extreme values."""
     setup, model = context.setup, context.setup.model
     f = model.field
@@ -38,8 +38,8 @@ def tell_extremes(context: Context, question: Question, answer: Answer, q: Extre
     c = angle_of(model, q, x)
     general = x
     x = at_start_but_for(setup, question, x, c)
-    turning = Turning(model, c)
-    search = Search(turning)
+    turning = TurningAngle(model, c)
+    search = ExtremaSearch(turning)
     search.must_exist(x)
     found = search.stationary(x)
     least, largest = search.ordered(found)
@@ -72,11 +72,11 @@ def _leading_up(context: Context, script: Script, q: Extremes) -> tuple[int, ...
     """How the quantity follows from the angles, in space."""
     if not context.system.space:
         return ()
-    _parts, unknowns = asked(context, q.of, Table(context.setup.model))
+    _parts, unknowns = asked(context, q.of, PrincipleTable(context.setup.model))
     return () if unknowns else SpatialTelling(context, script).parts(q.of).lines
 
 
-def _slope(turning: Turning, x: Ratio, c: Coordinate) -> Ratio:
+def _slope(turning: TurningAngle, x: Ratio, c: Coordinate) -> Ratio:
     """The factors of the slope along the angle that can vanish on the way."""
     f, varying = x.field, x.field.one
     for base, _exponent in f.factor(f.lowest_terms(f.derivative(x, c.index)).num)[1]:
@@ -93,15 +93,15 @@ def _table(script: Script, found: list[Extremum], name: str) -> None:
     for e in found:
         places = ", ".join(dict.fromkeys(p.text(name) for p in e.places))
         rows.append((places, tidy(e.value)))
-    script.add(Sheet(header, tuple(rows)))
+    script.add(FormulaTable(header, tuple(rows)))
 
 
 class _Sweep:
     """The full system in poses round the turn, once for each draw."""
 
-    def __init__(self, context: Context, q: Extremes, c: Coordinate, search: Search) -> None:
+    def __init__(self, context: Context, q: Extremes, c: Coordinate, search: ExtremaSearch) -> None:
         self.context, self.q, self.c, self.search = context, q, c, search
-        self._known: dict[int, tuple[World, Round, list[tuple[float, float, Array]]]] = {}
+        self._known: dict[int, tuple[World, FullTurn, list[tuple[float, float, Array]]]] = {}
 
     def extreme(self, way: int) -> Callable[[World], float]:
         """Reads the least (way 1) or the largest value, by the vertices of parabolas from the best pose."""
@@ -122,10 +122,10 @@ class _Sweep:
 
         return read
 
-    def _round(self, world: World) -> tuple[Round, list[tuple[float, float, Array]]]:
+    def _round(self, world: World) -> tuple[FullTurn, list[tuple[float, float, Array]]]:
         """(value, angle from the start, pose) all round the turn."""
         if id(world) not in self._known:
-            turn = Round(self.context.setup, world.draw, self.c, self.q.of)
+            turn = FullTurn(self.context.setup, world.draw, self.c, self.q.of)
             if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
                 raise CannotAnswer("these numbers do not meet the conditions of the answer")
             step = math.tau / N_POSES

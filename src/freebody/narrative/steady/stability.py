@@ -12,7 +12,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, 
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Sheet, Stage, When
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Legend, Script, Sentence, When
 from freebody.narrative.principles.motion_equations import motion_equations, readable
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
@@ -31,7 +31,7 @@ _SPIN = 3.7  # rad/s, at which lines are looked at
 _PRODUCTS: dict[frozenset[int], int] = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
 
 
-def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStability) -> list[Stage]:
+def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStability) -> list[DerivationStage]:
     """Euler's equations with small components beside a spin."""
     expression = answer.expression
     assert expression is not None
@@ -152,7 +152,7 @@ class _Beside(Glossary):
         return self._found
 
 
-def tell_stability(context: Context, question: Question, answer: Answer) -> list[Stage]:
+def tell_stability(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     """The equations of motion, the steady motion, and the squares of the exponents of small disturbances."""
     expression = answer.expression
     assert expression is not None
@@ -199,7 +199,7 @@ def _polynomial(script: Script, linear: Linear) -> None:
         if not c.is_zero():
             rows.append((str(power_), tidy(readable(c))))
     header = (Sentence("steady.table_power"), Sentence("conserved.table_coefficient"))
-    script.add(Sheet(header, tuple(reversed(rows))))
+    script.add(FormulaTable(header, tuple(reversed(rows))))
 
 
 def _nearest(glossary: _Beside, value: Expr) -> Callable[[World], float]:

@@ -6,14 +6,14 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import Stage
+from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.answer import Answer
 
 
-def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[Stage]:
+def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about steady motion. Raises CannotAnswer where the solver has no formula."""
     refuse(method, (), "steady motion")
     if answer.expression is None:
@@ -22,33 +22,33 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
 
 
 @singledispatch
-def _told(q: Quantity, context: Context, question: Question, answer: Answer) -> list[Stage]:
+def _told(q: Quantity, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     raise CannotAnswer("this is no question about steady motion")
 
 
 @_told.register(SteadyValue)
-def _value(q: SteadyValue, context: Context, question: Question, answer: Answer) -> list[Stage]:
+def _value(q: SteadyValue, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     from freebody.narrative.steady.steady_motion import tell_steady
 
     return tell_steady(context, question, answer, q)
 
 
 @_told.register(Extremes)
-def _extremes(q: Extremes, context: Context, question: Question, answer: Answer) -> list[Stage]:
+def _extremes(q: Extremes, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     from freebody.narrative.steady.extremes import tell_extremes
 
     return tell_extremes(context, question, answer, q)
 
 
 @_told.register(SpinStability)
-def _spin(q: SpinStability, context: Context, question: Question, answer: Answer) -> list[Stage]:
+def _spin(q: SpinStability, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     from freebody.narrative.steady.stability import tell_spin
 
     return tell_spin(context, question, answer, q)
 
 
 @_told.register(SteadyStability)
-def _stability(q: SteadyStability, context: Context, question: Question, answer: Answer) -> list[Stage]:
+def _stability(q: SteadyStability, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     from freebody.narrative.steady.stability import tell_stability
 
     return tell_stability(context, question, answer)

@@ -18,7 +18,7 @@ from freebody.language.expression import Call, Expr, Symbol, rate_key
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence, Stage, When
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, When
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
 from freebody.questions.motion import rates_of
@@ -60,7 +60,7 @@ class SteadyGlossary(Glossary):
 
 
 @dataclass
-class _Telling:
+class _SteadyTelling:
     context: Context
     question: Question
     answer: Answer
@@ -68,7 +68,7 @@ class _Telling:
     script: Script
 
 
-def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyValue) -> list[Stage]:
+def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyValue) -> list[DerivationStage]:
     """The equations of motion, what they become, the roots, and the quantity that is asked for."""
     steady = Steady(context.setup.model)
     unknown = unknown_of(steady, q)
@@ -78,7 +78,7 @@ def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyV
         solutions = steady.any_solution()
     else:
         solutions = steady.at_position(unknown) if is_place else steady.solved_for(unknown.speed)
-    telling = _Telling(context, question, answer, steady, context.script())
+    telling = _SteadyTelling(context, question, answer, steady, context.script())
     lines = _equations(telling)
     glossary = SteadyGlossary(context.setup, steady, solutions)
     glossary.meanings.update(context.glossary.meanings)
@@ -95,7 +95,7 @@ def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyV
     return [*telling.script.stages, *script.stages]
 
 
-def _equations(telling: _Telling) -> list[int]:
+def _equations(telling: _SteadyTelling) -> list[int]:
     """The equations of motion."""
     context, script = telling.context, telling.script
     try:
@@ -106,7 +106,7 @@ def _equations(telling: _Telling) -> list[int]:
         return []
 
 
-def _conditions(telling: _Telling, script: Script, lines: list[int]) -> list[int]:
+def _conditions(telling: _SteadyTelling, script: Script, lines: list[int]) -> list[int]:
     """What is left where all accelerations vanish and only cyclic coordinates run."""
     steady = telling.steady
     cyclic, others = (tuple(Symbol(c.name) for c in group) for group in (steady.cyclic, steady.others))
@@ -127,7 +127,12 @@ def _conditions(telling: _Telling, script: Script, lines: list[int]) -> list[int
 
 
 def _roots(
-    telling: _Telling, script: Script, glossary: SteadyGlossary, symbol: Expr, solutions: Solutions, uses: list[int]
+    telling: _SteadyTelling,
+    script: Script,
+    glossary: SteadyGlossary,
+    symbol: Expr,
+    solutions: Solutions,
+    uses: list[int],
 ) -> None:
     """Each root in the steady motion that belongs to it, then all together."""
     expression = telling.answer.expression
@@ -151,7 +156,7 @@ def _roots(
 
 
 def _root_symbols(
-    telling: _Telling, script: Script, glossary: SteadyGlossary, symbol: Expr, n: int
+    telling: _SteadyTelling, script: Script, glossary: SteadyGlossary, symbol: Expr, n: int
 ) -> tuple[Symbol, ...]:
     """A symbol for each root, with its value in the steady motion of that root with the same numbers."""
     names = _names(telling.context, symbol, n)
@@ -177,7 +182,7 @@ def _names(context: Context, symbol: Expr, n: int) -> list[Symbol]:
     return [context.symbol(f"{stem}_{k + 1}", f"{stem}_root{k + 1}") for k in range(n)]
 
 
-def _during(telling: _Telling, script: Script, q: SteadyValue, uses: list[int]) -> None:
+def _during(telling: _SteadyTelling, script: Script, q: SteadyValue, uses: list[int]) -> None:
     """Another quantity while the motion is steady."""
     context, question = telling.context, telling.question
     expression = telling.answer.expression

@@ -15,7 +15,7 @@ from importlib.resources import files
 from typing import Any, cast
 
 from freebody.errors import InputError
-from freebody.language.expression import Call, Number, Power, Product, Sum, Symbol
+from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.telling.phrases import GENERAL, TABLE, phrases_of
@@ -26,7 +26,7 @@ _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
-_EXPRESSIONS = (Number, Symbol, Sum, Product, Power, Call)
+_EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
 
 
 def languages() -> tuple[str, ...]:

@@ -34,7 +34,7 @@ _BETWEEN = re.compile(r"(, then |, | and | or )")
 
 
 @dataclass(frozen=True)
-class Phrase:
+class TextPattern:
     """A pattern, and what is said for it."""
 
     english: str
@@ -55,9 +55,9 @@ class Phrase:
 class Phrases:
     """The phrases of a language, in the order in which they are tried."""
 
-    def __init__(self, phrases: tuple[Phrase, ...]) -> None:
+    def __init__(self, phrases: tuple[TextPattern, ...]) -> None:
         ordered = sorted(phrases, key=lambda p: -p.n_own)
-        self.kinds: dict[str, list[Phrase]] = {}
+        self.kinds: dict[str, list[TextPattern]] = {}
         for p in ordered:
             self.kinds.setdefault(p.kind, []).append(p)
         self._compiled = {kind: [(self._pattern(p), p) for p in own] for kind, own in self.kinds.items()}
@@ -106,7 +106,7 @@ class Phrases:
         return "".join(str(x) for pair in zip_longest(members, between, fillvalue="") for x in pair)
 
     # -- patterns -----------------------------------------------------------------------------
-    def _pattern(self, phrase: Phrase) -> re.Pattern[str]:
+    def _pattern(self, phrase: TextPattern) -> re.Pattern[str]:
         return re.compile(self._written(phrase.english, inside=False), re.DOTALL)
 
     def _written(self, english: str, *, inside: bool) -> str:
@@ -135,16 +135,16 @@ class Phrases:
 def phrases_of(language: str) -> Phrases:
     """The phrases of a language, from all of its files; none for the language in which they are handed over."""
     folder = files("freebody.narrative.words")
-    found: list[Phrase] = []
+    found: list[TextPattern] = []
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.name.partition(".")[0] == language and entry.name.endswith(".toml"):
             found += _flat(tomllib.loads(entry.read_text("utf-8")).get(TABLE, {}), GENERAL)
     return Phrases(tuple(found))
 
 
-def _flat(table: Mapping[str, Any], kind: str) -> Iterator[Phrase]:
+def _flat(table: Mapping[str, Any], kind: str) -> Iterator[TextPattern]:
     for english, text in table.items():
         if isinstance(text, dict):
             yield from _flat(cast("dict[str, Any]", text), english)
         else:
-            yield Phrase(english, str(text), kind)
+            yield TextPattern(english, str(text), kind)

@@ -5,7 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 
-from freebody.narrative.lines.script import Diagram, Item, Legend, Line, Listing, Sentence, Sheet, Stage
+from freebody.narrative.lines.script import (
+    DerivationStage,
+    Diagram,
+    FormulaTable,
+    Item,
+    Legend,
+    Listing,
+    NumberedFormula,
+    Sentence,
+)
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import (
     Block,
@@ -35,11 +44,11 @@ class Telling:
         self.n_figures = 0
         self.shown: dict[tuple[str, ...], int] = {}  # figures by the bodies that they show
 
-    def stages(self, stages: Sequence[Stage]) -> tuple[Block, ...]:
+    def stages(self, stages: Sequence[DerivationStage]) -> tuple[Block, ...]:
         """Every stage as a step that can be revealed."""
         return tuple(self._step(stage) for stage in stages)
 
-    def _step(self, stage: Stage) -> Step:
+    def _step(self, stage: DerivationStage) -> Step:
         hint: Text = () if stage.hint is None else self.catalogue.tell(stage.hint)
         return Step(self.catalogue.tell(stage.title), hint, tuple(self.blocks(stage.items)))
 
@@ -68,7 +77,7 @@ class Telling:
                         words = []
                     figures.append(found)
                 continue
-            if isinstance(item, Line) and item.why is not None:
+            if isinstance(item, NumberedFormula) and item.why is not None:
                 words.append(self.catalogue.tell(item.why))
             if words:
                 yield Paragraph(_joined(words))
@@ -83,7 +92,7 @@ class Telling:
 
     def _block(self, item: Item) -> Iterator[Block]:
         match item:
-            case Line():
+            case NumberedFormula():
                 yield Equations((self._equation(item),))
             case Listing(items):
                 yield Bullets(tuple(self.catalogue.tell(s) for s in items))
@@ -91,7 +100,7 @@ class Telling:
                 yield Bullets(
                     tuple((Formula((e,)), " — ", *self.catalogue.tell(s), *(_unit(unit))) for e, s, unit in entries)
                 )
-            case Sheet(header, rows, marks):
+            case FormulaTable(header, rows, marks):
                 cells = tuple(tuple(self._cell(c) for c in row) for row in rows)
                 yield Table(tuple(self.catalogue.tell(h) for h in header), cells, marks)
             case _:
@@ -104,7 +113,7 @@ class Telling:
             return (self.catalogue.said(cell),) if cell else ()
         return (Formula((cell,)),)  # type: ignore[arg-type]
 
-    def _equation(self, line: Line) -> Equation:
+    def _equation(self, line: NumberedFormula) -> Equation:
         label = "" if line.label is None else self._label(line.label)
         formula = Formula(line.sides, line.relations, line.unit)
         return Equation(formula, line.number, label)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded
-from freebody.numeric.contact.problem import State
+from freebody.numeric.contact.problem import RowState
 from freebody.numeric.contact.ranges import Feasible, force_ranges
 from freebody.numeric.contact.record import ABSENT
 from freebody.numeric.engine.course import Trajectory
 
 ROUND_OFF = 1e-12
-_STATE_OF_SLIP = {0: State.STICKING, 1: State.FORWARD, -1: State.BACKWARD}
+_STATE_OF_SLIP = {0: RowState.STICKING, 1: RowState.FORWARD, -1: RowState.BACKWARD}
 
 
 def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[str, tuple[float, float]]:
@@ -25,9 +25,9 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     slips = {int(i): int(s) for i, s in enumerate(course.contact.slips[k]) if s != ABSENT}
     problem = bounded.problem(now, closed, slips, of_rates=False)
     matrices = problem.matrices
-    mode = [State.HELD] * matrices.n
+    mode = [RowState.HELD] * matrices.n
     for i in closed:
-        mode[problem.row_of_barrier(i)] = State.CLOSED
+        mode[problem.row_of_barrier(i)] = RowState.CLOSED
     for i, slip in slips.items():
         mode[problem.row_of_drag(i)] = _STATE_OF_SLIP[slip]
     held = [*bounded.bilateral, *(grip for i in closed for grip in bounded.barriers[i].grips)]

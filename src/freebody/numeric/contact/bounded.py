@@ -16,9 +16,9 @@ from freebody.measures.distance import Distance
 from freebody.measures.turned import carriers
 from freebody.model.elements import ConstraintRow, NonholonomicForm, UnilateralConstraint
 from freebody.model.elements import DryFriction as RubElement
-from freebody.numeric.contact.problem import ContactProblem, Rub
+from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.engine import Engine, Rows, Watch, packed
+from freebody.numeric.engine.engine import Engine, EngineRows, EngineWatch, packed
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, Guard
 from freebody.numeric.numbers import Numbers
@@ -78,7 +78,7 @@ class ModeOf:
 
 
 @dataclass(frozen=True)
-class Instant:
+class ContactInstant:
     """A state in dense form. Rows are all that may be held; gradients (n_rows, n), rates and biases (n_rows,)."""
 
     y: Floats
@@ -94,7 +94,7 @@ class Bounded:
     """All rows of a system, its barriers and drags."""
 
     def __init__(
-        self, numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
+        self, numbers: Numbers, watches: Sequence[EngineWatch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
     ) -> None:
         system = numbers.system
         n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
@@ -202,7 +202,7 @@ class Bounded:
     @cached_property
     def free(self) -> Engine:
         """The system with its bilateral rows only."""
-        return Engine(self.numbers, self.watches, self.tracked, Rows(self.written, self.bilateral, (), ()))
+        return Engine(self.numbers, self.watches, self.tracked, EngineRows(self.written, self.bilateral, (), ()))
 
     def held_in(self, mode: ModeOf) -> tuple[int, ...]:
         """Places of the rows that are held in a mode."""
@@ -244,13 +244,13 @@ class Bounded:
                     guards.append(Guard(OF_RATE, self.drags[k].row, sign=float(state)))
                     about.append(("slip", k))
             sliding = tuple((drag.packed, state) for drag, state in zip(self.drags, mode.drags, strict=True) if state)
-            rows = Rows(self.written, self.held_in(mode), sliding, tuple(guards))
+            rows = EngineRows(self.written, self.held_in(mode), sliding, tuple(guards))
             engine = Engine(self.numbers, self.watches, self.tracked, rows)
             self._engines[mode] = engine, tuple(guards), about
         return self._engines[mode]
 
     # -- instants -----------------------------------------------------------------------------
-    def instant(self, y: Floats, t: float, near: Floats) -> Instant:
+    def instant(self, y: Floats, t: float, near: Floats) -> ContactInstant:
         """Everything about a state that contact problems need."""
         e = self.free
         e.count_from(near)
@@ -264,7 +264,7 @@ class Bounded:
         v = y[n : 2 * n]
         drifts = table[rows, dynamics.DRIFT] if rows else np.zeros(0)
         goals = self._goals(t)
-        return Instant(
+        return ContactInstant(
             y,
             t,
             gradients,
@@ -306,7 +306,7 @@ class Bounded:
         lent = layout.mass_gap > 0.0
         return np.where(lent, layout.inverse_mass / LENT, layout.inverse_mass)
 
-    def grouped(self, mode: ModeOf, now: Instant) -> ModeOf:
+    def grouped(self, mode: ModeOf, now: ContactInstant) -> ModeOf:
         """The mode with drags that stick along the same slip grouped: two corners of a block on one line."""
         groups: list[list[int]] = []
         for k, state in enumerate(mode.drags):
@@ -325,7 +325,9 @@ class Bounded:
         """Whether a barrier exists at the instant that `free` looked at last: a foot is on its edge."""
         return within(self.barriers[k], self.free.room.rows)
 
-    def problem(self, now: Instant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool) -> Problem:
+    def problem(
+        self, now: ContactInstant, closed: Sequence[int], drags: dict[int, int], *, of_rates: bool
+    ) -> RowProblem:
         """The contact problem of a set of barriers and of drags (with the sign of their slip rate): in accelerations,
         or in rates."""
         held = [*self.bilateral, *(grip for k in closed for grip in self.barriers[k].grips)]
@@ -345,20 +347,20 @@ class Bounded:
         )
         lengths = np.array([1.0 if self.is_angle(self.rows[k]) else self.numbers.length for k in places])
         matrices = ContactProblem(A, b, tuple(normals), rubs, lengths)
-        return Problem(matrices, tuple(closed), tuple(drags), weighted, len(held))
+        return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held))
 
-    def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> Rub:
+    def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> FrictionProblemRow:
         drag, number = self.drags[k], self.numbers.number
         rub = drag.rub
         if not drag.loads:
             static, kinetic = self._limits(k, t)
-            return Rub(row, (static, static), (kinetic, kinetic), constant=1.0, sliding=sliding)
+            return FrictionProblemRow(row, (static, static), (kinetic, kinetic), constant=1.0, sliding=sliding)
         static = number(rub.coefficient(1, at_rest=True)), number(rub.coefficient(-1, at_rest=True))
         kinetic = number(rub.coefficient(1)), number(rub.coefficient(-1))
         loads = tuple(at[place] for place in drag.loads if place in at)
         if len(loads) == 1 and drag.load_sign:
-            return Rub(row, static, kinetic, normals=loads, sliding=sliding)
-        return Rub(row, static, kinetic, magnitudes=(loads,) if loads else (), sliding=sliding)
+            return FrictionProblemRow(row, static, kinetic, normals=loads, sliding=sliding)
+        return FrictionProblemRow(row, static, kinetic, magnitudes=(loads,) if loads else (), sliding=sliding)
 
     def _limits(self, k: int, t: float) -> tuple[float, float]:
         """The largest friction at rest and in motion of a brake, at the instant looked at."""
@@ -370,13 +372,13 @@ class Bounded:
     def is_angle(self, row: ConstraintRow) -> bool:
         return row.measure.dimension == DIMENSIONLESS
 
-    def keep(self, drag: int, now: Instant) -> None:
+    def keep(self, drag: int, now: ContactInstant) -> None:
         """The slip of a drag is kept from now on where it is."""
         self.written.keep(self.drags[drag].packed, float(self.free.room.rows[self.drags[drag].row, dynamics.VALUE]))
 
 
 @dataclass(frozen=True)
-class Problem:
+class RowProblem:
     """A contact problem, and what its rows are: held ones, closed barriers, drags. weighted: (n_rows, n) J M^-1."""
 
     matrices: ContactProblem
@@ -391,7 +393,7 @@ class Problem:
     def row_of_drag(self, k: int) -> int:
         return self.n_held + len(self.closed) + self.drags.index(k)
 
-    def with_rates(self, b: Floats) -> Problem:
+    def with_rates(self, b: Floats) -> RowProblem:
         return replace(self, matrices=replace(self.matrices, b=b))
 
 

@@ -14,13 +14,13 @@ import numpy as np
 
 from freebody.numeric.contact.complementarity import lemke
 from freebody.numeric.contact.modes import Rules, coefficient, is_pressed, rub_states
-from freebody.numeric.contact.problem import SLIPPING, Array, Mode, State
-from freebody.numeric.contact.reduction import Friction, Reduced
+from freebody.numeric.contact.problem import SLIPPING, Array, Mode, RowState
+from freebody.numeric.contact.reduction import ReducedFriction, ReducedProblem
 
 _ROUNDS = 40
 
 
-def lemke_guess(reduced: Reduced, rules: Rules) -> tuple[Array, Mode] | None:
+def lemke_guess(reduced: ReducedProblem, rules: Rules) -> tuple[Array, Mode] | None:
     """Forces (n_free,) and the mode that Lemke's pivots end at, or None. Magnitudes are iterated as constants."""
     magnitudes = _magnitudes(reduced, np.zeros(len(reduced.rows)))
     found: tuple[Array, Mode] | None = None
@@ -35,16 +35,16 @@ def lemke_guess(reduced: Reduced, rules: Rules) -> tuple[Array, Mode] | None:
     return found
 
 
-def _magnitudes(reduced: Reduced, x: Array) -> Array:
+def _magnitudes(reduced: ReducedProblem, x: Array) -> Array:
     """What the magnitudes add to the load of every rub."""
     return np.array([sum(float(np.linalg.norm(p + Q @ x)) for p, Q in f.groups) for f in reduced.frictions])
 
 
-def _pivoted(reduced: Reduced, rules: Rules, magnitudes: Array) -> tuple[Array, Mode] | None:
+def _pivoted(reduced: ReducedProblem, rules: Rules, magnitudes: Array) -> tuple[Array, Mode] | None:
     n = len(reduced.rows)
-    normals = [i for i in range(reduced.n_normals) if rules.allows(i, State.CLOSED)]
-    gaps = tuple(State.CLOSED if i in normals else State.OPEN for i in range(reduced.n_normals))
-    undecided: list[tuple[Friction, Array, float]] = []  # with W and l0 of L = W N + l0
+    normals = [i for i in range(reduced.n_normals) if rules.allows(i, RowState.CLOSED)]
+    gaps = tuple(RowState.CLOSED if i in normals else RowState.OPEN for i in range(reduced.n_normals))
+    undecided: list[tuple[ReducedFriction, Array, float]] = []  # with W and l0 of L = W N + l0
     # x = x0 + S (N, T + f L of the undecided rubs)
     x0 = np.zeros(n)
     S = np.zeros((n, len(normals) + len(reduced.frictions)))
@@ -52,14 +52,14 @@ def _pivoted(reduced: Reduced, rules: Rules, magnitudes: Array) -> tuple[Array, 
         S[i, k] = 1.0
     for friction, magnitude in zip(reduced.frictions, magnitudes.tolist(), strict=True):
         states = rub_states(friction, gaps, rules)
-        if states == [State.ABSENT]:
+        if states == [RowState.ABSENT]:
             continue
         weights = sum((weight * S[j] for j, weight in friction.pressing), np.zeros(S.shape[1]))
         constant = friction.constant + magnitude
         if len(states) == 1 and states[0] in SLIPPING:
-            lower = coefficient(friction, states[0], rules) * (1.0 if states[0] is State.FORWARD else -1.0)
+            lower = coefficient(friction, states[0], rules) * (1.0 if states[0] is RowState.FORWARD else -1.0)
         else:
-            lower = coefficient(friction, State.FORWARD, rules)
+            lower = coefficient(friction, RowState.FORWARD, rules)
             S[friction.row, len(normals) + len(undecided)] = 1.0
             undecided.append((friction, weights, constant))
         S[friction.row] -= lower * weights
@@ -68,10 +68,10 @@ def _pivoted(reduced: Reduced, rules: Rules, magnitudes: Array) -> tuple[Array, 
 
 
 def _solved(
-    reduced: Reduced,
+    reduced: ReducedProblem,
     rules: Rules,
     normals: list[int],
-    undecided: list[tuple[Friction, Array, float]],
+    undecided: list[tuple[ReducedFriction, Array, float]],
     x0: Array,
     S: Array,
 ) -> tuple[Array, Mode] | None:
@@ -94,18 +94,18 @@ def _solved(
         return None
     x = x0 + S @ found.z[: m + k]
     small = 1e-10 * float((np.abs(reduced.A) @ np.abs(x) + reduced.size).max(initial=0.0))
-    states = [State.OPEN] * reduced.n_normals + [State.ABSENT] * len(reduced.frictions)
+    states = [RowState.OPEN] * reduced.n_normals + [RowState.ABSENT] * len(reduced.frictions)
     for i, w in zip(normals, found.w[:m].tolist(), strict=True):
-        states[i] = State.CLOSED if w <= small else State.OPEN
+        states[i] = RowState.CLOSED if w <= small else RowState.OPEN
     gaps = tuple(states[: reduced.n_normals])
     for friction in reduced.frictions:
         if is_pressed(friction, gaps):
             states[friction.row] = rub_states(friction, gaps, rules)[0]
     for j, (friction, _, _) in enumerate(undecided):
-        if states[friction.row] is State.ABSENT:
+        if states[friction.row] is RowState.ABSENT:
             continue
         if found.w[m + j] > small:
-            states[friction.row] = State.FORWARD
+            states[friction.row] = RowState.FORWARD
         elif found.z[m + k + j] > small:
-            states[friction.row] = State.BACKWARD
+            states[friction.row] = RowState.BACKWARD
     return x, tuple(states)

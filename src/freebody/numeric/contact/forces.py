@@ -18,8 +18,8 @@ import numpy as np
 
 from freebody.numeric.contact.coulomb import lemke_guess
 from freebody.numeric.contact.modes import (
+    ModeSolution,
     Rules,
-    Solution,
     all_modes,
     checked,
     departures,
@@ -36,10 +36,10 @@ from freebody.numeric.contact.problem import (
     ContactProblem,
     ForceOutcome,
     Mode,
-    State,
-    Status,
+    OutcomeCount,
+    RowState,
 )
-from freebody.numeric.contact.reduction import Reduced, reduced
+from freebody.numeric.contact.reduction import ReducedProblem, reduced
 from freebody.numeric.contact.sieve import plausible
 from freebody.numeric.contact.uniqueness import is_certainly_unique
 
@@ -91,10 +91,10 @@ def is_admissible(problem: ContactProblem, mode: Mode) -> bool:
 def _joined(problem: ContactProblem, parts: list[Part], outcomes: list[ForceOutcome]) -> ForceOutcome:
     """The outcome of all parts together; an alternative of one part goes with the chosen modes of all others."""
     is_proven = all(o.is_proven for o in outcomes)
-    for status in (Status.NONE, Status.NOT_FOUND):
+    for status in (OutcomeCount.NONE, OutcomeCount.NOT_FOUND):
         if any(o.status is status for o in outcomes):
             return _nothing(problem, status, is_proven=any(o.status is status and o.is_proven for o in outcomes))
-    mode = [State.HELD] * problem.n
+    mode = [RowState.HELD] * problem.n
     forces, accelerations = np.zeros(problem.n), np.zeros(problem.n)
     for part, outcome in zip(parts, outcomes, strict=True):
         forces[list(part.rows)], accelerations[list(part.rows)] = outcome.forces, outcome.accelerations
@@ -107,7 +107,7 @@ def _joined(problem: ContactProblem, parts: list[Part], outcomes: list[ForceOutc
             for row, state in zip(part.rows, other, strict=True):
                 changed[row] = state
             others.append(tuple(changed))
-    status = Status.SEVERAL if any(o.status is Status.SEVERAL for o in outcomes) else Status.UNIQUE
+    status = OutcomeCount.SEVERAL if any(o.status is OutcomeCount.SEVERAL for o in outcomes) else OutcomeCount.UNIQUE
     return ForceOutcome(status, tuple(mode), forces, accelerations, tuple(others), is_proven)
 
 
@@ -116,7 +116,7 @@ def _together(
 ) -> ForceOutcome:
     system = reduced(problem)
     if not system.is_consistent:
-        return _nothing(problem, Status.NONE, is_proven=True)
+        return _nothing(problem, OutcomeCount.NONE, is_proven=True)
     rules = _starting_rules(system, forbidden)
     guess = tuple(previous[row] for row in problem.free_rows) if previous is not None else None
     first = _search_one(system, rules, guess)
@@ -138,19 +138,19 @@ def _together(
     return _outcome(system, found, is_proven=not any(len(p) > 1 for f in system.frictions for p, _ in f.groups))
 
 
-def _starting_rules(system: Reduced, forbidden: Iterable[Choice]) -> Rules:
+def _starting_rules(system: ReducedProblem, forbidden: Iterable[Choice]) -> Rules:
     """The caller's exclusions in reduced rows; a rub that can only slip one way has its kinetic coefficient at once."""
     place = {row: k for k, row in enumerate(system.problem.free_rows)}
     rules = Rules(frozenset((place[row], state) for row, state in forbidden))
     forced: list[Choice] = []
     for friction in system.frictions if rules.forbidden else ():
-        states = [s for s in (State.STICKING, *SLIPPING) if rules.allows(friction.row, s)]
+        states = [s for s in (RowState.STICKING, *SLIPPING) if rules.allows(friction.row, s)]
         if len(states) == 1 and states[0] in SLIPPING and not friction.rub.sliding:
             forced.append((friction.row, states[0]))
     return replace(rules, slipping=tuple(forced))
 
 
-def _search_one(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None:
+def _search_one(system: ReducedProblem, rules: Rules, guess: Mode | None) -> ModeSolution | None:
     """One consistent mode by guesses, then by Lemke; rubs that break away are solved again with kinetic friction."""
     while True:
         found = _first(system, rules, guess)
@@ -163,7 +163,7 @@ def _search_one(system: Reduced, rules: Rules, guess: Mode | None) -> Solution |
         guess = found.mode
 
 
-def _first(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None:
+def _first(system: ReducedProblem, rules: Rules, guess: Mode | None) -> ModeSolution | None:
     for mode in (guess, lasting_mode(system, rules)):
         fitting = _fitted(system, rules, mode) if mode is not None else None
         found = solve_mode(system, fitting, rules) if fitting is not None else None
@@ -179,7 +179,7 @@ def _first(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None
     return _lasting(system, rules, found) if found is not None else None
 
 
-def _walked(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | None:
+def _walked(system: ReducedProblem, rules: Rules, guess: Mode | None) -> ModeSolution | None:
     """A consistent mode found by changing, one after another, the row that breaks its condition the most."""
     starts = (guess, lasting_mode(system, rules))
     for start in starts:
@@ -195,19 +195,21 @@ def _walked(system: Reduced, rules: Rules, guess: Mode | None) -> Solution | Non
     return None
 
 
-def lasting_mode(system: Reduced, rules: Rules) -> Mode:
+def lasting_mode(system: ReducedProblem, rules: Rules) -> Mode:
     """Every contact closed and every rub at rest sticking, as far as the rules allow."""
-    gaps = tuple(State.CLOSED if rules.allows(i, State.CLOSED) else State.OPEN for i in range(system.n_normals))
+    gaps = tuple(
+        RowState.CLOSED if rules.allows(i, RowState.CLOSED) else RowState.OPEN for i in range(system.n_normals)
+    )
     rest = (rub_states(friction, gaps, rules) for friction in system.frictions)
-    return (*gaps, *(states[0] if states else State.ABSENT for states in rest))
+    return (*gaps, *(states[0] if states else RowState.ABSENT for states in rest))
 
 
-def _fitted(system: Reduced, rules: Rules, mode: Mode) -> Mode | None:
+def _fitted(system: ReducedProblem, rules: Rules, mode: Mode) -> Mode | None:
     """The guess with what is known by now: rubs that slide, that nothing presses, or that are held to a state."""
     gaps = mode[: system.n_normals]
-    if any(not rules.allows(i, s) or s not in (State.OPEN, State.CLOSED) for i, s in enumerate(gaps)):
+    if any(not rules.allows(i, s) or s not in (RowState.OPEN, RowState.CLOSED) for i, s in enumerate(gaps)):
         return None
-    states: list[State] = []
+    states: list[RowState] = []
     for friction in system.frictions:
         possible = rub_states(friction, gaps, rules)
         if not possible:
@@ -216,25 +218,25 @@ def _fitted(system: Reduced, rules: Rules, mode: Mode) -> Mode | None:
     return (*gaps, *states)
 
 
-def _lasting(system: Reduced, rules: Rules, found: Solution) -> Solution:
+def _lasting(system: ReducedProblem, rules: Rules, found: ModeSolution) -> ModeSolution:
     """The same outcome with contacts that neither press nor part called closed, and rubs that barely slip sticking."""
     sizes = system.magnitude @ abs(found.x) + system.size
     small = 1e-10 * sizes + 1e-13 * float(sizes.max(initial=0.0))
     mode = list(found.mode)
     for i in range(system.n_normals):
-        if mode[i] is State.OPEN and found.a[i] <= small[i] and rules.allows(i, State.CLOSED):
-            mode[i] = State.CLOSED
+        if mode[i] is RowState.OPEN and found.a[i] <= small[i] and rules.allows(i, RowState.CLOSED):
+            mode[i] = RowState.CLOSED
     for friction in system.frictions:
         i = friction.row
         rests = not friction.rub.sliding and abs(found.a[i]) <= small[i]
-        if mode[i] in SLIPPING and rests and rules.allows(i, State.STICKING):
-            mode[i] = State.STICKING
+        if mode[i] in SLIPPING and rests and rules.allows(i, RowState.STICKING):
+            mode[i] = RowState.STICKING
     fitting = _fitted(system, rules, tuple(mode)) if tuple(mode) != found.mode else None
     other = solve_mode(system, fitting, rules) if fitting is not None else None
     return other if other is not None and _is_same(system, other, found) else found
 
 
-def _breaking_away(system: Reduced, rules: Rules, found: Solution) -> tuple[Choice, ...]:
+def _breaking_away(system: ReducedProblem, rules: Rules, found: ModeSolution) -> tuple[Choice, ...]:
     """Rubs at rest that slip with a static coefficient which is not the kinetic one."""
     return tuple(
         (f.row, found.mode[f.row])
@@ -247,9 +249,9 @@ def _breaking_away(system: Reduced, rules: Rules, found: Solution) -> tuple[Choi
     )
 
 
-def _search_all(system: Reduced, rules: Rules) -> list[Solution]:
+def _search_all(system: ReducedProblem, rules: Rules) -> list[ModeSolution]:
     """Every outcome, by trying all modes; each set of rubs that break away is followed on its own."""
-    found: list[Solution] = []
+    found: list[ModeSolution] = []
     for solution in _consistent_modes(system, rules):
         started = _breaking_away(system, rules, solution)
         further = replace(rules, slipping=rules.slipping + started)
@@ -258,8 +260,8 @@ def _search_all(system: Reduced, rules: Rules) -> list[Solution]:
     return found
 
 
-def _consistent_modes(system: Reduced, rules: Rules) -> list[Solution]:
-    found: list[Solution] = []
+def _consistent_modes(system: ReducedProblem, rules: Rules) -> list[ModeSolution]:
+    found: list[ModeSolution] = []
     turns = (1.0, -1.0) if any(f.groups for f in system.frictions) else (1.0,)
     for mode in plausible(system, rules, all_modes(system, rules)):
         for turned in turns:
@@ -269,7 +271,7 @@ def _consistent_modes(system: Reduced, rules: Rules) -> list[Solution]:
     return found
 
 
-def _without_breaking_away(system: Reduced, rules: Rules) -> list[Solution]:
+def _without_breaking_away(system: ReducedProblem, rules: Rules) -> list[ModeSolution]:
     """If that leads nowhere: modes that stick with static and slip with kinetic friction, those with fewest slips."""
     if all(f.rub.static == f.rub.kinetic or f.rub.sliding for f in system.frictions):
         return []
@@ -278,50 +280,50 @@ def _without_breaking_away(system: Reduced, rules: Rules) -> list[Solution]:
     return [s for s in found if departures(s.mode)[1] == fewest]
 
 
-def _effort(system: Reduced, found: Solution) -> float:
+def _effort(system: ReducedProblem, found: ModeSolution) -> float:
     """By which outcomes that are alike in all else are told apart in any order of rows: Gauss's constraint,
     lambda.A lambda, to eight digits."""
     effort, size = float(found.x @ system.A @ found.x), float(np.abs(found.x) @ system.magnitude @ np.abs(found.x))
     return round(effort / (size or 1.0), 8)
 
 
-def _is_same(system: Reduced, one: Solution, other: Solution) -> bool:
+def _is_same(system: ReducedProblem, one: ModeSolution, other: ModeSolution) -> bool:
     """Whether all accelerations agree: A (x - x') = 0 also means that every body moves alike."""
     sizes = system.magnitude @ np.maximum(abs(one.x), abs(other.x)) + system.size
     return bool((abs(one.a - other.a) <= _SAME * sizes + 1e-12 * sizes.max(initial=0.0)).all())
 
 
-def _outcome(system: Reduced, found: list[Solution], *, is_proven: bool) -> ForceOutcome:
+def _outcome(system: ReducedProblem, found: list[ModeSolution], *, is_proven: bool) -> ForceOutcome:
     problem = system.problem
     if not found:
         has_magnitudes = any(f.groups for f in system.frictions)
         if is_proven and not has_magnitudes:
-            return _nothing(problem, Status.NONE, is_proven=True)
-        return _nothing(problem, Status.NOT_FOUND, is_proven=False)
+            return _nothing(problem, OutcomeCount.NONE, is_proven=True)
+        return _nothing(problem, OutcomeCount.NOT_FOUND, is_proven=False)
     modes = [_full_mode(system, s.mode) for s in found]
     forces = system.forces(found[0].x)
     accelerations = np.zeros(problem.n)
     accelerations[system.rows] = found[0].a / system.scale
-    accelerations[[state in (State.CLOSED, State.STICKING) for state in modes[0]]] = 0.0
-    status = Status.UNIQUE if len(found) == 1 else Status.SEVERAL
+    accelerations[[state in (RowState.CLOSED, RowState.STICKING) for state in modes[0]]] = 0.0
+    status = OutcomeCount.UNIQUE if len(found) == 1 else OutcomeCount.SEVERAL
     return ForceOutcome(status, modes[0], forces, accelerations, tuple(modes[1:]), is_proven)
 
 
-def _full_mode(system: Reduced, mode: Mode) -> Mode:
-    full = [State.HELD] * system.problem.n
+def _full_mode(system: ReducedProblem, mode: Mode) -> Mode:
+    full = [RowState.HELD] * system.problem.n
     for row, state in zip(system.problem.free_rows, mode, strict=True):
         full[row] = state
     for friction in system.frictions:
         if not is_pressed(friction, mode):
-            full[friction.rub.row] = State.ABSENT
+            full[friction.rub.row] = RowState.ABSENT
     return tuple(full)
 
 
-def _nothing(problem: ContactProblem, status: Status, *, is_proven: bool) -> ForceOutcome:
-    mode = [State.HELD] * problem.n
+def _nothing(problem: ContactProblem, status: OutcomeCount, *, is_proven: bool) -> ForceOutcome:
+    mode = [RowState.HELD] * problem.n
     for row in problem.normals:
-        mode[row] = State.OPEN
+        mode[row] = RowState.OPEN
     for rub in problem.rubs:
-        mode[rub.row] = State.ABSENT
+        mode[rub.row] = RowState.ABSENT
     undefined = np.full(problem.n, np.nan)
     return ForceOutcome(status, tuple(mode), undefined, undefined.copy(), (), is_proven)

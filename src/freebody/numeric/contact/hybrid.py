@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import Bounded, Instant, ModeOf, within
+from freebody.numeric.contact.bounded import Bounded, ContactInstant, ModeOf, within
 from freebody.numeric.contact.least import least_within
-from freebody.numeric.contact.problem import Status as Consistency
-from freebody.numeric.contact.problem import Status as Outcome
-from freebody.numeric.contact.record import Phase, merged
-from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, Transition
+from freebody.numeric.contact.problem import OutcomeCount as Consistency
+from freebody.numeric.contact.problem import OutcomeCount as Outcome
+from freebody.numeric.contact.record import PhaseRecord, merged
+from freebody.numeric.contact.transition import HELD_ALONE, After, Choice, InstantTransition
 from freebody.numeric.contact.words import events_between
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Collision, Event, Status, Trajectory
@@ -44,8 +44,8 @@ class Hybrid:
 
     def __init__(self, bounded: Bounded, options: SimulationOptions) -> None:
         self.bounded, self.options = bounded, options
-        self.transition = Transition(bounded, options.law, jams=options.jams)
-        self.phases: list[Phase] = []
+        self.transition = InstantTransition(bounded, options.law, jams=options.jams)
+        self.phases: list[PhaseRecord] = []
         self.events: list[Event] = []
         self.collisions: list[Collision] = []
         self.several: float | None = None  # when first several outcomes were consistent
@@ -125,7 +125,7 @@ class Hybrid:
                 result, again = again(forbidden=tuple(forbidden)), None
                 self._note(mode, result, t)
                 continue
-            self.phases.append(Phase(course, engine, mode))
+            self.phases.append(PhaseRecord(course, engine, mode))
             near = course.near
             y = engine.state_at(course, -1)
             y[engine.at_work] = course.work[-1]
@@ -172,7 +172,7 @@ class Hybrid:
             return [("drag", k, 0)]
         return [] if is_progress else [("drag", k, mode.drags[k])]
 
-    def _keep(self, mode: ModeOf, now: Instant) -> None:
+    def _keep(self, mode: ModeOf, now: ContactInstant) -> None:
         """What sticks is kept where it is now."""
         for k, state in enumerate(mode.drags):
             if state == 0 and (not self.phases or self.phases[-1].mode.drags[k] != 0):
@@ -222,7 +222,7 @@ class Hybrid:
             self.ahead = t, gained
         self.events += events_between(self.bounded, before, result, t)
 
-    def _not_closing(self, mode: ModeOf, now: Instant) -> list[int]:
+    def _not_closing(self, mode: ModeOf, now: ContactInstant) -> list[int]:
         """Closed barriers with a gap beyond round-off."""
         b = self.bounded
         return [k for k in mode.closed if abs(float(now.values[b.barriers[k].place])) > CLOSED * b.numbers.length]
@@ -365,14 +365,14 @@ class Hybrid:
             message = f"{message}; {said}" if message else said
         return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
 
-    def _no_phase(self, y: Floats, t: float) -> Phase:
+    def _no_phase(self, y: Floats, t: float) -> PhaseRecord:
         """The first instant, where nothing can follow on it: its forces are not known."""
         b = self.bounded
         course = b.free.run(y, t + 1e-9, SimulationOptions(method="dop853"), start=t, outputs=np.array([t]))
         one = {name: getattr(course, name)[:1] for name in ("times", "poses", "velocities", "work")}
         unknown = {name: np.full_like(getattr(course, name)[:1], np.nan) for name in ("accelerations", "multipliers")}
         course = replace(course, **one, **unknown, unique=np.zeros_like(course.unique[:1]))
-        return Phase(course, b.free, ModeOf(frozenset(), (None,) * len(b.drags)))
+        return PhaseRecord(course, b.free, ModeOf(frozenset(), (None,) * len(b.drags)))
 
 
 def _idle(forces: Floats, free: Floats, weights: Floats, pushing: dict[int, int]) -> list[int] | None:

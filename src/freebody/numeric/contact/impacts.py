@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.numeric.contact.forces import MOST_MODES, contact_forces
-from freebody.numeric.contact.problem import Array, ContactProblem, Mode, Rub, Status
+from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, Mode, OutcomeCount
 from freebody.numeric.options import Law
 
 _GREW = 1e-11
@@ -35,7 +35,7 @@ class ImpactOutcome:
     exceeds rounding, which Newton's law with friction allows (Kane & Levinson 1985).
     """
 
-    status: Status
+    status: OutcomeCount
     mode: Mode
     impulses: Array
     velocities: Array
@@ -45,7 +45,7 @@ class ImpactOutcome:
 
     @property
     def is_found(self) -> bool:
-        return self.status in (Status.UNIQUE, Status.SEVERAL)
+        return self.status in (OutcomeCount.UNIQUE, OutcomeCount.SEVERAL)
 
 
 def impact(
@@ -77,7 +77,7 @@ def impact(
     return judged(problem, found.status, found.mode, found.forces, is_proven=found.is_proven)
 
 
-def impulsive(problem: ContactProblem) -> tuple[Rub, ...]:
+def impulsive(problem: ContactProblem) -> tuple[FrictionProblemRow, ...]:
     """The rubs as they act in an impact: kinetic coefficients, no slip known, nothing from finite forces."""
     return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.rubs)
 
@@ -95,13 +95,15 @@ def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_oth
     velocities[held] = 0.0
     expanding = replace(problem, b=velocities + problem.A @ released, rubs=rubs)
     expansion = contact_forces(expanding, most_others=most_others)
-    status = expansion.status if compression.status is Status.UNIQUE else Status.SEVERAL
+    status = expansion.status if compression.status is OutcomeCount.UNIQUE else OutcomeCount.SEVERAL
     status = status if expansion.is_found else expansion.status
     impulses = compression.forces + released + expansion.forces
     return judged(problem, status, expansion.mode, impulses, is_proven=compression.is_proven and expansion.is_proven)
 
 
-def judged(problem: ContactProblem, status: Status, mode: Mode, impulses: Array, is_proven: bool) -> ImpactOutcome:
+def judged(
+    problem: ContactProblem, status: OutcomeCount, mode: Mode, impulses: Array, is_proven: bool
+) -> ImpactOutcome:
     """The outcome of impulses, with its energy: dT = sum P (u+ + u-)/2, because u+ - u- = A P."""
     velocities = problem.A @ impulses + problem.b
     velocities[list(problem.held_rows)] = 0.0

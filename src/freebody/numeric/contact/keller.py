@@ -20,7 +20,7 @@ from enum import Enum
 import numpy as np
 
 from freebody.numeric.contact.impacts import ImpactOutcome, impulsive, judged
-from freebody.numeric.contact.problem import Array, ContactProblem, Rub, State, Status
+from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.contact.reduction import reduced
 
 
@@ -42,7 +42,7 @@ class _Phase:
     dv: float
     dw: float
     friction: float
-    state: State
+    state: RowState
 
 
 def impact_without_collision(
@@ -61,29 +61,29 @@ def impact_without_collision(
     if any(rub.normals != followed.normals for rub in followed.rubs):
         raise ValueError("following an impact needs a rub that the normal alone loads")
     system = reduced(followed)
-    mode = [State.HELD] * problem.n
+    mode = [RowState.HELD] * problem.n
     for rub in problem.rubs:
-        mode[rub.row] = State.ABSENT
+        mode[rub.row] = RowState.ABSENT
     normal = problem.normals[0]
-    mode[normal] = State.OPEN
+    mode[normal] = RowState.OPEN
     phases = _phases(system.A, system.b, _scaled_limits(followed, system.scale), slip) if system.is_consistent else []
     end = _end(phases, restitution, kind) if phases else None
     if end is None:
-        return judged(problem, Status.NONE, tuple(mode), np.full(problem.n, np.nan), is_proven=True)
+        return judged(problem, OutcomeCount.NONE, tuple(mode), np.full(problem.n, np.nan), is_proven=True)
     impulses = np.zeros(problem.n)
     if end > 0.0:
         last = next(phase for phase in reversed(phases) if phase.p0 <= end)
         x = np.array([end, last.T + last.friction * (end - last.p0)][: len(system.rows)])
         impulses[kept] = system.forces(x)
-        mode[normal] = State.CLOSED
+        mode[normal] = RowState.CLOSED
         for rub in followed.rubs:
             mode[kept[rub.row]] = last.state
     else:
         impulses[kept] = system.forces(np.zeros(len(system.rows)))
-    return judged(problem, Status.UNIQUE, tuple(mode), impulses, is_proven=True)
+    return judged(problem, OutcomeCount.UNIQUE, tuple(mode), impulses, is_proven=True)
 
 
-def _is_idle(rub: Rub) -> bool:
+def _is_idle(rub: FrictionProblemRow) -> bool:
     """Whether a rub carries no impulse whatever happens: a brake."""
     return not rub.normals and not rub.magnitudes
 
@@ -112,7 +112,7 @@ def _phases(A: Array, b: Array, limits: tuple[float, float], slip: int) -> list[
     """Slip as long as it lasts, then sticking or slip the other way."""
     w = float(b[0])
     if len(b) == 1:
-        return [_Phase(0.0, 0.0, w, 0.0, 0.0, float(A[0, 0]), 0.0, State.ABSENT)]
+        return [_Phase(0.0, 0.0, w, 0.0, 0.0, float(A[0, 0]), 0.0, RowState.ABSENT)]
     v = float(b[1])
     sign = slip or int(np.sign(v))
     if sign == 0:
@@ -126,7 +126,7 @@ def _phases(A: Array, b: Array, limits: tuple[float, float], slip: int) -> list[
 
 def _sliding(A: Array, limits: tuple[float, float], sign: int, p: float, v: float, w: float, T: float) -> _Phase:
     c = sign * limits[sign < 0]
-    state = State.FORWARD if sign > 0 else State.BACKWARD
+    state = RowState.FORWARD if sign > 0 else RowState.BACKWARD
     return _Phase(p, v, w, T, float(A[0, 1] - c * A[1, 1]), float(A[0, 0] - c * A[0, 1]), -c, state)
 
 
@@ -138,7 +138,7 @@ def _from_rest(A: Array, limits: tuple[float, float], p: float, v: float, w: flo
     if a_nt < -limits[1] * a_tt:
         return _sliding(A, limits, -1, p, v, w, T)
     stuck = -a_nt / a_tt if a_tt > 0.0 else 0.0
-    return _Phase(p, v, w, T, 0.0, float(A[0, 0]) + stuck * a_nt, stuck, State.STICKING)
+    return _Phase(p, v, w, T, 0.0, float(A[0, 0]) + stuck * a_nt, stuck, RowState.STICKING)
 
 
 def _end(phases: list[_Phase], restitution: float, kind: Restitution) -> float | None:

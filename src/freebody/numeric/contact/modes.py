@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from freebody.numeric.contact.least import least_within
-from freebody.numeric.contact.problem import SLIPPING, Array, Choice, Mode, State
-from freebody.numeric.contact.reduction import Friction, Reduced, direction, magnitude_slope
+from freebody.numeric.contact.problem import SLIPPING, Array, Choice, Mode, RowState
+from freebody.numeric.contact.reduction import ReducedFriction, ReducedProblem, direction, magnitude_slope
 
 TOLERANCE = 1e-11
 _LOOSER = 1e3  # inequalities of a row that stands at an event, where its state was forced
@@ -38,12 +38,12 @@ class Rules:
     slipping: tuple[Choice, ...] = ()
     is_kinetic: bool = False  # whether every slip has its kinetic coefficient
 
-    def allows(self, row: int, state: State) -> bool:
+    def allows(self, row: int, state: RowState) -> bool:
         return (row, state) not in self.forbidden and all(r != row or s == state for r, s in self.slipping)
 
 
 @dataclass(frozen=True, slots=True)
-class Solution:
+class ModeSolution:
     """A consistent mode of the reduced rows."""
 
     mode: Mode
@@ -51,20 +51,20 @@ class Solution:
     a: Array
 
 
-def coefficient(friction: Friction, state: State, rules: Rules) -> float:
+def coefficient(friction: ReducedFriction, state: RowState, rules: Rules) -> float:
     """The coefficient with which a rub slips: static only where a rub at rest is asked whether it starts at all."""
     rub = friction.rub
     pair = rub.kinetic if rub.sliding or rules.is_kinetic or (friction.row, state) in rules.slipping else rub.static
-    return pair[state is State.BACKWARD]
+    return pair[state is RowState.BACKWARD]
 
 
-def is_pressed(friction: Friction, mode: Iterable[State]) -> bool:
+def is_pressed(friction: ReducedFriction, mode: Iterable[RowState]) -> bool:
     """Whether the load can differ from zero in a mode of the normals."""
     states = tuple(mode)
-    return friction.is_always_loaded or any(states[j] is State.CLOSED for j in friction.normals)
+    return friction.is_always_loaded or any(states[j] is RowState.CLOSED for j in friction.normals)
 
 
-def solve_mode(reduced: Reduced, mode: Mode, rules: Rules, turned: float = 1.0) -> Solution | None:
+def solve_mode(reduced: ReducedProblem, mode: Mode, rules: Rules, turned: float = 1.0) -> ModeSolution | None:
     """The consistent forces of a mode, if any. Magnitudes start along the forces without friction, times `turned`."""
     x = np.zeros(len(mode))
     has_magnitudes = any(f.groups and mode[f.row] in SLIPPING for f in reduced.frictions)
@@ -83,7 +83,7 @@ def solve_mode(reduced: Reduced, mode: Mode, rules: Rules, turned: float = 1.0) 
     return None
 
 
-def worst_changed(reduced: Reduced, mode: Mode, rules: Rules) -> list[Mode]:
+def worst_changed(reduced: ReducedProblem, mode: Mode, rules: Rules) -> list[Mode]:
     """Modes in which one row is changed that breaks its condition in the given one, the worst first."""
     G, r = _equations(reduced, mode, rules, np.zeros(len(mode)), 1.0)
     x, null_space = _solved(G, r, reduced.is_regular)
@@ -92,39 +92,39 @@ def worst_changed(reduced: Reduced, mode: Mode, rules: Rules) -> list[Mode]:
     _clear(mode, x, null_space)
     a = reduced.A @ x + reduced.b
     sizes = reduced.magnitude @ np.abs(x) + reduced.size
-    wanted: list[tuple[float, int, State]] = []
+    wanted: list[tuple[float, int, RowState]] = []
     for i in range(reduced.n_normals):
-        other = State.OPEN if mode[i] is State.CLOSED else State.CLOSED
-        wanted.append((-float(x[i] if mode[i] is State.CLOSED else a[i]), i, other))
+        other = RowState.OPEN if mode[i] is RowState.CLOSED else RowState.CLOSED
+        wanted.append((-float(x[i] if mode[i] is RowState.CLOSED else a[i]), i, other))
     for friction in reduced.frictions:
         i, state = friction.row, mode[friction.row]
-        if state is State.STICKING:
+        if state is RowState.STICKING:
             load, T = max(0.0, friction.load(x.tolist(), x)), float(x[i])
             forward, backward = friction.rub.static
-            wanted.append((T - backward * load, i, State.BACKWARD))
-            wanted.append((-T - forward * load, i, State.FORWARD))
+            wanted.append((T - backward * load, i, RowState.BACKWARD))
+            wanted.append((-T - forward * load, i, RowState.FORWARD))
         elif state in SLIPPING and not friction.rub.sliding:
-            wanted.append((-float(a[i]) if state is State.FORWARD else float(a[i]), i, State.STICKING))
+            wanted.append((-float(a[i]) if state is RowState.FORWARD else float(a[i]), i, RowState.STICKING))
     tolerance = (TOLERANCE * sizes).tolist()
     broken = sorted(((w, i, s) for w, i, s in wanted if w > tolerance[i] and rules.allows(i, s)), reverse=True)
     return [(*mode[:i], state, *mode[i + 1 :]) for _w, i, state in broken]
 
 
-def _equations(reduced: Reduced, mode: Mode, rules: Rules, x: Array, turned: float) -> tuple[Array, Array]:
+def _equations(reduced: ReducedProblem, mode: Mode, rules: Rules, x: Array, turned: float) -> tuple[Array, Array]:
     G, r = reduced.A.copy(), -reduced.b
     for i in range(reduced.n_normals):
-        if mode[i] is State.OPEN:
+        if mode[i] is RowState.OPEN:
             G[i] = 0.0
             G[i, i], r[i] = 1.0, 0.0
     for friction in reduced.frictions:
         i, state = friction.row, mode[friction.row]
-        if state is State.STICKING:
+        if state is RowState.STICKING:
             continue
         G[i] = 0.0
         G[i, i], r[i] = 1.0, 0.0
-        if state is State.ABSENT:
+        if state is RowState.ABSENT:
             continue
-        c = coefficient(friction, state, rules) * (1.0 if state is State.FORWARD else -1.0)
+        c = coefficient(friction, state, rules) * (1.0 if state is RowState.FORWARD else -1.0)
         r[i] = -c * friction.constant
         for j, weight in friction.pressing:
             G[i, j] += c * weight
@@ -157,19 +157,21 @@ def _solved(G: Array, r: Array, is_regular: bool) -> tuple[Array | None, Array |
 def _clear(mode: Mode, x: Array, null_space: Array | None) -> None:
     """Rows that carry nothing carry exactly nothing."""
     for i, state in enumerate(mode):
-        if state in (State.OPEN, State.ABSENT):
+        if state in (RowState.OPEN, RowState.ABSENT):
             x[i] = 0.0
             if null_space is not None:
                 null_space[i] = 0.0
 
 
-def _consistent(reduced: Reduced, mode: Mode, rules: Rules, x: Array, null_space: Array | None) -> Solution | None:
+def _consistent(
+    reduced: ReducedProblem, mode: Mode, rules: Rules, x: Array, null_space: Array | None
+) -> ModeSolution | None:
     if null_space is None:
         return checked(reduced, mode, rules, x)
     return checked(reduced, mode, rules, x) or _spread(reduced, mode, rules, x, null_space)
 
 
-def checked(reduced: Reduced, mode: Mode, rules: Rules, x: Array) -> Solution | None:
+def checked(reduced: ReducedProblem, mode: Mode, rules: Rules, x: Array) -> ModeSolution | None:
     """The forces as a solution, if they meet every condition of the mode to `TOLERANCE` of the terms of each row."""
     a = reduced.A @ x + reduced.b
     sizes = reduced.magnitude @ np.abs(x) + reduced.size
@@ -178,14 +180,14 @@ def checked(reduced: Reduced, mode: Mode, rules: Rules, x: Array) -> Solution | 
     forces, accelerations = x.tolist(), a.tolist()
     for i in range(reduced.n_normals):
         slack = tolerance[i] * (_LOOSER if i in forced else 1.0)
-        if mode[i] is State.CLOSED:
+        if mode[i] is RowState.CLOSED:
             if forces[i] < -slack or abs(accelerations[i]) > tolerance[i]:
                 return None
         elif accelerations[i] < -slack or forces[i] != 0.0:
             return None
     for friction in reduced.frictions:
         i = friction.row
-        if mode[i] is State.ABSENT:
+        if mode[i] is RowState.ABSENT:
             if forces[i] != 0.0:
                 return None
             continue
@@ -196,12 +198,12 @@ def checked(reduced: Reduced, mode: Mode, rules: Rules, x: Array) -> Solution | 
             return None
         if not _rubs_rightly(friction, mode[i], rules, forces[i], accelerations[i], load, slack):
             return None
-    return Solution(mode, x, a)
+    return ModeSolution(mode, x, a)
 
 
 def _rubs_rightly(
-    friction: Friction,
-    state: State,
+    friction: ReducedFriction,
+    state: RowState,
     rules: Rules,
     T: float,
     a: float,
@@ -210,27 +212,27 @@ def _rubs_rightly(
 ) -> bool:
     """Friction's conditions. slack: of the row, of the load, and the factor of inequalities at an event."""
     own, of_load, factor = slack
-    if state is State.STICKING:
+    if state is RowState.STICKING:
         forward, backward = friction.rub.static
         above = T - backward * load - (own + backward * of_load) * factor
         below = -T - forward * load - (own + forward * of_load) * factor
         return above <= 0.0 and below <= 0.0 and abs(a) <= own
-    sign = 1.0 if state is State.FORWARD else -1.0
+    sign = 1.0 if state is RowState.FORWARD else -1.0
     c = coefficient(friction, state, rules)
     is_at_limit = abs(T + sign * c * load) <= own + c * of_load
     return is_at_limit and (bool(friction.rub.sliding) or sign * a >= -own * factor)
 
 
-def _spread(reduced: Reduced, mode: Mode, rules: Rules, x: Array, Z: Array) -> Solution | None:
+def _spread(reduced: ReducedProblem, mode: Mode, rules: Rules, x: Array, Z: Array) -> ModeSolution | None:
     """The least forces x + Z y in all cones; magnitudes in the loads of sticking rubs stay as at x."""
     rows: list[Array] = []
     bounds: list[float] = []
     for i in range(reduced.n_normals):
-        if mode[i] is State.CLOSED:
+        if mode[i] is RowState.CLOSED:
             rows.append(Z[i])
             bounds.append(-float(x[i]))
     for friction in reduced.frictions:
-        if mode[friction.row] is not State.STICKING:
+        if mode[friction.row] is not RowState.STICKING:
             continue
         load, T = friction.load(x.tolist(), x), float(x[friction.row])
         slope = sum((weight * Z[j] for j, weight in friction.pressing), np.zeros(Z.shape[1]))
@@ -244,9 +246,9 @@ def _spread(reduced: Reduced, mode: Mode, rules: Rules, x: Array, Z: Array) -> S
     return checked(reduced, mode, rules, x + size * (Z @ y)) if y is not None else None
 
 
-def all_modes(reduced: Reduced, rules: Rules) -> list[Mode]:
+def all_modes(reduced: ReducedProblem, rules: Rules) -> list[Mode]:
     """Every mode that the rules allow, lasting contact first."""
-    normals = [[s for s in (State.CLOSED, State.OPEN) if rules.allows(i, s)] for i in range(reduced.n_normals)]
+    normals = [[s for s in (RowState.CLOSED, RowState.OPEN) if rules.allows(i, s)] for i in range(reduced.n_normals)]
     modes: list[Mode] = []
     for gaps in product(*normals):
         choices = [rub_states(friction, gaps, rules) for friction in reduced.frictions]
@@ -254,16 +256,16 @@ def all_modes(reduced: Reduced, rules: Rules) -> list[Mode]:
     return sorted(modes, key=departures)
 
 
-def rub_states(friction: Friction, gaps: tuple[State, ...], rules: Rules) -> list[State]:
+def rub_states(friction: ReducedFriction, gaps: tuple[RowState, ...], rules: Rules) -> list[RowState]:
     """The states a rub may have with the normals in the given ones."""
     if not is_pressed(friction, gaps):
-        return [State.ABSENT]
+        return [RowState.ABSENT]
     if friction.rub.sliding:
-        return [State.FORWARD if friction.rub.sliding > 0 else State.BACKWARD]
-    return [s for s in (State.STICKING, *SLIPPING) if rules.allows(friction.row, s)]
+        return [RowState.FORWARD if friction.rub.sliding > 0 else RowState.BACKWARD]
+    return [s for s in (RowState.STICKING, *SLIPPING) if rules.allows(friction.row, s)]
 
 
-def n_modes(reduced: Reduced) -> int:
+def n_modes(reduced: ReducedProblem) -> int:
     """An upper bound for the length of `all_modes`: a rub of one normal has states only while that is closed."""
     closed, count = [1] * reduced.n_normals, 1
     for friction in reduced.frictions:
@@ -279,4 +281,4 @@ def n_modes(reduced: Reduced) -> int:
 
 def departures(mode: Mode) -> tuple[int, int]:
     """How many contacts end, and how many rubs slip."""
-    return sum(s is State.OPEN for s in mode), sum(s in SLIPPING for s in mode)
+    return sum(s is RowState.OPEN for s in mode), sum(s in SLIPPING for s in mode)

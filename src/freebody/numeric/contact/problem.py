@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-class State(IntEnum):
+class RowState(IntEnum):
     """What a row does next."""
 
     HELD = 0
@@ -31,14 +31,14 @@ class State(IntEnum):
     ABSENT = 6  # a rub that nothing presses
 
 
-Mode = tuple[State, ...]  # one state a row
-Choice = tuple[int, State]  # a row and a state
+Mode = tuple[RowState, ...]  # one state a row
+Choice = tuple[int, RowState]  # a row and a state
 
-SLIPPING = (State.FORWARD, State.BACKWARD)
+SLIPPING = (RowState.FORWARD, RowState.BACKWARD)
 
 
 @dataclass(frozen=True, slots=True)
-class Rub:
+class FrictionProblemRow:
     """Friction T along the slip rate of `row`, where T > 0 pushes towards growing slip.
 
         load L = constant + sum of normal forces + sum of |(lambda_i, lambda_j, ..)| over the groups `magnitudes`
@@ -85,7 +85,7 @@ class ContactProblem:
     A: Array
     b: Array
     normals: tuple[int, ...] = ()
-    rubs: tuple[Rub, ...] = ()
+    rubs: tuple[FrictionProblemRow, ...] = ()
     lengths: Array | None = None  # (n,) h: of multipliers that are not unique those with the least sum of (lambda h)^2
 
     @property
@@ -103,7 +103,7 @@ class ContactProblem:
         return tuple(row for row in range(self.n) if row not in free)
 
 
-class Status(Enum):
+class OutcomeCount(Enum):
     """How many outcomes a problem has. Outcomes with equal accelerations and other forces are one."""
 
     UNIQUE = "one consistent outcome"
@@ -119,7 +119,7 @@ class ForceOutcome:
     `is_proven`: the status follows from a criterion or from trying every mode, not from one search.
     """
 
-    status: Status
+    status: OutcomeCount
     mode: Mode
     forces: Array
     accelerations: Array
@@ -128,4 +128,4 @@ class ForceOutcome:
 
     @property
     def is_found(self) -> bool:
-        return self.status in (Status.UNIQUE, Status.SEVERAL)
+        return self.status in (OutcomeCount.UNIQUE, OutcomeCount.SEVERAL)

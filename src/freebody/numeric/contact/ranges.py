@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import scipy.optimize
 
-from freebody.numeric.contact.problem import SLIPPING, Array, ContactProblem, Mode, Rub, State
+from freebody.numeric.contact.problem import SLIPPING, Array, ContactProblem, FrictionProblemRow, Mode, RowState
 
 _optimize: Any = scipy.optimize
 
@@ -108,7 +108,7 @@ def _none(n: int, feasible: Feasible) -> ForceRanges:
 
 def _signs(problem: ContactProblem, mode: Mode, l0: Array, Z: Array) -> Iterator[dict[int, float]]:
     """Every choice of signs for the held rows whose magnitude is a load and whose force is open."""
-    acting = [rub for rub in problem.rubs if mode[rub.row] is not State.ABSENT]
+    acting = [rub for rub in problem.rubs if mode[rub.row] is not RowState.ABSENT]
     rows = sorted({row for rub in acting for group in rub.magnitudes for row in group})
     free = [row for row in rows if float(np.abs(Z[row]).max(initial=0.0)) > _DETERMINED]
     determined = {row: float(np.sign(l0[row])) for row in rows if row not in free}
@@ -123,30 +123,32 @@ def _cuts(
     cuts: list[_Cut] = []
     is_tight = True
     for row in problem.normals:
-        cuts.append(_Cut(-Z[row], float(l0[row]), is_equation=mode[row] is State.OPEN))
+        cuts.append(_Cut(-Z[row], float(l0[row]), is_equation=mode[row] is RowState.OPEN))
     for row, sign in signs.items():
         cuts.append(_Cut(-sign * Z[row], sign * float(l0[row])))
     for rub in problem.rubs:
         T, slope = float(l0[rub.row]), Z[rub.row]
         state = mode[rub.row]
-        if state is State.ABSENT:
+        if state is RowState.ABSENT:
             cuts.append(_Cut(slope, -T, is_equation=True))
             continue
         load, along, is_known = _load(rub, l0, Z, size, signs)
         is_tight = is_tight and is_known
         if state in SLIPPING and is_known:
-            c = rub.kinetic[0] if state is State.FORWARD else -rub.kinetic[1]
+            c = rub.kinetic[0] if state is RowState.FORWARD else -rub.kinetic[1]
             cuts.append(_Cut(slope + c * along, -T - c * load, is_equation=True))
             continue
         forward, backward = rub.static
         if state in SLIPPING:
-            forward, backward = (rub.kinetic[0], 0.0) if state is State.FORWARD else (0.0, rub.kinetic[1])
+            forward, backward = (rub.kinetic[0], 0.0) if state is RowState.FORWARD else (0.0, rub.kinetic[1])
         cuts.append(_Cut(-slope - forward * along, T + forward * load))
         cuts.append(_Cut(slope - backward * along, -T + backward * load))
     return cuts, is_tight
 
 
-def _load(rub: Rub, l0: Array, Z: Array, size: float, signs: dict[int, float]) -> tuple[float, Array, bool]:
+def _load(
+    rub: FrictionProblemRow, l0: Array, Z: Array, size: float, signs: dict[int, float]
+) -> tuple[float, Array, bool]:
     """L = load + along.y, and whether it is exact rather than an upper bound."""
     load, along, is_known = rub.constant / size, np.zeros(Z.shape[1]), True
     for j in rub.normals:

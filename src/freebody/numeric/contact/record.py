@@ -8,7 +8,7 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf
 from freebody.numeric.engine import stepping
-from freebody.numeric.engine.course import Collision, ContactRecord, Event, Rotation, Status, Tracks, Trajectory
+from freebody.numeric.engine.course import Collision, ContactRecord, Event, RotationHistory, Status, Tracks, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.layout import Floats
 
@@ -16,7 +16,7 @@ ABSENT = 2  # in `ContactRecord.slips`: no friction
 
 
 @dataclass(frozen=True)
-class Phase:
+class PhaseRecord:
     """A part of a motion in one mode."""
 
     course: Trajectory
@@ -26,7 +26,7 @@ class Phase:
 
 def merged(
     bounded: Bounded,
-    phases: list[Phase],
+    phases: list[PhaseRecord],
     status: Status,
     message: str,
     wall: float,
@@ -94,17 +94,17 @@ def merged(
     )
 
 
-def _rotation(parts: list[tuple[Trajectory, slice]]) -> Rotation | None:
+def _rotation(parts: list[tuple[Trajectory, slice]]) -> RotationHistory | None:
     """How bodies turn along all phases, in space."""
     known = [(course.rotation, part) for course, part in parts if course.rotation is not None and part.stop > 0]
     if not known:
         return None
-    return Rotation(
-        **{f.name: np.concatenate([getattr(r, f.name)[part] for r, part in known]) for f in fields(Rotation)}
+    return RotationHistory(
+        **{f.name: np.concatenate([getattr(r, f.name)[part] for r, part in known]) for f in fields(RotationHistory)}
     )
 
 
-def _rows(bounded: Bounded, phase: Phase) -> tuple[Floats, Floats, Floats, Floats]:
+def _rows(bounded: Bounded, phase: PhaseRecord) -> tuple[Floats, Floats, Floats, Floats]:
     """(n_times, n_rows) multipliers and whether they are unique; (n_times, n_barriers), (n_times, n_drags) states."""
     course, mode = phase.course, phase.mode
     n = len(course.times)
@@ -146,7 +146,7 @@ def _share(bounded: Bounded, group: tuple[int, ...], multipliers: Floats, unique
         unique[:, bounded.drags[k].keeps] = 0.0
 
 
-def _load(bounded: Bounded, phase: Phase, drag: FrictionRow, state: int, multipliers: Floats) -> Floats:
+def _load(bounded: Bounded, phase: PhaseRecord, drag: FrictionRow, state: int, multipliers: Floats) -> Floats:
     """(n_times,) size of the force of a friction that slides in a direction."""
     if drag.loads:
         c = bounded.numbers.number(drag.rub.coefficient(state))

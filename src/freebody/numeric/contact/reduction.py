@@ -15,14 +15,14 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.contact.problem import Array, ContactProblem, Rub
+from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow
 
 RANK = 1e-12  # of a matrix with unit diagonal
 _CONSISTENT = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Friction:
+class ReducedFriction:
     """A rub in reduced rows: its load divided by the scale of its force.
 
     `pressing`: (reduced row, weight) of every force in it; `normals`: the reduced rows that must be closed for a load,
@@ -30,7 +30,7 @@ class Friction:
     """
 
     row: int
-    rub: Rub
+    rub: FrictionProblemRow
     constant: float
     pressing: tuple[tuple[int, float], ...]
     normals: tuple[int, ...]
@@ -47,7 +47,7 @@ class Friction:
 
 
 @dataclass(frozen=True, slots=True)
-class Reduced:
+class ReducedProblem:
     """Unit-diagonal rows of normals, then rubs: A x + b. `size` is what the terms of b come to, by which it rounds."""
 
     problem: ContactProblem
@@ -59,7 +59,7 @@ class Reduced:
     size: Array
     p: Array
     Q: Array
-    frictions: tuple[Friction, ...]
+    frictions: tuple[ReducedFriction, ...]
     is_regular: bool
     is_consistent: bool
     magnitude: Array = field(repr=False)
@@ -80,7 +80,7 @@ class Reduced:
         return full
 
 
-def reduced(problem: ContactProblem) -> Reduced:
+def reduced(problem: ContactProblem) -> ReducedProblem:
     """Eliminates held rows and scales. `is_consistent` is false if the held rows contradict each other."""
     A, b = problem.A, problem.b
     rows = np.array(problem.free_rows, dtype=np.intp)
@@ -94,7 +94,7 @@ def reduced(problem: ContactProblem) -> Reduced:
     if len(held):
         free, right, size = free + coupling @ Q, right + coupling @ p, size + np.abs(coupling) @ np.abs(p)
     scaled = scale[:, None] * (0.5 * (free + free.T)) * scale
-    return Reduced(
+    return ReducedProblem(
         problem=problem,
         rows=rows,
         held=held,
@@ -148,11 +148,13 @@ def _is_regular(A: Array) -> bool:
         return False
 
 
-def _frictions(problem: ContactProblem, D: Array, held: NDArray[np.intp], p: Array, Q: Array) -> tuple[Friction, ...]:
+def _frictions(
+    problem: ContactProblem, D: Array, held: NDArray[np.intp], p: Array, Q: Array
+) -> tuple[ReducedFriction, ...]:
     """The rubs in reduced rows. The magnitudes of free rows are plain slopes as well."""
     place = {row: k for k, row in enumerate(problem.free_rows)}
     held_place = {int(row): k for k, row in enumerate(held)}
-    found: list[Friction] = []
+    found: list[ReducedFriction] = []
     for rub in problem.rubs:
         s = float(D[rub.row])
         normals = tuple(place[j] for j in rub.normals if j in place)
@@ -174,7 +176,7 @@ def _frictions(problem: ContactProblem, D: Array, held: NDArray[np.intp], p: Arr
                 else:
                     slopes[i, place[row]] = D[row] / s
             groups.append((start, slopes))
-        found.append(Friction(place[rub.row], rub, constant, pressing, normals, is_always_loaded, tuple(groups)))
+        found.append(ReducedFriction(place[rub.row], rub, constant, pressing, normals, is_always_loaded, tuple(groups)))
     return tuple(found)
 
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.numeric.contact.modes import Rules, coefficient
-from freebody.numeric.contact.problem import Array, Mode, State
-from freebody.numeric.contact.reduction import Reduced
+from freebody.numeric.contact.problem import Array, Mode, RowState
+from freebody.numeric.contact.reduction import ReducedProblem
 
 _FEW = 6
 _ROUGH = 1e-6
@@ -19,7 +19,7 @@ _TRUST = 100.0
 _LENT = 1e-10
 
 
-def plausible(system: Reduced, rules: Rules, modes: list[Mode]) -> list[Mode]:
+def plausible(system: ReducedProblem, rules: Rules, modes: list[Mode]) -> list[Mode]:
     """The modes that are not ruled out; all of them if magnitudes make the equations nonlinear."""
     if len(modes) <= _FEW or any(f.groups for f in system.frictions):
         return modes
@@ -39,21 +39,21 @@ def plausible(system: Reduced, rules: Rules, modes: list[Mode]) -> list[Mode]:
     return [mode for mode, kept in zip(modes, keep.tolist(), strict=True) if kept]
 
 
-def _signed_coefficients(system: Reduced, rules: Rules, states: NDArray[np.intp]) -> list[Array]:
+def _signed_coefficients(system: ReducedProblem, rules: Rules, states: NDArray[np.intp]) -> list[Array]:
     """For each rub c, -c or 0 in every mode: T = -c L."""
     found: list[Array] = []
     for friction in system.frictions:
-        table = np.zeros(len(State))
-        table[State.FORWARD] = coefficient(friction, State.FORWARD, rules)
-        table[State.BACKWARD] = -coefficient(friction, State.BACKWARD, rules)
+        table = np.zeros(len(RowState))
+        table[RowState.FORWARD] = coefficient(friction, RowState.FORWARD, rules)
+        table[RowState.BACKWARD] = -coefficient(friction, RowState.BACKWARD, rules)
         found.append(table[states[:, friction.row]])
     return found
 
 
-def _solutions(system: Reduced, states: NDArray[np.intp], slips: list[Array], lent: Array) -> Array:
+def _solutions(system: ReducedProblem, states: NDArray[np.intp], slips: list[Array], lent: Array) -> Array:
     """The forces of every mode, (n_modes, n)."""
     n = len(system.b)
-    at_rest = (states == State.CLOSED) | (states == State.STICKING)
+    at_rest = (states == RowState.CLOSED) | (states == RowState.STICKING)
     G = np.where(at_rest[:, :, None], system.A + np.diag(lent), np.eye(n))
     r = np.where(at_rest, -system.b, 0.0)
     for friction, c in zip(system.frictions, slips, strict=True):
@@ -63,14 +63,14 @@ def _solutions(system: Reduced, states: NDArray[np.intp], slips: list[Array], le
     return np.linalg.solve(G, r[:, :, None])[:, :, 0]
 
 
-def _kept(system: Reduced, states: NDArray[np.intp], x: Array, doubt: Array) -> NDArray[np.bool_]:
+def _kept(system: ReducedProblem, states: NDArray[np.intp], x: Array, doubt: Array) -> NDArray[np.bool_]:
     a = x @ system.A + system.b
     sizes = np.abs(x) @ system.magnitude + system.size
     rough = _ROUGH * sizes
     # numpy compares NaN as false, so a mode is ruled out only by numbers
     loose_x = rough + _TRUST * doubt
     loose_a = rough + _TRUST * (doubt @ system.magnitude)
-    failed = ((states == State.CLOSED) & (x < -loose_x)) | ((states == State.OPEN) & (a < -loose_a))
+    failed = ((states == RowState.CLOSED) & (x < -loose_x)) | ((states == RowState.OPEN) & (a < -loose_a))
     for friction in system.frictions:
         if friction.rub.sliding:
             continue
@@ -82,7 +82,7 @@ def _kept(system: Reduced, states: NDArray[np.intp], x: Array, doubt: Array) -> 
             looser += abs(weight) * max(friction.rub.static) * loose_x[:, j]
         forward, backward = friction.rub.static
         outside = (T + forward * load < -looser) | (T - backward * load > looser)
-        failed[:, i] |= (state == State.STICKING) & outside
-        failed[:, i] |= (state == State.FORWARD) & (a[:, i] < -loose_a[:, i])
-        failed[:, i] |= (state == State.BACKWARD) & (a[:, i] > loose_a[:, i])
+        failed[:, i] |= (state == RowState.STICKING) & outside
+        failed[:, i] |= (state == RowState.FORWARD) & (a[:, i] < -loose_a[:, i])
+        failed[:, i] |= (state == RowState.BACKWARD) & (a[:, i] > loose_a[:, i])
     return ~failed.any(axis=1)

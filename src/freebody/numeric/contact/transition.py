@@ -15,11 +15,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freebody.numeric.contact.bounded import TOUCHING, Bounded, Instant, ModeOf, Problem
+from freebody.numeric.contact.bounded import TOUCHING, Bounded, ContactInstant, ModeOf, RowProblem
 from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.impacts import ImpactOutcome, impact
 from freebody.numeric.contact.keller import impact_without_collision
-from freebody.numeric.contact.problem import ForceOutcome, State, Status
+from freebody.numeric.contact.problem import ForceOutcome, OutcomeCount, RowState
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.options import Law
 
@@ -33,7 +33,7 @@ Choice = tuple[str, int, int | None]  # ("closed", barrier, None), ("open", barr
 
 
 @dataclass(frozen=True)
-class Impact:
+class ImpactRecord:
     """Collisions at one instant: impulses [N s], rates before and after by barrier, and the energy that they take."""
 
     time: float
@@ -51,9 +51,9 @@ class After:
 
     y: Floats
     mode: ModeOf | None  # None: no consistent one
-    impacts: list[Impact] = field(default_factory=list[Impact])
+    impacts: list[ImpactRecord] = field(default_factory=list[ImpactRecord])
     resting: dict[int, float] = field(default_factory=dict[int, float])  # barrier: time at which its rebounds end
-    status: Status = Status.UNIQUE
+    status: OutcomeCount = OutcomeCount.UNIQUE
     why: str = ""
     jammed: int | None = None  # the barrier that took an impulse without a collision
     behind: set[int] = field(default_factory=set[int])  # far sides of what touches: passed through, not met
@@ -64,7 +64,7 @@ class After:
 HELD_ALONE = "what is held without any contact: constraints that say the same thing contradict each other by round-off"
 
 
-class Transition:
+class InstantTransition:
     """Decides what follows on an instant of one system."""
 
     def __init__(self, bounded: Bounded, law: Law, *, jams: bool = False) -> None:
@@ -113,7 +113,7 @@ class Transition:
                 break
             collision = self._collide(now, touching, rates)
             if collision is None:
-                result.status, result.why = Status.NONE, "the impact"
+                result.status, result.why = OutcomeCount.NONE, "the impact"
                 return result
             outcome, problem = collision
             change = self._push(y, problem.weighted, outcome.impulses)
@@ -121,7 +121,7 @@ class Transition:
         self._settle(result, now, touching, near)
         now = b.instant(y, t, near)
         outcome = self._decide(result, now, touching, mode, forbidden)
-        if self.jams and outcome.status is Status.NONE and self._jam(result, now, touching):
+        if self.jams and outcome.status is OutcomeCount.NONE and self._jam(result, now, touching):
             now = b.instant(y, t, near)
             outcome = self._decide(result, now, touching, None, forbidden)
         result.status = outcome.status
@@ -131,7 +131,7 @@ class Transition:
             result.handed = taken | {left} if taken else set()
         return result
 
-    def _jam(self, result: After, now: Instant, touching: list[int]) -> bool:
+    def _jam(self, result: After, now: ContactInstant, touching: list[int]) -> bool:
         """An impulse of a sliding contact without a collision, which ends its slip; False if there is none, or several
         contacts touch."""
         b = self.bounded
@@ -154,7 +154,7 @@ class Transition:
         return True
 
     # -- what touches -------------------------------------------------------------------------
-    def _touching(self, now: Instant, before: frozenset[int], touched: Iterable[int]) -> list[int]:
+    def _touching(self, now: ContactInstant, before: frozenset[int], touched: Iterable[int]) -> list[int]:
         b = self.bounded
         found: list[int] = []
         touched = set(touched)
@@ -167,7 +167,7 @@ class Transition:
                 found.append(k)
         return found
 
-    def _far_sides(self, now: Instant, touching: list[int], known: frozenset[int]) -> set[int]:
+    def _far_sides(self, now: ContactInstant, touching: list[int], known: frozenset[int]) -> set[int]:
         """Of an edge with two sides, a rod, the side that a thing which touches it is not on: not the one at which it
         was, else that with the narrower gap or, between equal ones, that which moves away."""
         b = self.bounded
@@ -193,7 +193,7 @@ class Transition:
                 found.add(max(j, k, key=order))
         return found
 
-    def _speed(self, y: Floats, touching: list[int], now: Instant) -> float:
+    def _speed(self, y: Floats, touching: list[int], now: ContactInstant) -> float:
         n = self.bounded.free.n_coordinates
         unit = self.bounded.free.unit
         fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * self.length
@@ -203,8 +203,8 @@ class Transition:
 
     # -- impacts ------------------------------------------------------------------------------
     def _collide(
-        self, now: Instant, touching: list[int], rates: dict[int, float]
-    ) -> tuple[ImpactOutcome, Problem] | None:
+        self, now: ContactInstant, touching: list[int], rates: dict[int, float]
+    ) -> tuple[ImpactOutcome, RowProblem] | None:
         b = self.bounded
         drags = {k: 0 for k, d in enumerate(b.drags) if d.of in touching or (d.of < 0 and d.loads)}
         closed = list(touching)
@@ -238,8 +238,8 @@ class Transition:
         return Law.POISSON
 
     def _alone(
-        self, now: Instant, closed: list[int], drags: dict[int, int], rates: dict[int, float]
-    ) -> tuple[ImpactOutcome, Problem] | None:
+        self, now: ContactInstant, closed: list[int], drags: dict[int, int], rates: dict[int, float]
+    ) -> tuple[ImpactOutcome, RowProblem] | None:
         """Where no impulses of all contacts at once obey the law: that of the fastest one alone, of equally fast ones
         the first by name; what it does to the others is a collision of its own."""
         b = self.bounded
@@ -265,10 +265,10 @@ class Transition:
         return change
 
     def _impact(
-        self, t: float, problem: Problem, outcome: ImpactOutcome, rates: dict[int, float], change: float
-    ) -> Impact:
+        self, t: float, problem: RowProblem, outcome: ImpactOutcome, rates: dict[int, float], change: float
+    ) -> ImpactRecord:
         rows = {k: problem.row_of_barrier(k) for k in problem.closed}
-        return Impact(
+        return ImpactRecord(
             t,
             {k: float(outcome.impulses[row]) for k, row in rows.items()},
             {k: float(outcome.impulses[problem.row_of_drag(k)]) for k in problem.drags},
@@ -279,7 +279,7 @@ class Transition:
         )
 
     # -- the end of rebounds ------------------------------------------------------------------
-    def _settle(self, result: After, now: Instant, touching: list[int], near: Floats) -> None:
+    def _settle(self, result: After, now: ContactInstant, touching: list[int], near: Floats) -> None:
         """Contacts that would open by less than can be seen stay closed."""
         b = self.bounded
         hit = {k for impact in result.impacts for k, rate in impact.before.items() if rate < 0.0}
@@ -304,7 +304,7 @@ class Transition:
             self._hold(result, now, touching, settled, rates, speed)
 
     def _accelerations(
-        self, now: Instant, touching: list[int], rising: list[int], rates: dict[int, float], speed: float
+        self, now: ContactInstant, touching: list[int], rising: list[int], rates: dict[int, float], speed: float
     ) -> dict[int, float] | None:
         """Accelerations of gaps that open, with all others that touch in contact."""
         b = self.bounded
@@ -323,7 +323,7 @@ class Transition:
     def _hold(
         self,
         result: After,
-        now: Instant,
+        now: ContactInstant,
         touching: list[int],
         settled: list[int],
         rates: dict[int, float],
@@ -349,7 +349,7 @@ class Transition:
         result.y[b.free.at_work] += change
 
     # -- what stays ---------------------------------------------------------------------------
-    def _drags_on(self, now: Instant, closed: Iterable[int], speed: float) -> dict[int, int]:
+    def _drags_on(self, now: ContactInstant, closed: Iterable[int], speed: float) -> dict[int, int]:
         """Drags that act where these barriers are closed, with the sign of their slip rates."""
         b = self.bounded
         closed = set(closed)
@@ -363,7 +363,12 @@ class Transition:
         return found
 
     def _decide(
-        self, result: After, now: Instant, touching: list[int], mode: ModeOf | None, forbidden: tuple[Choice, ...]
+        self,
+        result: After,
+        now: ContactInstant,
+        touching: list[int],
+        mode: ModeOf | None,
+        forbidden: tuple[Choice, ...],
     ) -> ForceOutcome:
         b = self.bounded
         speed = self._speed(result.y, touching, now)
@@ -386,7 +391,7 @@ class Transition:
                 names += [b.drags[k].name for k in drags if b.drags[k].of not in closed]
                 result.why = f"contact and friction at {', '.join(names)}" if names else HELD_ALONE
                 return outcome
-            still = [k for k in closed if outcome.mode[problem.row_of_barrier(k)] is State.CLOSED]
+            still = [k for k in closed if outcome.mode[problem.row_of_barrier(k)] is RowState.CLOSED]
             if len(still) < len(closed) and any(b.barriers[k].grips for k in closed if k not in still):
                 closed = still  # an ideal contact that opens does not grip either
                 continue
@@ -395,7 +400,7 @@ class Transition:
         for k in drags:
             state = outcome.mode[problem.row_of_drag(k)]
             is_on = b.drags[k].of < 0 or b.drags[k].of in still
-            known = {State.STICKING: 0, State.FORWARD: 1, State.BACKWARD: -1}
+            known = {RowState.STICKING: 0, RowState.FORWARD: 1, RowState.BACKWARD: -1}
             states[k] = known.get(state) if is_on else None
             if is_on and states[k] is None and b.drags[k].of < 0:
                 states[k] = drags[k] or 1  # nothing presses it: it slides without force
@@ -410,23 +415,23 @@ class Transition:
         states = self._previous(problem, mode)
         return states is not None and is_admissible(problem.matrices, states)
 
-    def _previous(self, problem: Problem, mode: ModeOf | None) -> tuple[State, ...] | None:
+    def _previous(self, problem: RowProblem, mode: ModeOf | None) -> tuple[RowState, ...] | None:
         if mode is None:
             return None
-        states = [State.HELD] * problem.matrices.n
+        states = [RowState.HELD] * problem.matrices.n
         for k in problem.closed:
-            states[problem.row_of_barrier(k)] = State.CLOSED if k in mode.closed else State.OPEN
-        known = {0: State.STICKING, 1: State.FORWARD, -1: State.BACKWARD, None: State.ABSENT}
+            states[problem.row_of_barrier(k)] = RowState.CLOSED if k in mode.closed else RowState.OPEN
+        known = {0: RowState.STICKING, 1: RowState.FORWARD, -1: RowState.BACKWARD, None: RowState.ABSENT}
         for k in problem.drags:
             states[problem.row_of_drag(k)] = known[mode.drags[k]]
         return tuple(states)
 
-    def _banned(self, problem: Problem, forbidden: tuple[Choice, ...]) -> list[tuple[int, State]]:
-        known = {0: State.STICKING, 1: State.FORWARD, -1: State.BACKWARD}
-        found: list[tuple[int, State]] = []
+    def _banned(self, problem: RowProblem, forbidden: tuple[Choice, ...]) -> list[tuple[int, RowState]]:
+        known = {0: RowState.STICKING, 1: RowState.FORWARD, -1: RowState.BACKWARD}
+        found: list[tuple[int, RowState]] = []
         for what, k, state in forbidden:
             if what == "drag" and k in problem.drags and state is not None:
                 found.append((problem.row_of_drag(k), known[state]))
             elif what == "open" and k in problem.closed:
-                found.append((problem.row_of_barrier(k), State.OPEN))
+                found.append((problem.row_of_barrier(k), RowState.OPEN))
         return found

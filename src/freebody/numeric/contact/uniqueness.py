@@ -16,13 +16,13 @@ from itertools import product
 import numpy as np
 
 from freebody.numeric.contact.problem import Array
-from freebody.numeric.contact.reduction import RANK, Reduced
+from freebody.numeric.contact.reduction import RANK, ReducedProblem
 
 _MOST_RUBS = 5
 _BELOW = 0.999
 
 
-def is_certainly_unique(system: Reduced) -> bool:
+def is_certainly_unique(system: ReducedProblem) -> bool:
     """Whether the criterion holds for the static coefficients, which are the larger ones."""
     loaded = [f for f in system.frictions if (f.pressing or f.groups) and max(f.rub.static) > 0.0]
     if not loaded:

@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from freebody.numeric.engine.cells import Floats
-from freebody.numeric.engine.course import Rotation, Trajectory
+from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.rotation import (
     from_quaternion,
@@ -33,7 +33,7 @@ class Track(NamedTuple):
     poses: Floats
     velocities: Floats
     accelerations: Floats
-    rotation: Rotation | None
+    rotation: RotationHistory | None
 
 
 class Border(Protocol):
@@ -187,7 +187,7 @@ class SpaceBorder:
         a = accelerations.reshape(n_times, -1, 6)
         frames = np.empty((n_times, self.n_bodies + 1, 4))
         frames[:, :-1], frames[:, -1] = states[:, 2 * n + 1 :].reshape(n_times, -1, 4), STILL
-        rotation = Rotation(
+        rotation = RotationHistory(
             quaternions=product(frames, inverse(self._own)),
             velocities=turned(frames, v[:, :, 3:]),
             accelerations=turned(frames, a[:, :, 3:]),

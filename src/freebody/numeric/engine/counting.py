@@ -21,7 +21,7 @@ from freebody.numeric.engine.layout import Floats
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.stepping import Run
+    from freebody.numeric.engine.stepping import SteppedRun
 
 TURN = 0.5  # [rad] of a body, in which bearings are counted on
 BATCH = 128  # steps
@@ -30,7 +30,7 @@ BATCH = 128  # steps
 class Counting:
     """The turns of the bearings of an engine along one run."""
 
-    def __init__(self, engine: Engine, run: Run, *, is_read: bool) -> None:
+    def __init__(self, engine: Engine, run: SteppedRun, *, is_read: bool) -> None:
         """is_read: whether the motion depends on the count, so that it is wanted after every step."""
         self.engine, self.run = engine, run
         n_kept = 1 if is_read else BATCH

@@ -103,7 +103,7 @@ class ContactRecord:
 
 
 @dataclass(frozen=True)
-class Rotation:
+class RotationHistory:
     """How bodies are turned and turn along a motion in space, the fixed one last."""
 
     quaternions: Floats  # (n_times, n_bodies + 1, 4): (w, x, y, z) of the body's own axes, continuous in time
@@ -111,9 +111,11 @@ class Rotation:
     accelerations: Floats  # (n_times, n_bodies + 1, 3) along the axes of the ground [rad/s^2]
     velocities_in_body: Floats  # (n_times, n_bodies + 1, 3) angular velocity along the body's own axes [rad/s]
 
-    def first(self) -> Rotation:
+    def first(self) -> RotationHistory:
         """At the first instant alone."""
-        return Rotation(self.quaternions[:1], self.velocities[:1], self.accelerations[:1], self.velocities_in_body[:1])
+        return RotationHistory(
+            self.quaternions[:1], self.velocities[:1], self.accelerations[:1], self.velocities_in_body[:1]
+        )
 
 
 @dataclass(frozen=True)
@@ -144,7 +146,7 @@ class Trajectory:
     near: Floats  # bearings at the end, from which a continued motion counts on
     violated: int = -1  # the guard whose violation ended the motion
     contact: ContactRecord | None = None  # of a system with bounds or dry friction
-    rotation: Rotation | None = None  # in space
+    rotation: RotationHistory | None = None  # in space
 
     @property
     def t_end(self) -> float:

@@ -11,10 +11,10 @@ from functools import partial
 from typing import Any
 
 from freebody.numeric.engine.jit import OF_SPACE, Function, entry
-from freebody.numeric.engine.layout import Layout, Room, example_of
+from freebody.numeric.engine.layout import ModelArrays, Workspace, example_of
 
-_LAYOUT = example_of(Layout)
-_PLANAR, _SPATIAL = example_of(Room), example_of(Room, space=True)
+_LAYOUT = example_of(ModelArrays)
+_PLANAR, _SPATIAL = example_of(Workspace), example_of(Workspace, space=True)
 
 
 def of_either(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function], Function]:
@@ -27,7 +27,7 @@ def of_either(*arguments: Any, more: tuple[str, ...] = ()) -> Callable[[Function
         in_plane: Function | None = None
         in_space: Function | None = None
 
-        def called(layout: Layout, room: Room, *rest: Any) -> Any:
+        def called(layout: ModelArrays, room: Workspace, *rest: Any) -> Any:
             nonlocal in_plane, in_space
             if room.frames is None:
                 in_plane = in_plane or entry(_LAYOUT, _PLANAR, *arguments, more=more)(function)

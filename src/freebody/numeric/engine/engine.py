@@ -18,16 +18,16 @@ from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.following import follow
 from freebody.numeric.engine.jit import plain
-from freebody.numeric.engine.layout import Floats, Layout, room_for
+from freebody.numeric.engine.layout import Floats, ModelArrays, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
-from freebody.numeric.engine.motion import Motion, Progress
+from freebody.numeric.engine.motion import Progress, RunningMotion
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.patrol import Guarding, Programs
-from freebody.numeric.engine.stepping import Run
+from freebody.numeric.engine.stepping import SteppedRun
 from freebody.numeric.engine.tableaus import DOP853, Tableau
 from freebody.numeric.engine.tape import play
-from freebody.numeric.engine.writing import Guard, Written
+from freebody.numeric.engine.writing import ArrayBuilder, Guard
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
 
@@ -36,7 +36,7 @@ WITHOUT_LIMIT = 1e30  # times that: of rows that carry nothing
 
 
 @dataclass(frozen=True)
-class Watch:
+class EngineWatch:
     """Something whose zero is an event: a measure (order 0) or its rate (order 1) minus a value."""
 
     name: str
@@ -49,10 +49,10 @@ class Watch:
 
 
 @dataclass(frozen=True)
-class Rows:
+class EngineRows:
     """What is held of a written system, along what friction slides, and what is guarded."""
 
-    written: Written
+    written: ArrayBuilder
     held: tuple[int, ...]
     sliding: tuple[tuple[int, int], ...]
     guards: tuple[Guard, ...]
@@ -61,7 +61,7 @@ class Rows:
 class Packed:
     """Rows of a system in arrays, and the room in which they are evaluated."""
 
-    def __init__(self, numbers: Numbers, packing: Packing, mode: Rows | None = None) -> None:
+    def __init__(self, numbers: Numbers, packing: Packing, mode: EngineRows | None = None) -> None:
         self.numbers = numbers
         self.n_bodies = packing.n_bodies
         self.written = packing.written() if mode is None else mode.written
@@ -138,7 +138,7 @@ class Packed:
 
 
 def packed(
-    numbers: Numbers, watches: Sequence[Watch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
+    numbers: Numbers, watches: Sequence[EngineWatch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
 ) -> Packing:
     """The held rows and loads of a system, and what is watched."""
     packing = Packing(numbers)
@@ -189,9 +189,9 @@ class Engine(Packed):
     def __init__(
         self,
         numbers: Numbers,
-        watches: Sequence[Watch] = (),
+        watches: Sequence[EngineWatch] = (),
         tracked: Sequence[Measure | NonholonomicForm] = (),
-        mode: Rows | None = None,
+        mode: EngineRows | None = None,
     ) -> None:
         """tracked: measures whose turns are to be counted in every step of a motion. mode: another choice of held rows
         than all of the system's, of what was packed with the same watches and tracked measures."""
@@ -205,7 +205,7 @@ class Engine(Packed):
         self.watched_rows = [self.rows[w.measure] for w in watches]
         self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
         self.place_of[self.order] = np.arange(len(self.order))
-        self._unshared: Layout = self.layout
+        self._unshared: ModelArrays = self.layout
         self.is_shared = False  # whether multipliers that are not unique are the least
 
     @cached_property
@@ -292,7 +292,7 @@ class Engine(Packed):
         return names
 
     @property
-    def idle(self) -> Run:
+    def idle(self) -> SteppedRun:
         """A run that is not under way, for looking at single states."""
         return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
 
@@ -335,12 +335,12 @@ class Engine(Packed):
         if self.is_tracked:
             follow(self.layout, self.room, np.zeros(0), np.zeros((0, self.n_y)), np.zeros((0, 0)))
 
-    def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> Run:
+    def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> SteppedRun:
         n_all = len(tableau.a)
         n, n_held = self.n_coordinates, len(self.order)
         states = np.zeros((6, self.n_y))
         states[stepping.Y] = states[stepping.FIRST] = y
-        return Run(
+        return SteppedRun(
             clock=np.zeros(stepping.N_CLOCK),
             count=np.zeros(stepping.N_COUNT, dtype=np.int32),
             states=states,
@@ -372,7 +372,7 @@ class Engine(Packed):
         self.compile(is_guarded=guarded is not None)
         began = time.perf_counter()
         wanted = np.array([until]) if outputs is None else outputs
-        motion = Motion(self, y, start, until, options, first_step, wanted)
+        motion = RunningMotion(self, y, start, until, options, first_step, wanted)
         if guarded is not None:
             motion.guard(guarded)
         return motion.course(began, progress)

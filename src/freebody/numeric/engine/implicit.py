@@ -19,12 +19,12 @@ import numpy as np
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, evaluate
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.layout import Floats, Layout
+from freebody.numeric.engine.layout import Floats, ModelArrays
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.motion import Motion
+    from freebody.numeric.engine.motion import RunningMotion
 
 _DIFFERENCE = 1e-7
 _MIN_RTOL = 1e-12
@@ -33,7 +33,7 @@ _MIN_RTOL = 1e-12
 class Implicit:
     """Steps of one motion, from its present state."""
 
-    def __init__(self, motion: Motion, step: float = 0.0) -> None:
+    def __init__(self, motion: RunningMotion, step: float = 0.0) -> None:
         self._motion, self._engine = motion, motion.engine
         self._slopes = Slopes(self._engine)
         run = motion.run
@@ -218,7 +218,7 @@ def _derivatives(push: AppliedLoad) -> list[tuple[Expr, Any, bool]]:
     return found
 
 
-def _frozen(layout: Layout, laws: list[float]) -> Layout:
+def _frozen(layout: ModelArrays, laws: list[float]) -> ModelArrays:
     push, law = layout.push.copy(), np.zeros_like(layout.push_law)
     push[:, 1] = -1
     law[:, 0] = laws

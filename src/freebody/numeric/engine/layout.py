@@ -1,4 +1,4 @@
-"""The arrays of a packed system (`Layout`), and the room in which one evaluation works (`Room`).
+"""The arrays of a packed system (`ModelArrays`), and the room in which one evaluation works (`Workspace`).
 
 Bodies are 0 ... n - 1; body n stands for everything fixed: its inverse masses are zero, it never moves. The pose q
 and the velocities v are made of cells of three numbers (`cells`): one for each body in the plane, (n + 1, 3), two in
@@ -30,7 +30,7 @@ Ints2 = NDArray[np.int32]
 T = TypeVar("T")
 
 
-class Layout(NamedTuple):
+class ModelArrays(NamedTuple):
     """A system in arrays. All of it is constant during a motion."""
 
     inverse_mass: Floats  # (3 n_cells,) by coordinate
@@ -88,7 +88,7 @@ class Layout(NamedTuple):
     target: Ints
 
 
-class Room(NamedTuple):
+class Workspace(NamedTuple):
     """Where one evaluation works."""
 
     turn: Floats2  # (n + 1, 2): cosine and sine, in the plane
@@ -117,7 +117,7 @@ class Room(NamedTuple):
     info: Floats  # smallest pivot, regularised?, work power
 
 
-def room_for(layout: Layout, *, space: bool = False) -> Room:
+def room_for(layout: ModelArrays, *, space: bool = False) -> Workspace:
     """Empty room for a layout, its constant gradients filled in."""
     n, known = len(layout.inverse_mass) // 3, SPACE if space else PLANE
     n_bodies, widest = n // known.width, 3 * known.width * known.max_bodies
@@ -138,7 +138,7 @@ def room_for(layout: Layout, *, space: bool = False) -> Room:
     def empty(*shape: int) -> Any:
         return np.zeros(shape)
 
-    room = Room(
+    room = Workspace(
         turn=empty(0 if space else n_bodies, 2),
         frames=np.tile(np.eye(3).ravel(), (n_bodies, 1)) if space else None,
         gyroscopic=empty(len(layout.gyration), 3),

@@ -22,8 +22,8 @@ from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.options import SimulationOptions
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine, Watch
-    from freebody.numeric.engine.search import Search
+    from freebody.numeric.engine.engine import Engine, EngineWatch
+    from freebody.numeric.engine.search import ProgramSearch
 
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
@@ -35,7 +35,7 @@ def stopped(t: float, after: str, seconds: float | None) -> str:
     return f"stopped at t = {t:.6g} s after {after}: {by}"
 
 
-class Motion:
+class RunningMotion:
     """One run under way."""
 
     def __init__(
@@ -58,7 +58,7 @@ class Motion:
         clock[stepping.END], clock[stepping.TOLERANCE] = until, options.tolerance
         clock[stepping.LONGEST], clock[stepping.STEP] = options.longest, options.step or first_step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
-        self.searches: list[Search] = []  # of what is watched
+        self.searches: list[ProgramSearch] = []  # of what is watched
         self.notes: list[str] = []
         self.counting: Counting | None = None
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
@@ -180,13 +180,13 @@ class Motion:
 
     def _begin_searches(self) -> None:
         """What is zero at the start is an event there."""
-        from freebody.numeric.engine.search import Search
+        from freebody.numeric.engine.search import ProgramSearch
 
         e, tolerance = self.engine, float(self.run.clock[stepping.TOLERANCE])
         near, self.run.states[stepping.OLD] = e.near(), self.run.states[stepping.Y]
         for watch, row, value in zip(e.watches, e.watched_rows, self._values(), strict=True):
             program = e.written.program(row, watch.order)
-            search = Search(program, watch.value, watch.size, tolerance, near)
+            search = ProgramSearch(program, watch.value, watch.size, tolerance, near)
             search.begin(value)
             search.calibrate(self.run, value)
             self.searches.append(search)
@@ -250,7 +250,7 @@ class Motion:
         stepping.visit(self.engine.layout, self.engine.room, self.run, -1.0, state, t, self._slope, 0)
         return state
 
-    def say_zero(self, watch: Watch, t: float) -> None:
+    def say_zero(self, watch: EngineWatch, t: float) -> None:
         """Notes, once, that something is zero throughout."""
         if all(h.name != watch.name or h.kind != "zero" for h in self.happenings):
             self.happenings.append(Event(t, watch.name, "zero"))

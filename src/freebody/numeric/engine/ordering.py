@@ -56,7 +56,7 @@ def elimination_order(bodies: Sequence[frozenset[Hashable]]) -> list[int]:
 
 
 @dataclass(frozen=True)
-class Factor:
+class FactorPattern:
     """Where the entries of a symmetric matrix and of its factor stand: column by column, the diagonal first."""
 
     column_ptr: Ints
@@ -65,7 +65,7 @@ class Factor:
     place: dict[tuple[int, int], int]  # (row, column), row >= column
 
 
-def symbolic_factor(n: int, entries: set[tuple[int, int]]) -> Factor:
+def symbolic_factor(n: int, entries: set[tuple[int, int]]) -> FactorPattern:
     """The pattern of the factor of an (n, n) matrix with these entries below the diagonal (row > column)."""
     below: list[set[int]] = [set() for _ in range(n)]
     for row, column in entries:
@@ -87,7 +87,7 @@ def symbolic_factor(n: int, entries: set[tuple[int, int]]) -> Factor:
     for column in columns:
         for a, i in enumerate(column):
             target += [place[i, k] for k in column[: a + 1]]
-    return Factor(
+    return FactorPattern(
         np.array(ptr, dtype=np.int32),
         np.array(rows, dtype=np.int32),
         np.array(target, dtype=np.int32),

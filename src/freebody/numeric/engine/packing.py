@@ -28,7 +28,7 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.numbers import Numbers
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.writing import Written
+    from freebody.numeric.engine.writing import ArrayBuilder
 
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
 
@@ -72,7 +72,7 @@ class Slide:
 
 
 @dataclass
-class Product:
+class RowProduct:
     """Sum of c(pose) dm/dt, both c and m rows of their own."""
 
     terms: list[tuple[tuple[str, int], tuple[str, int]]]
@@ -99,7 +99,7 @@ class Packing:
         self._with_bearing: dict[int, tuple[Measure, float, float | None]] = {}
         self._base: dict[Base, int] = {}
         self.bases: list[Base] = []
-        self.other: list[Composition | Product] = []
+        self.other: list[Composition | RowProduct] = []
         self.by_measure: dict[Measure | NonholonomicForm, Where] = {}
         self.held: list[Hold] = []
         self.rubs: list[Slide] = []
@@ -193,7 +193,7 @@ class Packing:
     def _new_row(self, measure: Measure | NonholonomicForm) -> Where:
         if isinstance(measure, NonholonomicForm):
             terms = [(self._coefficient(c), self.row(m)) for c, m in measure.terms]
-            self.other.append(Product(terms))
+            self.other.append(RowProduct(terms))
             return "other", len(self.other) - 1
         linear = self._linear(measure)
         if linear is not None:
@@ -367,11 +367,11 @@ class Packing:
         )
         return {k for part in inner for k in self.pieces_of(part)}
 
-    def written(self) -> Written:
+    def written(self) -> ArrayBuilder:
         """What has been entered, as arrays."""
-        from freebody.numeric.engine.writing import Written
+        from freebody.numeric.engine.writing import ArrayBuilder
 
-        return Written(self)
+        return ArrayBuilder(self)
 
 
 # -- small things -----------------------------------------------------------------------------

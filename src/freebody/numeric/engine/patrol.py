@@ -31,12 +31,12 @@ from numpy.typing import NDArray
 from freebody.numeric.engine import dynamics, enclosures, stepping
 from freebody.numeric.engine.layout import Floats, floats, ints, pointers
 from freebody.numeric.engine.programs import Program
-from freebody.numeric.engine.search import Search
+from freebody.numeric.engine.search import ProgramSearch
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.motion import Motion
+    from freebody.numeric.engine.motion import RunningMotion
 
 _optimize: Any = scipy.optimize
 N_PARTS = 4
@@ -97,7 +97,7 @@ class Programs:
 class Gaps:
     """Gaps and slip rates along one motion."""
 
-    def __init__(self, motion: Motion, sizes: Floats) -> None:
+    def __init__(self, motion: RunningMotion, sizes: Floats) -> None:
         self.programs = motion.engine.guard_programs
         self.guards = self.programs.guards
         n, longest = len(self.guards), self.programs.longest
@@ -105,14 +105,14 @@ class Gaps:
         self._terms = np.zeros(enclosures.N_TERMS)
         self._turns = np.zeros((int(self.programs.n_turns.max(initial=0)) + 1, 3))
         self._centres, self._radii = np.zeros((longest, 3)), np.zeros((longest, 3))
-        self._searches: dict[int, Search] = {}
+        self._searches: dict[int, ProgramSearch] = {}
         self._turning = self.programs.n_turns > 0
         self.signs = np.zeros(n)
         self._resolutions = RESOLUTION * sizes[self.guards]
         self._sizes, self._near = sizes, motion.engine.near()
         self._offsets: Floats | None = None
 
-    def look(self, run: stepping.Run, values: Floats, floor: Floats) -> Floats:
+    def look(self, run: stepping.SteppedRun, values: Floats, floor: Floats) -> Floats:
         """The signs that the guards with programs have throughout the last step; 0 where that is not clear. values: of
         the guards where it begins; floor: from where each counts."""
         dense, old = run.dense, run.states[stepping.OLD]
@@ -150,18 +150,18 @@ class Gaps:
             self.signs,
         )
 
-    def search(self, k: int) -> Search:
+    def search(self, k: int) -> ProgramSearch:
         """That of one guard."""
         if k not in self._searches:
             size = float(self._sizes[self.guards[k]])
-            self._searches[k] = Search(self.programs.each[k], 0.0, size, 0.0, self._near, self._powers)
+            self._searches[k] = ProgramSearch(self.programs.each[k], 0.0, size, 0.0, self._near, self._powers)
         return self._searches[k]
 
 
 class GuardMonitor:
     """The guards of one motion."""
 
-    def __init__(self, motion: Motion, guarding: Guarding) -> None:
+    def __init__(self, motion: RunningMotion, guarding: Guarding) -> None:
         self.motion, self.guarding = motion, guarding
         self.sizes, self.is_valid, self.lasts = guarding.sizes, guarding.is_valid, guarding.lasts
         n = len(motion.engine.layout.guard)

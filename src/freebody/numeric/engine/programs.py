@@ -1,7 +1,7 @@
 """Programs: what is watched, as operations on the entries of a state, written from the statement of a measure.
 
-The statement is run over `Node`, one more scalar of `Geometry[S]`; what is constant is folded, what occurs twice is
-computed once. A rate is written by the same operations, forward through the value, with the velocities for the
+The statement is run over `ProgramNode`, one more scalar of `Geometry[S]`; what is constant is folded, what occurs twice
+is computed once. A rate is written by the same operations, forward through the value, with the velocities for the
 derivatives of what moves:
 
     d(x y) = dx y + x dy,  d sqrt(x) = dx/(2 sqrt(x)),  d arg(x, y) = (x dy - y dx)/(x^2 + y^2),  dr = r o (0, w)/2.
@@ -54,8 +54,8 @@ class Writer:
         self._functions: dict[str, Any] = {name: self._function(SQRT + k, name) for k, name in enumerate(FUNCTIONS)}
         self._ops: list[tuple[int, int, int, float]] = []
         self._known: dict[tuple[int, int, int, float], int] = {}
-        self._rates: dict[int, Node] = {}
-        self._poses: dict[str, Pose[Node] | SpatialPose[Node]] = {}
+        self._rates: dict[int, ProgramNode] = {}
+        self._poses: dict[str, Pose[ProgramNode] | SpatialPose[ProgramNode]] = {}
         moving = numbers.system.moving
         self._bodies = {body.name: (k, body.turns) for k, body in enumerate(moving)}
         self._width = 6 if numbers.space else 3
@@ -70,7 +70,7 @@ class Writer:
         node = self._rate_of(measure) if order or isinstance(measure, NonholonomicForm) else self._of(measure)
         return self._written(sign * node)
 
-    def _rate_of(self, measure: Measure | NonholonomicForm) -> Node:
+    def _rate_of(self, measure: Measure | NonholonomicForm) -> ProgramNode:
         if isinstance(measure, NonholonomicForm):
             total = self.constant(0.0)
             for coefficient, part in measure.terms:
@@ -78,7 +78,7 @@ class Writer:
             return total
         return self._derivative(self._of(measure))
 
-    def _of(self, measure: Measure | Component) -> Node:
+    def _of(self, measure: Measure | Component) -> ProgramNode:
         if isinstance(measure, Combination):
             total = self.constant(0.0)
             for coefficient, part in measure.terms:
@@ -89,7 +89,7 @@ class Writer:
         self._place = -1 if isinstance(measure, Component) else self._bearing_of(measure)
         return measure.value(self)
 
-    def _written(self, result: Node) -> Program:
+    def _written(self, result: ProgramNode) -> Program:
         """The operations that a result needs, in their order."""
         needed, waiting = set[int](), [result.at]
         while waiting:
@@ -120,22 +120,22 @@ class Writer:
         return () if op <= INPUT else (i, j) if op <= ARGUMENT else (i,)
 
     # -- operations ---------------------------------------------------------------------------
-    def _node(self, op: int, i: int = 0, j: int = 0, c: float = 0.0) -> Node:
+    def _node(self, op: int, i: int = 0, j: int = 0, c: float = 0.0) -> ProgramNode:
         key = op, i, j, c
         if key not in self._known:
             self._known[key] = len(self._ops)
             self._ops.append(key)
-        return Node(self, self._known[key])
+        return ProgramNode(self, self._known[key])
 
-    def constant(self, x: float) -> Node:
+    def constant(self, x: float) -> ProgramNode:
         return self._node(CONSTANT, c=float(x) + 0.0)
 
-    def known(self, x: Node) -> float | None:
+    def known(self, x: ProgramNode) -> float | None:
         """The number that a node is, if it is one."""
         op, _i, _j, c = self._ops[x.at]
         return c if op == CONSTANT else None
 
-    def binary(self, op: int, a: Node, b: Node) -> Node:
+    def binary(self, op: int, a: ProgramNode, b: ProgramNode) -> ProgramNode:
         """a op b, shortened where one of them is 0 or 1."""
         x, y = self.known(a), self.known(b)
         if x is not None and y is not None and not (op == DIVIDE and y == 0.0):
@@ -154,7 +154,7 @@ class Writer:
             return a
         return self._node(op, a.at, b.at)
 
-    def function(self, op: int, x: Node) -> Node:
+    def function(self, op: int, x: ProgramNode) -> ProgramNode:
         number = self.known(x)
         if number is not None:
             try:
@@ -163,8 +163,8 @@ class Writer:
                 return self.constant(math.nan)
         return self._node(op, x.at)
 
-    def power(self, x: Node, exponent: float | Node) -> Node:
-        if isinstance(exponent, Node):
+    def power(self, x: ProgramNode, exponent: float | ProgramNode) -> ProgramNode:
+        if isinstance(exponent, ProgramNode):
             number = self.known(exponent)
             if number is None:  # exp(y log x)
                 return self.function(EXP, exponent * self.function(LOG, x))
@@ -186,7 +186,7 @@ class Writer:
         return self._node(POWER, x.at, self.constant(exponent).at, exponent)
 
     # -- rates --------------------------------------------------------------------------------
-    def _derivative(self, x: Node) -> Node:
+    def _derivative(self, x: ProgramNode) -> ProgramNode:
         """The derivative of a node along the motion."""
         for k in self._below(x.at):  # no recursion: chains may be long
             if k not in self._rates:
@@ -202,7 +202,7 @@ class Writer:
                 waiting += self._taken(i)
         return sorted(needed)
 
-    def _rate_by_parts(self, k: int) -> Node:
+    def _rate_by_parts(self, k: int) -> ProgramNode:
         op, i, j, c = self._ops[k]
         if op == CONSTANT:
             return self.constant(0.0)
@@ -210,9 +210,9 @@ class Writer:
             return self.constant(1.0)
         if op == INPUT:
             return self._speed(i)
-        x, dx, here = Node(self, i), self._rates[i], Node(self, k)
+        x, dx, here = ProgramNode(self, i), self._rates[i], ProgramNode(self, k)
         if op <= ARGUMENT:
-            y, dy = Node(self, j), self._rates[j]
+            y, dy = ProgramNode(self, j), self._rates[j]
             if op == ADD:
                 return dx + dy
             if op == SUBTRACT:
@@ -226,7 +226,7 @@ class Writer:
             return (x * dy - y * dx) / (x * x + y * y)
         return self._slope(op, x, here) * dx
 
-    def _slope(self, op: int, x: Node, here: Node) -> Node:
+    def _slope(self, op: int, x: ProgramNode, here: ProgramNode) -> ProgramNode:
         """The derivative of a function of one number."""
         one = self.constant(1.0)
         if op == SQRT:
@@ -255,7 +255,7 @@ class Writer:
             return one - here * here
         return self.function(SIGN, x) if op == ABS else self.constant(0.0)
 
-    def _speed(self, entry: int) -> Node:
+    def _speed(self, entry: int) -> ProgramNode:
         """The rate of an entry of the state; r' = 1/2 r o (0, w) for a quaternion."""
         n = self.n_coordinates
         if entry < n:
@@ -274,25 +274,25 @@ class Writer:
         return 0.5 * (w * k + x * j - y * i)
 
     # -- what statements use ------------------------------------------------------------------
-    def scalar(self, expr: Expr) -> Node:
+    def scalar(self, expr: Expr) -> ProgramNode:
         return self.apply(expr, {})
 
-    def apply(self, expr: Expr, values: dict[str, Node]) -> Node:
+    def apply(self, expr: Expr, values: dict[str, ProgramNode]) -> ProgramNode:
         result: Any = evaluate(expr, {**self._names, **values}, self._functions)
-        return result if isinstance(result, Node) else self.constant(result)
+        return result if isinstance(result, ProgramNode) else self.constant(result)
 
     def _function(self, op: int, name: str) -> Any:
-        def applied(x: Node | float) -> Node | float:
-            return self.function(op, x) if isinstance(x, Node) else FLOAT_FUNCTIONS[name](x)
+        def applied(x: ProgramNode | float) -> ProgramNode | float:
+            return self.function(op, x) if isinstance(x, ProgramNode) else FLOAT_FUNCTIONS[name](x)
 
         return applied
 
-    def pose(self, body: str) -> Pose[Node] | SpatialPose[Node]:
+    def pose(self, body: str) -> Pose[ProgramNode] | SpatialPose[ProgramNode]:
         if body not in self._poses:
             self._poses[body] = self._in_space(body) if self.numbers.space else self._in_plane(body)
         return self._poses[body]
 
-    def _in_plane(self, body: str) -> Pose[Node]:
+    def _in_plane(self, body: str) -> Pose[ProgramNode]:
         if body not in self._bodies:
             x, y, c, s = self.numbers.fixed_pose(body)
             return Pose(*map(self.constant, (x, y, self.numbers.fixed_angle(body), c, s)))
@@ -302,7 +302,7 @@ class Writer:
             theta = self.constant(0.0)
         return Pose(x, y, theta, self.function(COS, theta), self.function(SIN, theta))
 
-    def _in_space(self, body: str) -> SpatialPose[Node]:
+    def _in_space(self, body: str) -> SpatialPose[ProgramNode]:
         if body not in self._bodies:
             r, R = self.numbers.fixed_frame(body) if body in self.numbers.fixed else (np.zeros(3), np.eye(3))
             return SpatialPose(self._vector(r), (self._vector(R[:, 0]), self._vector(R[:, 1]), self._vector(R[:, 2])))
@@ -314,7 +314,7 @@ class Writer:
         x, y, z = (self._combined(columns, principal[i]) for i in range(3))
         return SpatialPose(center, (x, y, z))
 
-    def _frame(self, k: int) -> tuple[Vector[Node], ...]:
+    def _frame(self, k: int) -> tuple[Vector[ProgramNode], ...]:
         """The columns of the rotation matrix of a quaternion of any length; see `rotating.framed`."""
         first = 2 * self.n_coordinates + 1 + 4 * k
         w, x, y, z = (self._node(INPUT, first + i) for i in range(4))
@@ -325,21 +325,21 @@ class Writer:
             Vector(s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y)),
         )
 
-    def _combined(self, columns: tuple[Vector[Node], ...], by: Floats) -> Vector[Node]:
-        total: Vector[Node] | None = None
+    def _combined(self, columns: tuple[Vector[ProgramNode], ...], by: Floats) -> Vector[ProgramNode]:
+        total: Vector[ProgramNode] | None = None
         for column, c in zip(columns, by.tolist(), strict=True):
             part = column.scaled(self.constant(c))
             total = part if total is None else total + part
         assert total is not None
         return total
 
-    def _vector(self, components: Floats) -> Vector[Node]:
+    def _vector(self, components: Floats) -> Vector[ProgramNode]:
         return Vector(*map(self.constant, np.asarray(components).tolist()))
 
-    def root(self, x: Node) -> Node:
+    def root(self, x: ProgramNode) -> ProgramNode:
         return self.function(SQRT, x)
 
-    def tangent(self, v: Vector[Node], offset: Node) -> tuple[Node, Node]:
+    def tangent(self, v: Vector[ProgramNode], offset: ProgramNode) -> tuple[ProgramNode, ProgramNode]:
         """v = l e(a) + rho n(a): l = sqrt(|v|^2 - rho^2), a = arg v - atan(rho/l)."""
         length = self.function(SQRT, v.dot(v) - offset * offset)
         if self.known(v.x) is not None and self.known(v.y) is not None:
@@ -350,44 +350,44 @@ class Writer:
 
 
 @dataclass(frozen=True)
-class Node:
+class ProgramNode:
     """One result in a program under way: a scalar that statements can be run over."""
 
     writer: Writer
     at: int
 
-    def _with(self, other: Any) -> Node:
-        return other if isinstance(other, Node) else self.writer.constant(float(other))
+    def _with(self, other: Any) -> ProgramNode:
+        return other if isinstance(other, ProgramNode) else self.writer.constant(float(other))
 
-    def __add__(self, other: Any) -> Node:
+    def __add__(self, other: Any) -> ProgramNode:
         return self.writer.binary(ADD, self, self._with(other))
 
-    def __radd__(self, other: Any) -> Node:
+    def __radd__(self, other: Any) -> ProgramNode:
         return self.writer.binary(ADD, self._with(other), self)
 
-    def __sub__(self, other: Any) -> Node:
+    def __sub__(self, other: Any) -> ProgramNode:
         return self.writer.binary(SUBTRACT, self, self._with(other))
 
-    def __rsub__(self, other: Any) -> Node:
+    def __rsub__(self, other: Any) -> ProgramNode:
         return self.writer.binary(SUBTRACT, self._with(other), self)
 
-    def __mul__(self, other: Any) -> Node:
+    def __mul__(self, other: Any) -> ProgramNode:
         return self.writer.binary(MULTIPLY, self, self._with(other))
 
-    def __rmul__(self, other: Any) -> Node:
+    def __rmul__(self, other: Any) -> ProgramNode:
         return self.writer.binary(MULTIPLY, self._with(other), self)
 
-    def __truediv__(self, other: Any) -> Node:
+    def __truediv__(self, other: Any) -> ProgramNode:
         return self.writer.binary(DIVIDE, self, self._with(other))
 
-    def __rtruediv__(self, other: Any) -> Node:
+    def __rtruediv__(self, other: Any) -> ProgramNode:
         return self.writer.binary(DIVIDE, self._with(other), self)
 
-    def __neg__(self) -> Node:
+    def __neg__(self) -> ProgramNode:
         return self.writer.binary(MULTIPLY, self.writer.constant(-1.0), self)
 
-    def __pow__(self, exponent: Any) -> Node:
-        return self.writer.power(self, exponent if isinstance(exponent, Node) else float(exponent))
+    def __pow__(self, exponent: Any) -> ProgramNode:
+        return self.writer.power(self, exponent if isinstance(exponent, ProgramNode) else float(exponent))
 
-    def __rpow__(self, base: Any) -> Node:
+    def __rpow__(self, base: Any) -> ProgramNode:
         return self.writer.power(self._with(base), self)

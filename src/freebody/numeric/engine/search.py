@@ -1,4 +1,4 @@
-"""The search for zeros of what is watched or guarded along a motion: one `Search` for each, step after step.
+"""The search for zeros of what is watched or guarded along a motion: one `ProgramSearch` for each, step after step.
 
 What is looked at is the dense output of every step as it is; `enclosures` says what is found for certain. The dense
 output itself is off the motion by what the steps before are off, of which the tolerance is an estimate: what comes
@@ -21,7 +21,7 @@ from freebody.numeric.engine.programs import Program
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.stepping import Run
+    from freebody.numeric.engine.stepping import SteppedRun
 
 A_STEP = 0.1  # of the tolerance, that a step may be off
 MOST_PARTS = 2_000_000  # of one step that are looked at
@@ -30,14 +30,14 @@ KINDS = {enclosures.RISING: "rising", enclosures.FALLING: "falling", enclosures.
 
 
 @dataclass(frozen=True)
-class Zero:
+class StepZero:
     """Where in a step something is zero: the part of the step, and "rising", "falling" or "touch"."""
 
     part: float
     kind: str
 
 
-class Search:
+class ProgramSearch:
     """One program along one motion."""
 
     def __init__(
@@ -103,14 +103,14 @@ class Search:
         """Something else is added to the program."""
         self._sizes[0] = offset
 
-    def look(self, run: Run) -> None:
+    def look(self, run: SteppedRun) -> None:
         """Takes the last step of a run."""
         if not self._is_shared:
             if not len(self._powers):
                 self._powers = np.zeros((run.dense.shape[1], enclosures.N_TERMS))
             enclosures.kernels().powers(run.dense, run.states[stepping.OLD], self.program.inputs, self._powers)
 
-    def calibrate(self, run: Run, value: float) -> None:
+    def calibrate(self, run: SteppedRun, value: float) -> None:
         """Counts from the value where the last step begins, if the program does not say the same: of some measures only
         changes mean something."""
         self.look(run)
@@ -120,7 +120,7 @@ class Search:
         self._sizes[0] += off if abs(off) > 1e3 * self.zero else 0.0
         self._sizes[3] = MOST_PARTS
 
-    def in_step(self, run: Run) -> Iterator[Zero]:
+    def in_step(self, run: SteppedRun) -> Iterator[StepZero]:
         """The zeros in the last step."""
         self.look(run)
         self._sizes[2] = self._resolution(int(run.count[stepping.STEPS]))
@@ -129,7 +129,7 @@ class Search:
         while True:
             ended = self._call(run, at)
             for part, kind in self._found[: int(self._info[0])]:
-                yield Zero(float(part), KINDS[float(kind)])
+                yield StepZero(float(part), KINDS[float(kind)])
             if ended != enclosures.FULL:
                 break
             at = float(self._info[1])
@@ -137,15 +137,15 @@ class Search:
             self.unsearched = float(self._info[1])
             self.forget()
 
-    def at_end(self) -> Zero | None:
+    def at_end(self) -> StepZero | None:
         """What the end of the motion is, if it comes to zero just there."""
         side, value = float(self._state[enclosures.SIDE]), self.ends[1]
         if side == 0.0 or not self._state[enclosures.IS_NEAR] or abs(value) > self.zero:
             return None
         is_steep = abs(float(self._info[5])) > math.sqrt(self.zero * RESOLUTION * self._size)
-        return Zero(1.0, "touch" if not is_steep else "falling" if side > 0.0 else "rising")
+        return StepZero(1.0, "touch" if not is_steep else "falling" if side > 0.0 else "rising")
 
-    def _call(self, run: Run, at: float) -> int:
+    def _call(self, run: SteppedRun, at: float) -> int:
         t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
         self._info[1] = at
         return int(

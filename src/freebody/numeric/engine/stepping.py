@@ -91,7 +91,7 @@ NEAR_PIVOT = 1e-5  # below this part of it, no step should end
 N_OTHER_STEPS = 24  # how often a slightly shorter step is tried to get past a singular pose
 
 
-class Run(NamedTuple):
+class SteppedRun(NamedTuple):
     """A motion under way."""
 
     clock: Floats
@@ -365,7 +365,7 @@ def accept(S, R, h):
     R.count[STEPS] += 1
 
 
-_T, _R = example_of(Tableau), example_of(Run)
+_T, _R = example_of(Tableau), example_of(SteppedRun)
 _INT, _FLOAT, _STATE = 1, 1.0, np.zeros(1)
 
 

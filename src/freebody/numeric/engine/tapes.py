@@ -10,8 +10,8 @@ from freebody.language.expression import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     Symbol,
     free_symbols,
@@ -84,18 +84,18 @@ class Tapes:
                 return self._emit(tape.RATE, rates[rate_key(expr)])
             case Sum(terms):
                 return self._chain(tape.ADD, [place(term) for term in terms])
-            case Product(factors):
+            case ProductOf(factors):
                 above: list[int] = []
                 below: list[int] = []
                 for factor in factors:
-                    n = whole_exponent(factor) if isinstance(factor, Power) else None
-                    if isinstance(factor, Power) and n is not None and n < 0:
+                    n = whole_exponent(factor) if isinstance(factor, PowerOf) else None
+                    if isinstance(factor, PowerOf) and n is not None and n < 0:
                         below.append(self._power(place(factor.base), -n))
                     else:
                         above.append(place(factor))
                 top = self._chain(tape.MULTIPLY, above) if above else self._constant(1.0)
                 return self._emit(tape.DIVIDE, top, self._chain(tape.MULTIPLY, below)) if below else top
-            case Power(base, exponent):
+            case PowerOf(base, exponent):
                 n = whole_exponent(expr)
                 if n is not None and n >= 0:
                     return self._power(place(base), n)

@@ -12,14 +12,14 @@ from freebody.numeric.engine.course import Status
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.stepping import Run
+    from freebody.numeric.engine.stepping import SteppedRun
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
 ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too small beside it
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
 
 
-def diagnosed(engine: Engine, run: Run) -> tuple[Status, str]:
+def diagnosed(engine: Engine, run: SteppedRun) -> tuple[Status, str]:
     """Status and message for a step that became too small."""
     t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
     step, end = float(run.clock[stepping.STEP]), float(run.clock[stepping.END])
@@ -84,7 +84,7 @@ def _dependent(engine: Engine) -> tuple[list[int], float]:
     return [int(i) for i in np.flatnonzero(share > SHARE * share.max())], float(singular[k] / singular[0])
 
 
-def _without_value(engine: Engine, run: Run, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
+def _without_value(engine: Engine, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
     """The first load or held measure that is not finite in states a little ahead."""
     for h in (0.0, *(float(run.clock[stepping.STEP]) * 10.0**k for k in range(9))):
         ahead = y + h * out

@@ -1,4 +1,4 @@
-"""Writing a `Layout`: what was entered in a `Packing`, as arrays.
+"""Writing a `ModelArrays`: what was entered in a `Packing`, as arrays.
 
 All rows are written once; which of them are held, and along which of them friction slides, makes a layout of its own
 (`Written.layout`). The layouts of a system share every array that does not depend on that.
@@ -17,7 +17,7 @@ from freebody.language.units import LENGTH
 from freebody.model.elements import VALUE, AppliedLoad, DryFriction, NonholonomicForm
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.complement import held_entries, schur_complement
-from freebody.numeric.engine.layout import Layout, floats, ints, pointers
+from freebody.numeric.engine.layout import ModelArrays, floats, ints, pointers
 from freebody.numeric.engine.lending import lent_sizes
 from freebody.numeric.engine.ordering import elimination_order
 from freebody.numeric.engine.packing import Composition, Packing, Where
@@ -43,7 +43,7 @@ class Guard:
     n_shares: int = 0
 
 
-class Written:
+class ArrayBuilder:
     """The arrays of a system that do not depend on what is held."""
 
     def __init__(self, packing: Packing) -> None:
@@ -243,7 +243,7 @@ class Written:
         chosen: Sequence[int] | None = None,
         sliding: Sequence[tuple[int, int]] = (),
         guards: Sequence[Guard] = (),
-    ) -> tuple[Layout, list[int]]:
+    ) -> tuple[ModelArrays, list[int]]:
         """The layout with the chosen rows held (all of them if nothing is said), friction sliding along (rub,
         direction), and the given guards; and the order of the held rows, places among the chosen ones."""
         held = list(range(len(self._held))) if chosen is None else list(chosen)
@@ -256,7 +256,7 @@ class Written:
         rows = [self._held[k] for k in sorted_held]
         slides = [self._slide(rub, direction, place) for rub, direction in sliding]
         watched = [self._guard(guard, place) for guard in guards]
-        layout = Layout(
+        layout = ModelArrays(
             **self._fixed,
             held=ints([(h["row"], h["tape"], h["is_place"], h["works"]) for h in rows], 2, 4),
             held_scale=floats([h["scale"] for h in rows]),

@@ -21,8 +21,8 @@ from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.elimination import Unclear
 from freebody.numeric.mobility.exact import (
     BALLS,
-    Dual,
-    DualGeometry,
+    ExactDual,
+    ExactDualGeometry,
     Place,
     Quaternion,
     decimal,
@@ -46,16 +46,16 @@ class BallPose:
     attitudes: dict[str, Quaternion] = field(default_factory=dict[str, Quaternion])
 
 
-class Balls:
+class BallRows:
     """Some rows of a system in balls. slopes: their gradients at the pose that is looked at, by speeds in floats."""
 
     def __init__(self, reference: Reference, rows: Sequence[ConstraintRow], t: float, slopes: Array) -> None:
         self.reference, self.rows, self.t = reference, rows, t
         self.slopes = _by_own_axes(reference, slopes)
         parameters, numbers = reference.system.parameters, reference.frame.values
-        self.values = {name: Dual(parameter_ball(parameters.get(name), x)) for name, x in numbers.items()}
-        self.values[TIME] = Dual(BALLS.number(decimal(t)))
-        self._plain = DualGeometry({}, self.values, BALLS)
+        self.values = {name: ExactDual(parameter_ball(parameters.get(name), x)) for name, x in numbers.items()}
+        self.values[TIME] = ExactDual(BALLS.number(decimal(t)))
+        self._plain = ExactDualGeometry({}, self.values, BALLS)
         self.fixed = {body: self._fixed(reference.system.bodies[body]) for body in reference.frame.fixed}
         self._origins: dict[int, Any] = {}
 
@@ -65,10 +65,10 @@ class Balls:
     def scale(self, column: int) -> float:
         return float(self.reference.sizes.unit_moves[column])
 
-    def fewer(self, kept: Sequence[bool]) -> Balls:
+    def fewer(self, kept: Sequence[bool]) -> BallRows:
         """The rows that are kept alone."""
         rows = [row for row, keep in zip(self.rows, kept, strict=True) if keep]
-        found = Balls(self.reference, rows, self.t, np.zeros((0, self.slopes.shape[1])))
+        found = BallRows(self.reference, rows, self.t, np.zeros((0, self.slopes.shape[1])))
         found.slopes = self.slopes[np.array(kept, dtype=bool)]
         return found
 
@@ -80,10 +80,10 @@ class Balls:
         if self.reference.system.space:
             attitude = self._stated_attitude(body) or _unturned()
             center = self._center(body, attitude) if start.at is not None else [zero] * 3
-            return spatial_place([Dual(c) for c in center], attitude)
+            return spatial_place([ExactDual(c) for c in center], attitude)
         theta = zero if start.angle is None else self.number(start.angle)
         x, y = self._mass_center(body, theta) if start.at is not None else (zero, zero)
-        return Dual(x), Dual(y), Dual(theta)
+        return ExactDual(x), ExactDual(y), ExactDual(theta)
 
     def _mass_center(self, body: RigidBody, theta: Any) -> tuple[Any, Any]:
         start = body.start.with_guess()
@@ -122,12 +122,12 @@ class Balls:
         return total
 
     # -- poses --------------------------------------------------------------------------------
-    def geometry(self, pose: BallPose, *, with_gradient: bool) -> DualGeometry:
+    def geometry(self, pose: BallPose, *, with_gradient: bool) -> ExactDualGeometry:
         one = BALLS.number(1)
         places: dict[str, Place] = dict(self.fixed)
 
-        def dual(k: int) -> Dual:
-            return Dual(pose.numbers[k], {k: one} if with_gradient else None)
+        def dual(k: int) -> ExactDual:
+            return ExactDual(pose.numbers[k], {k: one} if with_gradient else None)
 
         for body, columns in self.reference.frame.columns.items():
             if self.reference.system.space:
@@ -137,7 +137,7 @@ class Balls:
                 continue
             x, y, *theta = map(dual, columns)
             places[body] = x, y, theta[0] if theta else None
-        return DualGeometry(places, self.values, BALLS)
+        return ExactDualGeometry(places, self.values, BALLS)
 
     def _attitude(self, pose: BallPose, body: str) -> Quaternion:
         further = [pose.numbers[k] for k in self.reference.frame.columns[body][3:]]
@@ -242,7 +242,7 @@ def _about(axis: Sequence[Any], angle: Any) -> list[Any]:
 
 def _axes_of(attitude: Quaternion) -> list[list[Any]]:
     """The axes of a body, by their ground components."""
-    axes = spatial_place([Dual(BALLS.number(0))] * 3, attitude).axes
+    axes = spatial_place([ExactDual(BALLS.number(0))] * 3, attitude).axes
     return [[c.value for c in (a.x, a.y, a.z) if c is not None] for a in axes]
 
 
@@ -275,7 +275,7 @@ def _nearest(x: float, candidates: Sequence[Any], within: float) -> Any:
 
 
 # -- closing ----------------------------------------------------------------------------------
-def refined(model: Balls, q: Array, tolerance: float) -> tuple[BallPose, str]:
+def refined(model: BallRows, q: Array, tolerance: float) -> tuple[BallPose, str]:
     """A pose near q that closes all rows to the tolerance, and what it is. Raises Unclear if none is found."""
     for within in (1e-12, 2e-6):
         pose, _unknown = model.meant(q, within)
@@ -301,7 +301,7 @@ def refined(model: Balls, q: Array, tolerance: float) -> tuple[BallPose, str]:
     raise error or Unclear("no row closes")
 
 
-def _by_newton(model: Balls, q: Array, free: Sequence[int], tolerance: float) -> tuple[BallPose, str]:
+def _by_newton(model: BallRows, q: Array, free: Sequence[int], tolerance: float) -> tuple[BallPose, str]:
     """Steps of one pseudo-inverse from what q is meant to be, in the free coordinates, until the rows close."""
     pose, _unknown = model.meant(q, 1e-12)
     model.count_from(pose)

@@ -24,14 +24,14 @@ _CLOSE = 1e-4  # how near to a change point sigma is checked; lengths that diffe
 
 
 @dataclass(frozen=True)
-class Change:
+class ChangePoint:
     """A change point of the curve, and its tangent there."""
 
     x: Array
     tangent: Array
 
 
-def crossing(mechanism: Mechanism, a: Station, b: Station, about: float | None = None) -> Change | None:
+def crossing(mechanism: Mechanism, a: Station, b: Station, about: float | None = None) -> ChangePoint | None:
     """Where sigma vanishes between two stations, by interpolation from both sides. With `about` the determinant keeps
     its sign, and sigma is least at about that distance from a. None if sigma does not vanish."""
     chord = float(np.linalg.norm(b.x - a.x))
@@ -50,7 +50,7 @@ def crossing(mechanism: Mechanism, a: Station, b: Station, about: float | None =
     check = mechanism.between(a, b, middle, _at(x, u + close / width))
     if check is None or check.sigma > 4.0 * slope * close + 1e-8:
         return None
-    return Change(_at(x, u), tangent / float(np.linalg.norm(tangent)))
+    return ChangePoint(_at(x, u), tangent / float(np.linalg.norm(tangent)))
 
 
 def _around(
@@ -95,7 +95,7 @@ def _root(c: Array) -> float | None:
     return u
 
 
-def touching(mechanism: Mechanism, a: Station, b: Station) -> Change | None:
+def touching(mechanism: Mechanism, a: Station, b: Station) -> ChangePoint | None:
     """A change point between two stations where the determinant keeps its sign."""
     about = _least(mechanism, a, b)
     return None if about is None else crossing(mechanism, a, b, about)
@@ -126,7 +126,7 @@ def _least(mechanism: Mechanism, a: Station, b: Station) -> float | None:
     return 0.5 * (low + high)
 
 
-def other_branch(mechanism: Mechanism, change: Change) -> Array | None:
+def other_branch(mechanism: Mechanism, change: ChangePoint) -> Array | None:
     """The tangent of the other branch at a change point; None if there is none, or more than one."""
     seen = mechanism.see(change.x, mechanism.near)
     if seen is None:

@@ -32,7 +32,7 @@ class Unclear(Exception):
 
 
 @dataclass
-class Elimination:
+class CircuitElimination:
     """Rows eliminated in their order. `kept` are the independent ones, `circuits` holds for every other row the
     kept ones that it depends on, and itself.
 
@@ -51,7 +51,7 @@ class Elimination:
     _steps: list[list[tuple[int, Any]]] = field(default_factory=list[list[tuple[int, Any]]], repr=False)
 
     @classmethod
-    def of(cls, rows: Sequence[Row], zero: float, clear: float = CLEAR) -> Elimination:
+    def of(cls, rows: Sequence[Row], zero: float, clear: float = CLEAR) -> CircuitElimination:
         made = cls(zero, clear)
         counts: dict[int, int] = {}
         for row in rows:

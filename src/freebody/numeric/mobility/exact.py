@@ -1,6 +1,6 @@
 """Values and gradients of measures in numbers of any kind: floats, or balls of 256 bits and more.
 
-A `Dual` is a value with its gradient, of which only the entries that are there are kept:  phi(f) has the gradient
+A `ExactDual` is a value with its gradient, of which only the entries that are there are kept:  phi(f) has the gradient
 phi' grad f.  Balls [m +- r] contain what they stand for.
 Source: Johansson, IEEE Trans. Comput. 66, 2017, 1281-1292 (balls).
 """
@@ -96,7 +96,7 @@ def parameter_ball(parameter: Parameter | None, value: float) -> Any:
 Gradient = dict[int, Any]
 
 
-class Dual:
+class ExactDual:
     """A value and its gradient, by the number of what it is a derivative by."""
 
     __slots__ = ("gradient", "value")
@@ -105,29 +105,29 @@ class Dual:
         self.value = value
         self.gradient: Gradient = gradient or {}
 
-    def __neg__(self) -> Dual:
-        return Dual(-self.value, {k: -c for k, c in self.gradient.items()})
+    def __neg__(self) -> ExactDual:
+        return ExactDual(-self.value, {k: -c for k, c in self.gradient.items()})
 
-    def __add__(self, other: Any, /) -> Dual:
-        if not isinstance(other, Dual):
-            return Dual(self.value + other, self.gradient)
+    def __add__(self, other: Any, /) -> ExactDual:
+        if not isinstance(other, ExactDual):
+            return ExactDual(self.value + other, self.gradient)
         if not other.gradient:
-            return Dual(self.value + other.value, self.gradient)
+            return ExactDual(self.value + other.value, self.gradient)
         total = dict(self.gradient)
         for k, c in other.gradient.items():
             total[k] = total[k] + c if k in total else c
-        return Dual(self.value + other.value, total)
+        return ExactDual(self.value + other.value, total)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any, /) -> Dual:
+    def __sub__(self, other: Any, /) -> ExactDual:
         return self + (-other)
 
-    def __rsub__(self, other: Any, /) -> Dual:
+    def __rsub__(self, other: Any, /) -> ExactDual:
         return -self + other
 
-    def __mul__(self, other: Any, /) -> Dual:
-        if not isinstance(other, Dual):
+    def __mul__(self, other: Any, /) -> ExactDual:
+        if not isinstance(other, ExactDual):
             return self.chain(self.value * other, other)
         value = self.value * other.value
         if not other.gradient:
@@ -138,32 +138,32 @@ class Dual:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any, /) -> Dual:
-        if not isinstance(other, Dual):
+    def __truediv__(self, other: Any, /) -> ExactDual:
+        if not isinstance(other, ExactDual):
             return self.chain(self.value / other, 1 / other)
         return self * other.inverse()
 
-    def __rtruediv__(self, other: Any, /) -> Dual:
+    def __rtruediv__(self, other: Any, /) -> ExactDual:
         return self.inverse() * other
 
-    def __pow__(self, n: Any, /) -> Dual:
-        if isinstance(n, Dual):
+    def __pow__(self, n: Any, /) -> ExactDual:
+        if isinstance(n, ExactDual):
             n = n.value
-        return self.chain(self.value**n, n * self.value ** (n - 1)) if self.gradient else Dual(self.value**n)
+        return self.chain(self.value**n, n * self.value ** (n - 1)) if self.gradient else ExactDual(self.value**n)
 
-    def __rpow__(self, base: Any, /) -> Dual:
-        return Dual(base**self.value)
+    def __rpow__(self, base: Any, /) -> ExactDual:
+        return ExactDual(base**self.value)
 
-    def __abs__(self) -> Dual:
+    def __abs__(self) -> ExactDual:
         return -self if self.value < 0 else self
 
-    def inverse(self) -> Dual:
+    def inverse(self) -> ExactDual:
         y = 1 / self.value
         return self.chain(y, -y * y)
 
-    def chain(self, f: Any, f1: Any) -> Dual:
+    def chain(self, f: Any, f1: Any) -> ExactDual:
         """phi(self), from the value and the slope of phi."""
-        return Dual(f, {k: f1 * c for k, c in self.gradient.items()})
+        return ExactDual(f, {k: f1 * c for k, c in self.gradient.items()})
 
 
 def _slope(name: str, x: Any, y: Any, arithmetic: Arithmetic) -> Any:
@@ -196,37 +196,41 @@ def _slope(name: str, x: Any, y: Any, arithmetic: Arithmetic) -> Any:
 
 
 def _functions(arithmetic: Arithmetic) -> dict[str, Any]:
-    def function(name: str) -> Callable[[Any], Dual]:
-        def call(x: Any) -> Dual:
-            f = x if isinstance(x, Dual) else Dual(x)
+    def function(name: str) -> Callable[[Any], ExactDual]:
+        def call(x: Any) -> ExactDual:
+            f = x if isinstance(x, ExactDual) else ExactDual(x)
             y = arithmetic.functions[name](f.value)
-            return f.chain(y, _slope(name, f.value, y, arithmetic)) if f.gradient else Dual(y)
+            return f.chain(y, _slope(name, f.value, y, arithmetic)) if f.gradient else ExactDual(y)
 
         return call
 
-    def number(x: Any) -> Dual:
-        return Dual(arithmetic.number(x))
+    def number(x: Any) -> ExactDual:
+        return ExactDual(arithmetic.number(x))
 
-    def sign(x: Any) -> Dual:
-        value = x.value if isinstance(x, Dual) else x
-        return Dual(arithmetic.number((value > 0) - (value < 0)))
+    def sign(x: Any) -> ExactDual:
+        value = x.value if isinstance(x, ExactDual) else x
+        return ExactDual(arithmetic.number((value > 0) - (value < 0)))
 
     made: dict[str, Any] = {name: function(name) for name in _ELEMENTARY}
     return made | {
         "abs": abs,
         "sign": sign,
-        "pi": Dual(arithmetic.pi()),
+        "pi": ExactDual(arithmetic.pi()),
         "number": number,
     }
 
 
 # Geometry ---------------------------------------------------------------------------------------
-PlanarPlace = tuple[Dual, Dual, Dual | None]  # x, y of the mass centre and the angle; None where a body does not turn
-Place = PlanarPlace | SpatialPose[Dual]
+PlanarPlace = tuple[
+    ExactDual, ExactDual, ExactDual | None
+]  # x, y of the mass centre and the angle; None where a body does not turn
+Place = PlanarPlace | SpatialPose[ExactDual]
 Quaternion = Sequence[Any]  # (w, x, y, z) of any length but zero, over numbers of one kind
 
 
-def spatial_place(center: Sequence[Dual], quaternion: Quaternion, by: Sequence[int] = ()) -> SpatialPose[Dual]:
+def spatial_place(
+    center: Sequence[ExactDual], quaternion: Quaternion, by: Sequence[int] = ()
+) -> SpatialPose[ExactDual]:
     """A body in space with the axes that a quaternion turns those of the ground to. by: the numbers of the derivatives
     by its angular velocity along its own axes, where these are wanted.
 
@@ -240,11 +244,11 @@ def spatial_place(center: Sequence[Dual], quaternion: Quaternion, by: Sequence[i
         (2 * (x * z + w * y) / size, 2 * (y * z - w * x) / size, (w * w - x * x - y * y + z * z) / size),
     ]
 
-    def axis(j: int) -> Vector[Dual]:
+    def axis(j: int) -> Vector[ExactDual]:
         if not by:
-            return Vector(*map(Dual, own[j]))
+            return Vector(*map(ExactDual, own[j]))
         k, n = (j + 1) % 3, (j + 2) % 3
-        return Vector(*(Dual(own[j][i], {by[n]: own[k][i], by[k]: -own[n][i]}) for i in range(3)))
+        return Vector(*(ExactDual(own[j][i], {by[n]: own[k][i], by[k]: -own[n][i]}) for i in range(3)))
 
     return SpatialPose(Vector(*center), (axis(0), axis(1), axis(2)))
 
@@ -261,26 +265,26 @@ def turned(p: Quaternion, q: Quaternion) -> list[Any]:
     ]
 
 
-class DualGeometry:
-    """A `Geometry[Dual]`: bodies at their places, symbols with their values."""
+class ExactDualGeometry:
+    """A `Geometry[ExactDual]`: bodies at their places, symbols with their values."""
 
-    def __init__(self, places: Mapping[str, Place], values: Mapping[str, Dual], arithmetic: Arithmetic) -> None:
+    def __init__(self, places: Mapping[str, Place], values: Mapping[str, ExactDual], arithmetic: Arithmetic) -> None:
         self.arithmetic = arithmetic
         self.functions = _functions(arithmetic)
         self.places, self.values = places, values
-        self._poses: dict[str, Pose[Dual] | SpatialPose[Dual]] = {}
-        self._scalars: dict[int, tuple[Expr, Dual]] = {}
+        self._poses: dict[str, Pose[ExactDual] | SpatialPose[ExactDual]] = {}
+        self._scalars: dict[int, tuple[Expr, ExactDual]] = {}
 
-    def of(self, measure: Measure | NonholonomicForm | Component) -> Dual:
+    def of(self, measure: Measure | NonholonomicForm | Component) -> ExactDual:
         """Of a measure that is only a rate, the coefficients of the velocities in it as gradient."""
         if not isinstance(measure, NonholonomicForm):
             return measure.value(self)
-        total = Dual(self.arithmetic.number(0))
+        total = ExactDual(self.arithmetic.number(0))
         for coefficient, term in measure.terms:
             total = total + self.of(term).chain(self.arithmetic.number(0), self.of(coefficient).value)
         return total
 
-    def gap(self, row: ConstraintRow, origin: Any = 0) -> Dual:
+    def gap(self, row: ConstraintRow, origin: Any = 0) -> ExactDual:
         """How far a measure, counted from its origin, is from its target; angles up to full turns."""
         if isinstance(row.measure, NonholonomicForm):
             raise ValueError(f"{row.name} is only a rate")
@@ -291,37 +295,37 @@ class DualGeometry:
             gap = gap - 2 * round(float(gap.value) / math.tau) * self.arithmetic.pi()
         return gap
 
-    def scalar(self, expr: Expr) -> Dual:
+    def scalar(self, expr: Expr) -> ExactDual:
         known = self._scalars.get(id(expr))
         if known is None:
             known = self._scalars[id(expr)] = expr, self.apply(expr, {})
         return known[1]
 
-    def apply(self, expr: Expr, values: dict[str, Dual]) -> Dual:
+    def apply(self, expr: Expr, values: dict[str, ExactDual]) -> ExactDual:
         result: Any = evaluate(expr, {**self.values, **values} if values else self.values, self.functions)
-        return result if isinstance(result, Dual) else Dual(self.arithmetic.number(result))
+        return result if isinstance(result, ExactDual) else ExactDual(self.arithmetic.number(result))
 
-    def pose(self, body: str) -> Pose[Dual] | SpatialPose[Dual]:
+    def pose(self, body: str) -> Pose[ExactDual] | SpatialPose[ExactDual]:
         known = self._poses.get(body)
         if known is None:
             place = self.places[body]
             known = self._poses[body] = place if isinstance(place, SpatialPose) else self._in_plane(place)
         return known
 
-    def _in_plane(self, place: PlanarPlace) -> Pose[Dual]:
+    def _in_plane(self, place: PlanarPlace) -> Pose[ExactDual]:
         x, y, theta = place
         if theta is None:
-            zero, one = (Dual(self.arithmetic.number(k)) for k in (0, 1))
+            zero, one = (ExactDual(self.arithmetic.number(k)) for k in (0, 1))
             return Pose(x, y, zero, one, zero)
         c, s = (self.arithmetic.functions[name](theta.value) for name in ("cos", "sin"))
         return Pose(x, y, theta, theta.chain(c, -s), theta.chain(s, c))
 
-    def root(self, x: Dual) -> Dual:
+    def root(self, x: ExactDual) -> ExactDual:
         if not x.value > 0:
             raise ValueError("points that coincide have no direction from one to the other")
         return self.functions["sqrt"](x)
 
-    def tangent(self, v: Vector[Dual], offset: Dual) -> tuple[Dual, Dual]:
+    def tangent(self, v: Vector[ExactDual], offset: ExactDual) -> tuple[ExactDual, ExactDual]:
         # v = l e(a) + offset n(a):  l = sqrt(|v|^2 - offset^2),  a = atan2(v_y, v_x) - atan2(offset, l)
         square = v.dot(v) - offset * offset
         if not square.value > 0:
@@ -332,7 +336,7 @@ class DualGeometry:
             heading = heading - self._arc_tangent(offset, length)
         return length, heading
 
-    def _arc_tangent(self, y: Dual, x: Dual) -> Dual:
+    def _arc_tangent(self, y: ExactDual, x: ExactDual) -> ExactDual:
         r2 = x.value * x.value + y.value * y.value
         along = y.chain(0, x.value / r2) + x.chain(0, -y.value / r2)
-        return Dual(self.arithmetic.atan2(y.value, x.value), along.gradient)
+        return ExactDual(self.arithmetic.atan2(y.value, x.value), along.gradient)

@@ -29,14 +29,14 @@ from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import TIME, Array
-from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
+from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import (
     BALLS,
     BITS,
     FLOATS,
     Arithmetic,
-    Dual,
-    DualGeometry,
+    ExactDual,
+    ExactDualGeometry,
     Gradient,
     Place,
     precision,
@@ -155,7 +155,9 @@ class Framework:
         with precision(BITS):
             balls, error = self._refined(closing, numbers)
             g = self.geometry(balls, self.coordinates, BALLS)
-            eliminated = Elimination.of(unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO)
+            eliminated = CircuitElimination.of(
+                unit_rows([g.of(row.measure).gradient for row in held], lambda _: 1.0), ZERO
+            )
         how = (
             f"elimination in balls of {BITS} bits at a random geometry (seed {seed}) that closes to {error:.1e}: what "
             f"is below {ZERO:g} counts as zero, no pivot is smaller than {eliminated.smallest:.1e}"
@@ -173,15 +175,15 @@ class Framework:
         numbers: Sequence[Any] | Array,
         free: Iterable[int],
         arithmetic: Arithmetic,
-        like: DualGeometry | None = None,
+        like: ExactDualGeometry | None = None,
         changed: Iterable[int] = (),
-    ) -> DualGeometry:
+    ) -> ExactDualGeometry:
         """What measures see, with derivatives by the numbers that are `free`; where only some numbers have changed
         the others are taken from another geometry."""
         one, by = arithmetic.number(1), frozenset(free)
 
-        def dual(k: int) -> Dual:
-            return Dual(numbers[k], {k: one} if k in by else None)
+        def dual(k: int) -> ExactDual:
+            return ExactDual(numbers[k], {k: one} if k in by else None)
 
         def place(body: str) -> Place:
             at = self.columns.get(body) or self.others[body]
@@ -194,14 +196,14 @@ class Framework:
         if like is None:
             places = {body: place(body) for body in (*self.columns, *self.others)}
             values = {name: dual(k) for name, k in self.symbols.items()}
-            return DualGeometry(places, values | {TIME: Dual(arithmetic.number(0))}, arithmetic)
+            return ExactDualGeometry(places, values | {TIME: ExactDual(arithmetic.number(0))}, arithmetic)
         places, values = dict(like.places), dict(like.values)
         for name, is_body in dict.fromkeys(self.names[k] for k in changed):
             if is_body:
                 places[name] = place(name)
             else:
                 values[name] = dual(self.symbols[name])
-        return DualGeometry(places, values, arithmetic)
+        return ExactDualGeometry(places, values, arithmetic)
 
     @cached_property
     def names(self) -> Mapping[int, tuple[str, bool]]:
@@ -266,7 +268,12 @@ class Framework:
         return left
 
     def _close_part(
-        self, rows: Sequence[ConstraintRow], numbers: Array, by: frozenset[int], like: DualGeometry, changed: set[int]
+        self,
+        rows: Sequence[ConstraintRow],
+        numbers: Array,
+        by: frozenset[int],
+        like: ExactDualGeometry,
+        changed: set[int],
     ) -> Array:
         gaps, gradients = self._gaps(rows, numbers, by, like, changed)
         for _ in range(N_STEPS):
@@ -312,7 +319,7 @@ class Framework:
         rows: Sequence[ConstraintRow],
         numbers: Array,
         by: frozenset[int],
-        like: DualGeometry | None = None,
+        like: ExactDualGeometry | None = None,
         changed: Iterable[int] = (),
     ) -> tuple[Array, list[Gradient]]:
         g = self.geometry(numbers.tolist() if like is None else numbers, by, FLOATS, like, changed)

@@ -12,7 +12,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.twists import Freedom, Screw, freedom
+from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
 from freebody.numeric.reference import Reference
 from freebody.tolerances import SAME_PLACE
 
@@ -40,7 +40,7 @@ class AloneInSpace:
                 left = rest
                 yield self._words(screw)
         for twist in left:
-            screw = Screw.of(twist, self.size)
+            screw = ScrewLine.of(twist, self.size)
             if self._goes_on(screw):
                 yield self._words(screw)
 
@@ -49,11 +49,11 @@ class AloneInSpace:
         return self.reference.sizes.length
 
     @cached_property
-    def _freedom(self) -> Freedom:
+    def _freedom(self) -> TwistSpace:
         return freedom(self.reference, self.q, self.body, self.rows, self.t)
 
     @cached_property
-    def _own(self) -> dict[str, Freedom]:
+    def _own(self) -> dict[str, TwistSpace]:
         """What every connection alone leaves the body."""
         by_name: dict[str, list[ConstraintRow]] = {}
         for row in self.rows:
@@ -65,26 +65,26 @@ class AloneInSpace:
         return {name: free.center for name, free in self._own.items() if free.center is not None}
 
     @cached_property
-    def _lines(self) -> dict[str, Screw]:
+    def _lines(self) -> dict[str, ScrewLine]:
         found = {name: free.screw for name, free in self._own.items()}
         return {name: screw for name, screw in found.items() if screw is not None}
 
     @property
-    def _candidates(self) -> Iterator[Screw]:
+    def _candidates(self) -> Iterator[ScrewLine]:
         """Lines through the centres of two joints, and axes."""
         for a, b in combinations(self._centers.values(), 2):
             along = b - a
             length = float(np.linalg.norm(along))
             if length > SAME_PLACE * self.size:
-                yield Screw(along / length, a, 0.0)
+                yield ScrewLine(along / length, a, 0.0)
         yield from self._lines.values()
 
-    def _twist(self, screw: Screw) -> Array:
+    def _twist(self, screw: ScrewLine) -> Array:
         if screw.pitch is None:
             return np.concatenate([np.zeros(3), screw.direction])
         return np.concatenate([screw.direction, np.cross(screw.point, screw.direction) + screw.pitch * screw.direction])
 
-    def _goes_on(self, screw: Screw) -> bool:
+    def _goes_on(self, screw: ScrewLine) -> bool:
         """Whether finite motions along the screw keep everything, and leave the body as free as here."""
         gaps, n_free = self._gaps(self.q), self._freedom.n
         for amount in AMOUNTS:
@@ -98,7 +98,7 @@ class AloneInSpace:
                 return False
         return True
 
-    def _moved(self, screw: Screw, amount: float) -> Array:
+    def _moved(self, screw: ScrewLine, amount: float) -> Array:
         frame, columns = self.reference.frame, list(self.reference.columns(self.body))
         step = np.zeros_like(self.q)
         own = screw.step(*self.reference.frame_of(self.q, self.body), amount, frame.principal[self.body])
@@ -110,7 +110,7 @@ class AloneInSpace:
         return np.array([self.reference.gap(row, g).value for row in self.rows])
 
     # -- words --------------------------------------------------------------------------------
-    def _words(self, screw: Screw) -> str:
+    def _words(self, screw: ScrewLine) -> str:
         if screw.pitch is None:
             return f"slides along {_numbers(screw.direction)}"
         on = [name for name, center in self._centers.items() if screw.passes(center, self.size)]
@@ -123,7 +123,7 @@ class AloneInSpace:
         return f"{what} the line through {_numbers(screw.point)} m along {_numbers(screw.direction)}"
 
 
-def _is_same(a: Screw, b: Screw, size: float) -> bool:
+def _is_same(a: ScrewLine, b: ScrewLine, size: float) -> bool:
     is_parallel = float(np.linalg.norm(np.cross(a.direction, b.direction))) <= SAME_PLACE
     return a.pitch is not None and is_parallel and b.passes(a.point, size)
 

@@ -24,7 +24,7 @@ from freebody.numeric.mobility.momentary import Neighbourhood
 from freebody.numeric.mobility.rank import Rank, n_independent, scaled_rows
 from freebody.numeric.mobility.reasons import listed, why_momentary, why_special
 from freebody.numeric.mobility.reasons_in_space import SpatialScene, why_momentary_in_space, why_special_in_space
-from freebody.numeric.mobility.scene import Scene, numbers_at
+from freebody.numeric.mobility.scene import CircuitScene, numbers_at
 from freebody.numeric.reference import Reference
 
 Kind = Literal["generic", "special geometry", "momentary", "not decided"]
@@ -93,7 +93,7 @@ class _Study:
         is_momentary, is_shaky = self._momentary(rows, connections)
         if self.reference.system.space:
             return self._in_space(circuit, connections, is_momentary=is_momentary, is_shaky=is_shaky)
-        scene = Scene(self.framework, self.numbers, self.reference.sizes.length, circuit)
+        scene = CircuitScene(self.framework, self.numbers, self.reference.sizes.length, circuit)
         if is_momentary:
             why = why_momentary(scene, is_shaky=is_shaky)
             return Dependence(tuple(circuit), connections, "momentary", why, is_shaky)

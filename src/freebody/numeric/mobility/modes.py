@@ -30,7 +30,7 @@ from freebody.measures.geometry import GROUND, Point, position
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array, Branch, Jet
 from freebody.numeric.mobility.coordinates import independent_measures
-from freebody.numeric.placing import ACCEPTED, Equation, Fit
+from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
 
@@ -45,7 +45,7 @@ Place = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Mode:
+class AssemblyMode:
     """One way in which the mechanism can be assembled."""
 
     name: str
@@ -53,10 +53,10 @@ class Mode:
     signs: Mapping[str, int]  # by pin: 1 it turns left there, -1 right, 0 straight
 
 
-class Modes(list[Mode]):
+class AssemblyModes(list[AssemblyMode]):
     """The modes that were found, and how many starts that took."""
 
-    def __init__(self, modes: Sequence[Mode], n_starts: int, n_since: int) -> None:
+    def __init__(self, modes: Sequence[AssemblyMode], n_starts: int, n_since: int) -> None:
         super().__init__(modes)
         self.n_starts = n_starts
         self.note = f"{len(modes)} found from {n_starts} starts; the last {n_since} that came together brought none new"
@@ -69,7 +69,7 @@ def assembly_modes(
     t: float = 0.0,
     n_starts: int = 600,
     seed: int = 0,
-) -> Modes:
+) -> AssemblyModes:
     """All poses (n_q,) in which everything is held and the `fixed` measures have their values (SI), each once, angles
     counted modulo full turns; the one of q is the first, if q is among them. Measures of which only changes mean
     something keep the value they have at q; drivers are at the time t [s].
@@ -78,7 +78,7 @@ def assembly_modes(
     no pose is found. Source: see the module."""
     if reference.system.space:
         raise CannotAnswer("assembly modes are looked for in the plane only; in space choose one by at, turned or near")
-    search = _Search(reference, q, fixed, t)
+    search = _ModeSearch(reference, q, fixed, t)
     rng, poses = np.random.default_rng(seed), list[Fit]()
     n_since, n_done = 0, 0
     for n_done in range(1, n_starts + 1):
@@ -100,7 +100,7 @@ def assembly_modes(
         )
     # names do not depend on where the search began, so that a mode that was chosen keeps its own
     named = _named(reference, _in_order(search, poses), t)
-    return Modes(sorted(named, key=lambda mode: search.apart(mode.q, q) > _SAME_SINGULAR), n_done, n_since)
+    return AssemblyModes(sorted(named, key=lambda mode: search.apart(mode.q, q) > _SAME_SINGULAR), n_done, n_since)
 
 
 def chosen(reference: Reference, q: Array, name: str) -> Array:
@@ -117,7 +117,7 @@ def chosen(reference: Reference, q: Array, name: str) -> Array:
 
 
 # -- the search -------------------------------------------------------------------------------
-class _Search:
+class _ModeSearch:
     """The equations of one search."""
 
     def __init__(self, reference: Reference, q: Array, fixed: Sequence[tuple[Measure, float]], t: float) -> None:
@@ -129,7 +129,7 @@ class _Search:
             )
         self.reference, self.t, self.origin = reference, t, q
         self.near: Mapping[Branch, float] = reference.geometry(q, np.zeros_like(q), t).angles
-        values = [Equation.of(reference.name_of(m), m, Jet(value)) for m, value in fixed]
+        values = [PoseEquation.of(reference.name_of(m), m, Jet(value)) for m, value in fixed]
         self.equations = [*reference.held_where(q, t), *values]
         self.wanted = " and ".join(["everything is held", *(f"{e.name} has its value" for e in values)])
         places = np.abs(q[~reference.sizes.turning])
@@ -181,7 +181,7 @@ class _Search:
             )
 
 
-def _in_order(search: _Search, poses: Sequence[Fit]) -> list[Array]:
+def _in_order(search: _ModeSearch, poses: Sequence[Fit]) -> list[Array]:
     """The poses by where they are, so that the order does not depend on the search."""
     turning = search.reference.sizes.turning
 
@@ -213,11 +213,11 @@ class _Turn:
     after: Point
 
 
-def _named(reference: Reference, poses: Sequence[Array], t: float) -> list[Mode]:
+def _named(reference: Reference, poses: Sequence[Array], t: float) -> list[AssemblyMode]:
     joints = _joints(reference)
     turns = _turns(reference, joints)
     signs = [{turn.joint.name: _sign(reference, q, turn, t) for turn in turns} for q in poses]
-    modes = [Mode("", q, sign) for q, sign in zip(poses, signs, strict=True)]
+    modes = [AssemblyMode("", q, sign) for q, sign in zip(poses, signs, strict=True)]
     names = _open_or_crossed(reference, joints, poses, t) or _by_turns(signs)
     repeated = {name for name in names if names.count(name) > 1}
     counts: dict[str, int] = {}

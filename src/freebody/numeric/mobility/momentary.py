@@ -27,7 +27,7 @@ from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.mobility.rank import gradients
-from freebody.numeric.placing import Equation
+from freebody.numeric.placing import PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split
 from freebody.tolerances import LEAST
@@ -111,9 +111,9 @@ class Neighbourhood:
         return gradients(self.reference, self.q, rows, self.t)
 
 
-def _kept(row: ConstraintRow, g: JetGeometry) -> Equation:
+def _kept(row: ConstraintRow, g: JetGeometry) -> PoseEquation:
     """A row stays where it is; the tangents that it meets are counted on from here."""
-    return Equation.of(row.name, row.measure, Jet(g.of(row.measure).value))
+    return PoseEquation.of(row.name, row.measure, Jet(g.of(row.measure).value))
 
 
 def _values(second: Callable[[Any], tuple[float, float]], freedoms: Array) -> tuple[Array, float]:

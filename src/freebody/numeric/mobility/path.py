@@ -40,7 +40,7 @@ class PathPoint:
 
 
 @dataclass(frozen=True)
-class Path:
+class MotionPath:
     """Poses along the motion of one freedom; the input counts on through full turns."""
 
     inputs: Array  # (n,)
@@ -65,7 +65,7 @@ def trace(
     t: float = 0.0,
     outputs: Mapping[str, Measure] | None = None,
     n_steps: int = 2000,
-) -> Path:
+) -> MotionPath:
     """The whole motion through the pose q (n_q,) in which everything is held but the connections `released`, by the
     input `measure`; dead points of the `outputs` are named by their keys. Drivers that stay are at the time t [s].
 
@@ -106,7 +106,7 @@ def singular_at(
 _Placed = tuple[float, PathPoint]  # where on the path, in stations
 
 
-def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], note: str) -> Path:
+def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], note: str) -> MotionPath:
     stations = walk.stations
     inputs = np.array([station.values[0] for station in stations])
     _must_move(mechanism, stations)
@@ -118,7 +118,7 @@ def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], 
     is_angle = mechanism.measures[0].dimension == DIMENSIONLESS
     full_turn = is_angle and not dead and (walk.is_closed or float(np.ptp(inputs)) >= math.tau)
     notes = [note, *(_ending(mechanism, stations[-k], walk.ends[k]) for k in (0, 1))]
-    return Path(
+    return MotionPath(
         inputs=inputs,
         poses=np.array([mechanism.chart.q(station.x) for station in stations]),
         is_closed=walk.is_closed,

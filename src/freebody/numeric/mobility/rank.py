@@ -25,8 +25,8 @@ from freebody.errors import FreebodyError, InputError
 from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.balls import Balls, refined, row_lengths
-from freebody.numeric.mobility.elimination import Elimination, Unclear, unit_rows
+from freebody.numeric.mobility.balls import BallRows, refined, row_lengths
+from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import BITS, precision
 from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
 from freebody.numeric.reference import Reference
@@ -161,10 +161,10 @@ def _independent(J: Array) -> float | None:
     return math.sqrt(part) if part > CLEAR_CUT**2 else None
 
 
-def _in_floats(J: Array, rank: int) -> tuple[Elimination, str]:
+def _in_floats(J: Array, rank: int) -> tuple[CircuitElimination, str]:
     """Circuits by rounded elimination, with a threshold at which it agrees with the singular values."""
     rows = unit_rows([{int(k): float(row[k]) for k in np.flatnonzero(row)} for row in J], lambda _: 1.0)
-    tried = [Elimination.of(rows, zero, zero) for zero in (1e-9, 1e-8, 1e-10, 1e-7, 1e-11, 1e-6)]
+    tried = [CircuitElimination.of(rows, zero, zero) for zero in (1e-9, 1e-8, 1e-10, 1e-7, 1e-11, 1e-6)]
     found = next((one for one in tried if one.rank == rank), tried[0])
     return found, f"numbers of 16 digits, what is below {found.zero:g} after elimination counts as zero"
 
@@ -172,7 +172,7 @@ def _in_floats(J: Array, rank: int) -> tuple[Elimination, str]:
 # In balls ---------------------------------------------------------------------------------------
 def _in_balls(
     reference: Reference, q: Array, t: float, rows: Sequence[ConstraintRow]
-) -> tuple[Elimination | None, str, tuple[float, ...]]:
+) -> tuple[CircuitElimination | None, str, tuple[float, ...]]:
     """The rows eliminated at a pose known to many digits, how that was found, and the pose; None, and why not.
 
     Where only some rows are asked for, the pose is one in which the others hold too, if there is such a one."""
@@ -182,10 +182,12 @@ def _in_balls(
     for bits, closing in ways if len(rows) < len(everything) else ways[::2]:
         with precision(bits):
             try:
-                model = Balls(reference, rows, t, gradients(reference, q, rows, t))
-                all_ = model if closing is rows else Balls(reference, closing, t, gradients(reference, q, closing, t))
+                model = BallRows(reference, rows, t, gradients(reference, q, rows, t))
+                all_ = (
+                    model if closing is rows else BallRows(reference, closing, t, gradients(reference, q, closing, t))
+                )
                 here, pose = refined(all_, q, 2.0 ** (64 - bits))
-                eliminated = Elimination.of(unit_rows(model.gradients(here), model.scale), ZERO)
+                eliminated = CircuitElimination.of(unit_rows(model.gradients(here), model.scale), ZERO)
             except (Unclear, FreebodyError, ArithmeticError, ValueError) as error:
                 why = str(error)
                 continue

@@ -40,7 +40,7 @@ def reachable_dimensions(reference: Reference, q: Array) -> int | None:
     if n > MOST:
         return None
     basis: list[Array] = list(np.linalg.qr(null)[0].T)
-    search = _Search(reference, q, [moves * b for b in basis])
+    search = _ReachSearch(reference, q, [moves * b for b in basis])
     try:
         level: list[Way] = [((i, 1.0),) for i in range(n)]
         first, order = level, 1
@@ -62,7 +62,7 @@ def _back(way: Way) -> Way:
     return tuple((k, -sense) for k, sense in reversed(way))
 
 
-class _Search:
+class _ReachSearch:
     """Ways from one pose along fields, given by their velocities there."""
 
     def __init__(self, reference: Reference, q: Array, fields: Sequence[Array]) -> None:

@@ -20,14 +20,14 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.scene import CHANGE, Bar, Change, Scene, leaves
+from freebody.numeric.mobility.scene import CHANGE, Bar, Change, CircuitScene, leaves
 from freebody.tolerances import SAME_PLACE
 
 N_PLACES = 30  # places up to which lines through three of them are searched
 T = TypeVar("T")
 
 
-def why_special(scene: Scene) -> str:
+def why_special(scene: CircuitScene) -> str:
     """The special geometry on which the dependence of the rows rests, as far as it has a simple name."""
     for found in (_parallel_bars, _guides_alike, _round_bodies, _equal_bars, _points_together, _points_in_line):
         sentences = list(found(scene))
@@ -37,7 +37,7 @@ def why_special(scene: Scene) -> str:
     return f"The rows are independent in other geometry; the sizes or places of {listed(bodies)} are special."
 
 
-def why_momentary(scene: Scene, *, is_shaky: bool) -> str:
+def why_momentary(scene: CircuitScene, *, is_shaky: bool) -> str:
     """What is special about this pose, as far as it has a simple name."""
     sentences = (
         _lie_in_line(scene.places, scene.size),
@@ -56,25 +56,25 @@ def listed(names: Sequence[str]) -> str:
 
 
 # -- special geometry -------------------------------------------------------------------------
-def _parallel_bars(scene: Scene) -> Iterator[str]:
+def _parallel_bars(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
             yield f"{listed(names)} are equally long ({group[0].length:.6g} m) and parallel"
 
 
-def _equal_bars(scene: Scene) -> Iterator[str]:
+def _equal_bars(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
             yield f"{listed(names)} are equally long ({group[0].length:.6g} m)"
 
 
-def _same_length(scene: Scene, a: Bar, b: Bar) -> bool:
+def _same_length(scene: CircuitScene, a: Bar, b: Bar) -> bool:
     return abs(a.length - b.length) <= SAME_PLACE * scene.size
 
 
-def _guides_alike(scene: Scene) -> Iterator[str]:
+def _guides_alike(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(scene.guides, lambda a, b: _is_parallel(a.along, b.along)):
         kept = [guide for guide in group if scene.rests_on(guide.change)]
         if len(kept) < 2:
@@ -84,7 +84,7 @@ def _guides_alike(scene: Scene) -> Iterator[str]:
         yield f"the guides of {listed([g.name for g in kept])} are {'in one line' if is_one else 'parallel'}"
 
 
-def _round_bodies(scene: Scene) -> Iterator[str]:
+def _round_bodies(scene: CircuitScene) -> Iterator[str]:
     bodies = scene.framework.model.system.bodies
     used = {s for row in scene.rows for m in _measures(row.measure) for s in _coefficients(m)}
     used |= {s for row in scene.rows if row.target is not None for s in free_symbols(row.target)}
@@ -120,7 +120,7 @@ def _coefficients(measure: Measure) -> set[str]:
     return {symbol for coefficient, _term in measure.terms for symbol in free_symbols(coefficient)}
 
 
-def _recentred(scene: Scene, body: str) -> Change:
+def _recentred(scene: CircuitScene, body: str) -> Change:
     """What moves the centre of a wheel on the ground: its own place, or that of its bearing."""
     if body in scene.framework.others:
         return {scene.framework.others[body][0]: CHANGE * scene.size}
@@ -131,7 +131,7 @@ def _recentred(scene: Scene, body: str) -> Change:
     return {}
 
 
-def _points_together(scene: Scene) -> Iterator[str]:
+def _points_together(scene: CircuitScene) -> Iterator[str]:
     """Points of one body that have different names and the same place."""
     points = {str(point): point for row in scene.rows for m in leaves(row.measure) for point in _points(m)}
     placed = [(name, point, scene.place(point)) for name, point in points.items()]
@@ -147,7 +147,7 @@ def _points(measure: Measure) -> Iterator[Point]:
         yield from (measure.start, measure.end)
 
 
-def _points_in_line(scene: Scene) -> Iterator[str]:
+def _points_in_line(scene: CircuitScene) -> Iterator[str]:
     at: dict[str, dict[str, Array]] = {}
     for joint in scene.joints:
         for point in joint.points:
@@ -159,7 +159,7 @@ def _points_in_line(scene: Scene) -> Iterator[str]:
 
 
 # -- special poses ----------------------------------------------------------------------------
-def _in_line_here(scene: Scene) -> str:
+def _in_line_here(scene: CircuitScene) -> str:
     """The longest line of places that no single body holds in line."""
     places = scene.places
     if len(places) > N_PLACES:
@@ -174,7 +174,7 @@ def _in_line_here(scene: Scene) -> str:
     return _lie_in_line(best, scene.size)
 
 
-def _stretched(scene: Scene) -> str:
+def _stretched(scene: CircuitScene) -> str:
     """Two bars with a common joint that are in line."""
     for a, b in itertools.combinations(scene.bars, 2):
         if set(a.ends) & set(b.ends) and _in_line([a.start, a.end, b.start, b.end], scene.size):
@@ -182,7 +182,7 @@ def _stretched(scene: Scene) -> str:
     return ""
 
 
-def _concurrent(scene: Scene) -> str:
+def _concurrent(scene: CircuitScene) -> str:
     """Three bars or more whose lines meet in one point, or that are parallel."""
     if len(scene.bars) < 3:
         return ""
@@ -210,7 +210,7 @@ def _is_parallel(u: Array, v: Array) -> bool:
     return abs(_cross(u, v)) <= SAME_PLACE * float(np.linalg.norm(u) * np.linalg.norm(v))
 
 
-def _is_near(scene: Scene, a: Array, b: Array) -> bool:
+def _is_near(scene: CircuitScene, a: Array, b: Array) -> bool:
     return float(np.linalg.norm(a - b)) <= SAME_PLACE * scene.size
 
 

@@ -19,7 +19,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.reasons import in_groups, listed
 from freebody.numeric.mobility.scene import joined, leaves
-from freebody.numeric.mobility.twists import Freedom, Screw, freedom
+from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
 from freebody.numeric.reference import Reference
 
 SAME = 1e-7  # the sine or the part of the size that counts as zero, at poses as good as they were assembled
@@ -49,7 +49,7 @@ class SpatialScene:
         return sorted(found, key=lambda body: (body not in self.reference.frame.columns, body))
 
     @cached_property
-    def freedoms(self) -> Mapping[str, Freedom]:
+    def freedoms(self) -> Mapping[str, TwistSpace]:
         """What every connection leaves one of its bodies."""
         return {
             name: freedom(self.reference, self.q, self.bodies(name)[0], self.rows[name], self.t)
@@ -58,7 +58,7 @@ class SpatialScene:
         }
 
     @cached_property
-    def lines(self) -> Mapping[str, Screw]:
+    def lines(self) -> Mapping[str, ScrewLine]:
         """The lines about which alone connections let a body turn."""
         return {name: free.line for name, free in self.freedoms.items() if free.line is not None}
 
@@ -110,7 +110,7 @@ def _arranged(scene: SpatialScene) -> str:
 
 
 def _coaxial(scene: SpatialScene) -> Iterator[str]:
-    def one_line(a: tuple[str, Screw], b: tuple[str, Screw]) -> bool:
+    def one_line(a: tuple[str, ScrewLine], b: tuple[str, ScrewLine]) -> bool:
         return _is_parallel(a[1].direction, b[1].direction) and _passes(scene, b[1], a[1].point)
 
     groups = in_groups(scene.lines.items(), one_line)
@@ -144,7 +144,7 @@ def _parallel(scene: SpatialScene) -> Iterator[str]:
 def _alike_links(scene: SpatialScene) -> str:
     """Bodies whose two axes are as far apart and as twisted as those of another."""
     links: dict[str, tuple[float, float]] = {}
-    on: dict[str, list[Screw]] = {}
+    on: dict[str, list[ScrewLine]] = {}
     for name, line in scene.lines.items():
         for body in dict.fromkeys(b if b in scene.reference.frame.columns else GROUND for b in scene.bodies(name)):
             on.setdefault(body, []).append(line)
@@ -162,7 +162,7 @@ def _alike_links(scene: SpatialScene) -> str:
     return "; ".join(found)
 
 
-def _distance_and_twist(a: Screw, b: Screw) -> tuple[float, float]:
+def _distance_and_twist(a: ScrewLine, b: ScrewLine) -> tuple[float, float]:
     """Between two lines: their distance, and the sine of their angle."""
     normal = np.cross(a.direction, b.direction)
     sine = float(np.linalg.norm(normal))
@@ -181,7 +181,7 @@ def _in_line(scene: SpatialScene) -> str:
         length = float(np.linalg.norm(along))
         if length <= SAME * scene.size:
             continue
-        line = Screw(along / length, places[a], 0.0)
+        line = ScrewLine(along / length, places[a], 0.0)
         on = [name for name, place in places.items() if _passes(scene, line, place)]
         best = on if len(on) > max(2, len(best)) else best
     return f"{listed(best)} lie in line" if best else ""
@@ -211,7 +211,7 @@ def _is_parallel(a: Array, b: Array) -> bool:
     return float(np.linalg.norm(np.cross(a, b))) <= SAME
 
 
-def _passes(scene: SpatialScene, line: Screw, place: Array) -> bool:
+def _passes(scene: SpatialScene, line: ScrewLine, place: Array) -> bool:
     return float(np.linalg.norm(np.cross(line.direction, place - line.point))) <= SAME * scene.size
 
 

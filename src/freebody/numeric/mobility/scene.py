@@ -20,7 +20,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose, position, unit
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.exact import FLOATS, DualGeometry
+from freebody.numeric.mobility.exact import FLOATS, ExactDualGeometry
 from freebody.numeric.mobility.generic import Framework, dense
 from freebody.numeric.mobility.rank import n_independent, unit_length
 from freebody.numeric.reference import Reference
@@ -33,7 +33,7 @@ Change = Mapping[int, float]  # of the numbers of the generic model
 
 
 @dataclass(frozen=True)
-class Joint:
+class MeetingPlace:
     """Where two bodies meet, and which point of each."""
 
     name: str
@@ -61,7 +61,7 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Guide:
+class StraightGuide:
     """A straight guide: a place on it, its direction in ground components, and what turns it."""
 
     name: str
@@ -91,7 +91,7 @@ def numbers_at(framework: Framework, reference: Reference, q: Array, t: float = 
 
 
 @dataclass(frozen=True)
-class Scene:
+class CircuitScene:
     """The rows of one circuit in the generic model, with the numbers of one pose."""
 
     framework: Framework
@@ -100,7 +100,7 @@ class Scene:
     circuit: Sequence[str]
 
     @cached_property
-    def geometry(self) -> DualGeometry:
+    def geometry(self) -> ExactDualGeometry:
         return self.framework.geometry(self.numbers.tolist(), (), FLOATS)
 
     @cached_property
@@ -119,13 +119,13 @@ class Scene:
         return float(self.geometry.scalar(expr).value)
 
     @cached_property
-    def joints(self) -> Sequence[Joint]:
+    def joints(self) -> Sequence[MeetingPlace]:
         """Pins and the like: a point of one body on a point of another. Half of one in the circuit is enough."""
-        found: dict[str, Joint] = {}
+        found: dict[str, MeetingPlace] = {}
         for row in self.rows:
             m = pinning(row)
             if m is not None:
-                found.setdefault(row.connection, Joint(row.connection, self.place(m.of), (m.origin, m.of)))
+                found.setdefault(row.connection, MeetingPlace(row.connection, self.place(m.of), (m.origin, m.of)))
         return list(found.values())
 
     @cached_property
@@ -166,8 +166,8 @@ class Scene:
         return {self.framework.symbols[symbol]: CHANGE * self.size for symbol in free_symbols(point.offset[0])}
 
     @cached_property
-    def guides(self) -> Sequence[Guide]:
-        guides: dict[str, Guide] = {}
+    def guides(self) -> Sequence[StraightGuide]:
+        guides: dict[str, StraightGuide] = {}
         for row in self.rows:
             for m in leaves(row.measure):
                 symbols = set(free_symbols(m.along.components[0])) if isinstance(m, Displacement) else set[str]()
@@ -175,7 +175,7 @@ class Scene:
                     across = unit(self.geometry, m.along)
                     along = np.array([across.y.value, -across.x.value])
                     change = {self.framework.symbols[name]: CHANGE for name in symbols}
-                    guides.setdefault(row.connection, Guide(row.connection, self.place(m.of), along, change))
+                    guides.setdefault(row.connection, StraightGuide(row.connection, self.place(m.of), along, change))
         return list(guides.values())
 
     @cached_property

@@ -10,7 +10,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.twists import Screw, twist_of
+from freebody.numeric.mobility.twists import ScrewLine, twist_of
 from freebody.numeric.reference import Reference
 
 STILL = 1e-9  # of a rate, by the size of the system
@@ -22,7 +22,7 @@ class ScrewAxis:
     pitch it only travels. rate: of the turn [rad], or of the travel [m], for a unit rate of the input."""
 
     body: str
-    screw: Screw
+    screw: ScrewLine
     rate: float
 
     def to_plain(self) -> dict[str, Any]:
@@ -55,7 +55,7 @@ def screw_axes(reference: Reference, q: Array, measure: Measure, name: str) -> t
         if len(columns) == 3:
             speeds = np.concatenate([speeds, np.zeros(3)])
         twist = twist_of(reference, q, body, speeds)
-        screw = Screw.of(twist, size)
+        screw = ScrewLine.of(twist, size)
         along = twist[3:] if screw.pitch is None else twist[:3]
         found.append(ScrewAxis(body, screw, float(np.linalg.norm(along))))
     return tuple(found)

@@ -27,7 +27,7 @@ from freebody.tolerances import LEAST, SAME_PLACE
 
 
 @dataclass(frozen=True)
-class Screw:
+class ScrewLine:
     """A line with a direction and a pitch [m/rad]; without a pitch a translation along the direction."""
 
     direction: Array
@@ -35,7 +35,7 @@ class Screw:
     pitch: float | None
 
     @classmethod
-    def of(cls, twist: Array, size: float) -> Screw:
+    def of(cls, twist: Array, size: float) -> ScrewLine:
         """The screw of a twist (6,); size: of the system [m]."""
         w, u = twist[:3], twist[3:]
         spin = float(np.linalg.norm(w))
@@ -59,7 +59,7 @@ class Screw:
 
 
 @dataclass(frozen=True)
-class Freedom:
+class TwistSpace:
     """The motions that some rows leave a body while all others stand still."""
 
     twists: Array  # (n, 6), orthonormal by the size of the system
@@ -70,9 +70,9 @@ class Freedom:
         return len(self.twists)
 
     @cached_property
-    def screw(self) -> Screw | None:
+    def screw(self) -> ScrewLine | None:
         """The screw of the only motion."""
-        return Screw.of(self.twists[0], self.size) if self.n == 1 else None
+        return ScrewLine.of(self.twists[0], self.size) if self.n == 1 else None
 
     @cached_property
     def axis(self) -> Array | None:
@@ -85,7 +85,7 @@ class Freedom:
         return np.asarray(Vt[0], np.float64) if is_one else None
 
     @cached_property
-    def line(self) -> Screw | None:
+    def line(self) -> ScrewLine | None:
         """The line about which alone the body can turn; it may travel along it."""
         axis = self.axis
         if axis is None:
@@ -96,7 +96,7 @@ class Freedom:
         others = self.twists - np.outer(spins / spins[k], self.twists[k])  # those that do not turn
         if float(np.abs(others[:, 3:] @ across).max()) > SAME_PLACE * self.size:
             return None
-        return Screw(axis, np.cross(self.twists[k, :3], self.twists[k, 3:]) / spins[k] ** 2, 0.0)
+        return ScrewLine(axis, np.cross(self.twists[k, :3], self.twists[k, 3:]) / spins[k] ** 2, 0.0)
 
     @cached_property
     def center(self) -> Array | None:
@@ -110,7 +110,7 @@ class Freedom:
         return np.asarray(r, np.float64) if rank == 3 and gap <= SAME_PLACE * self.size else None
 
 
-def freedom(reference: Reference, q: Array, body: str, rows: Sequence[ConstraintRow], t: float = 0.0) -> Freedom:
+def freedom(reference: Reference, q: Array, body: str, rows: Sequence[ConstraintRow], t: float = 0.0) -> TwistSpace:
     """What rows leave a body of space."""
     columns = list(reference.columns(body))
     moves = reference.sizes.unit_moves[columns]
@@ -118,10 +118,10 @@ def freedom(reference: Reference, q: Array, body: str, rows: Sequence[Constraint
     found = [twist_of(reference, q, body, v) for v in null.T]
     size = reference.sizes.length
     if not found:
-        return Freedom(np.zeros((0, 6)), size)
+        return TwistSpace(np.zeros((0, 6)), size)
     scale = np.array([1.0, 1.0, 1.0, 1.0 / size, 1.0 / size, 1.0 / size])
     basis = np.linalg.qr((np.array(found) * scale).T)[0].T
-    return Freedom(basis / scale, size)
+    return TwistSpace(basis / scale, size)
 
 
 def twist_of(reference: Reference, q: Array, body: str, speeds: Array) -> Array:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.crossings import Change, crossing, touching
+from freebody.numeric.mobility.crossings import ChangePoint, crossing, touching
 from freebody.numeric.mobility.curve import Mechanism, Station, flip, overlap
 
 FAR = 50.0  # sizes of the system, beyond which a motion counts as unbounded
@@ -28,7 +28,7 @@ class Walk:
     """Stations in their order, the change points on the way to each next one, and how it ends at both ends."""
 
     stations: list[Station]
-    changes: list[Change | None]
+    changes: list[ChangePoint | None]
     ends: tuple[str, str]  # "closed", "far", "stuck", "long" or "" where it begins
     is_closed: bool = False
 
@@ -40,7 +40,7 @@ def joined(behind: Walk, ahead: Walk) -> Walk:
 
 def follow(mechanism: Mechanism, start: Station, n_steps: int) -> Walk:
     """From the start along its tangent, until the curve closes or goes no further."""
-    here, stations, changes = start, [start], list[Change | None]()
+    here, stations, changes = start, [start], list[ChangePoint | None]()
     step, bend, end = 0.1, np.zeros_like(start.x), "long"
     for _ in range(8 * n_steps):
         if len(stations) > n_steps:
@@ -104,7 +104,7 @@ def _angle(a: Array, b: Array) -> float:
     return 2.0 * math.asin(min(1.0, 0.5 * float(np.linalg.norm(a - b))))
 
 
-def touches(mechanism: Mechanism, walk: Walk) -> Iterator[tuple[int, Change]]:
+def touches(mechanism: Mechanism, walk: Walk) -> Iterator[tuple[int, ChangePoint]]:
     """Change points where the determinant keeps its sign, with the station that they are near to."""
     stations, changes = list(walk.stations), list(walk.changes)
     if walk.is_closed:

@@ -20,7 +20,7 @@ _NONE = -1
 
 
 @dataclass(frozen=True)
-class Parts:
+class SystemParts:
     """A system by what time stepping does with it."""
 
     joints: tuple[ConstraintRow, ...]  # always held
@@ -30,7 +30,7 @@ class Parts:
     @classmethod
     def of(
         cls, held: Sequence[ConstraintRow], limits: Sequence[UnilateralConstraint], brakes: Sequence[DryFriction]
-    ) -> Parts:
+    ) -> SystemParts:
         """Ideal strings and contacts are bounds; a row that needs one holds as long as that one presses, like friction
         without a limit."""
         joints = tuple(row for row in held if not row.unilateral and not row.needs)

@@ -41,7 +41,7 @@ from freebody.numeric.engine.dynamics import (
     push_along,
 )
 from freebody.numeric.engine.jit import kernel, part
-from freebody.numeric.engine.layout import Floats, Floats2, Ints, Layout, Room, example_of
+from freebody.numeric.engine.layout import Floats, Floats2, Ints, ModelArrays, Workspace, example_of
 from freebody.numeric.engine.measures_planar import BEARING, NEAR, measure
 from freebody.numeric.engine.turning import turned
 from freebody.numeric.timestepping.blocks import accelerated, correct, note_impulses, start_from_memory, sweep
@@ -61,8 +61,8 @@ from freebody.numeric.timestepping.rows import (
     OPEN,
     ORIGIN,
     SOURCE,
+    ClosedRows,
     Fixtures,
-    Rows,
     add_bounds,
     add_candidates,
     add_responses,
@@ -439,7 +439,9 @@ def step(L, S, C, F, X, R, is_pressed_by_held):
     return DONE
 
 
-_L, _S, _C, _F, _X, _R = (example_of(kind) for kind in (Layout, Room, Candidates, Fixtures, Rows, March))
+_L, _S, _C, _F, _X, _R = (
+    example_of(kind) for kind in (ModelArrays, Workspace, Candidates, Fixtures, ClosedRows, March)
+)
 
 
 @entry(_L, _S, _C, _F, _X, _R, 1)

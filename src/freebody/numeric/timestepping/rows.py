@@ -78,7 +78,7 @@ class Fixtures(NamedTuple):
     row_of_bound: Ints  # in this step; -1: open
 
 
-class Rows(NamedTuple):
+class ClosedRows(NamedTuple):
     """The closed rows of one step."""
 
     count: Ints  # rows, entries, entries of responses, steps of the iteration, closed bounds

@@ -22,7 +22,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.timestepping import marching
 from freebody.numeric.timestepping.marching import March
 from freebody.numeric.timestepping.rows import IMPULSE, KIND, NORMAL, OF_BOUND, OF_SITE, ORIGIN, SOURCE
-from freebody.numeric.timestepping.scene import KEPT, Scene
+from freebody.numeric.timestepping.scene import KEPT, ContactScene
 
 Progress = Callable[[float, int], None]
 TOLERANCE = 1e-12
@@ -47,7 +47,7 @@ class Stepped:
     """A motion by time stepping: a `Trajectory`, and what the contacts did. `course.work` includes `losses`."""
 
     course: Trajectory
-    scene: Scene = field(repr=False)
+    scene: ContactScene = field(repr=False)
     step: float  # [s]
     contacts: ContactForces
     losses: Floats  # (n_times,): work of contacts and friction since the start, negative [J]
@@ -85,7 +85,7 @@ def run_moreau(
     max_sweeps: int = MOST_SWEEPS,
     progress: Progress | None = None,
     value: Callable[[Measure], float] | None = None,
-    scene: Scene | None = None,
+    scene: ContactScene | None = None,
 ) -> Stepped:
     """The motion from `start` to `until` [s] in steps of at most the step of the options, all of one length.
 
@@ -99,7 +99,7 @@ def run_moreau(
     step = min(options.step or math.inf, options.longest)
     if not (step > 0.0 and math.isfinite(step) and until > start):
         raise InputError(f"time stepping needs a step between 0 and {until - start:g} s, not {step:g} s")
-    scene = Scene(numbers) if scene is None else scene
+    scene = ContactScene(numbers) if scene is None else scene
     return _Run(scene, poses, velocities, start, until, step, tolerance, max_sweeps, value).result(
         outputs, options, progress
     )
@@ -108,7 +108,7 @@ def run_moreau(
 class _Run:
     def __init__(
         self,
-        scene: Scene,
+        scene: ContactScene,
         poses: Floats,
         velocities: Floats,
         start: float,

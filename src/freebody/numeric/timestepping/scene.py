@@ -14,8 +14,8 @@ from freebody.numeric.engine.packing import Packing
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.timestepping import near
 from freebody.numeric.timestepping.candidates import Built, built, keep_memory
-from freebody.numeric.timestepping.fixtures import Parts
-from freebody.numeric.timestepping.rows import N_NUMBER, N_WHAT, Rows
+from freebody.numeric.timestepping.fixtures import SystemParts
+from freebody.numeric.timestepping.rows import N_NUMBER, N_WHAT, ClosedRows
 from freebody.numeric.timestepping.shapes import Outlines
 from freebody.numeric.timestepping.templates import Template
 
@@ -25,13 +25,13 @@ SKIN = 0.35  # by the size of the smallest outline
 FEW = 16  # so many pairs are all looked at in every step
 
 
-class Scene:
+class ContactScene:
     """The contact data of a system, packed. Raises CannotAnswer where a measure has no kernel."""
 
     def __init__(self, numbers: Numbers) -> None:
         system = numbers.system
         self.numbers = numbers
-        self.parts = Parts.of(system.held, system.limits, system.brakes)
+        self.parts = SystemParts.of(system.held, system.limits, system.brakes)
         packing = Packing(numbers)
         packing.part_lent = KEPT
         self.parts.enter(packing)
@@ -151,7 +151,7 @@ class Scene:
         wide = 3 * (self.n_bodies + 1)
         per_row = max(9, wide if len(self.packed.layout.held) else 9)
         longest = max([9, *(3 * int(n) for n in np.diff(self.packed.layout.slot_ptr))])
-        self.rows = Rows(
+        self.rows = ClosedRows(
             count=np.zeros(8, np.int32),
             ptr=np.zeros(n_rows + 2, np.int32),
             coordinate=np.zeros(n_rows * longest, np.int32),

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.connections.contact import Pair
-from freebody.connections.outlines import Hollow, Outline, Round, Straight
+from freebody.connections.contact import OutlinePair
+from freebody.connections.outlines import Hollow, Outline, RoundPart, Straight
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.measures.geometry import GROUND, Components, Direction, Point
 from freebody.model.elements import Line
@@ -25,7 +25,7 @@ FIRST, SECOND = "first", "second"
 
 
 @dataclass(frozen=True)
-class Shape:
+class OutlineShape:
     """What outlines of one class have in common: round parts with the edges of which they are corners, straight parts
     that end or do not, hollow ones; and whether their body is fixed."""
 
@@ -35,7 +35,7 @@ class Shape:
     n_hollows: int
 
     @classmethod
-    def of(cls, outline: Outline, *, is_fixed: bool) -> Shape:
+    def of(cls, outline: Outline, *, is_fixed: bool) -> OutlineShape:
         places = {id(edge): k for k, edge in enumerate(outline.straights)}
         corners = tuple(tuple(places[id(edge)] for edge in r.edges) for r in outline.rounds)
         return cls(is_fixed, corners, tuple(s.length is not None for s in outline.straights), len(outline.hollows))
@@ -54,7 +54,7 @@ class Shape:
             length: Expr | None = Symbol(f"{role}.{part}.length") if ends else None
             straights.append(Straight(Line(point(part), along), length, f"{role}.{part}"))
         rounds = [
-            Round(
+            RoundPart(
                 point(f"round{k}"), Symbol(f"{role}.round{k}.r"), f"{role}.round{k}", tuple(straights[e] for e in edges)
             )
             for k, edges in enumerate(self.rounds)
@@ -81,7 +81,7 @@ class Shape:
 class Outlines:
     """All outlines of a system in numbers. What is fixed is given in the ground."""
 
-    shapes: list[Shape] = field(default_factory=list[Shape])
+    shapes: list[OutlineShape] = field(default_factory=list[OutlineShape])
     outlines: list[Outline] = field(default_factory=list[Outline])
     shape: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))  # of every outline
     place: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))  # among those of its shape
@@ -91,20 +91,20 @@ class Outlines:
     radius: Floats = field(default_factory=lambda: np.zeros(0))  # of that circle; infinite for lines
 
     @classmethod
-    def of(cls, pairs: Iterable[Pair], numbers: Numbers, bodies: dict[str, int], n_bodies: int) -> Outlines:
+    def of(cls, pairs: Iterable[OutlinePair], numbers: Numbers, bodies: dict[str, int], n_bodies: int) -> Outlines:
         """bodies: places of those that move; all others are fixed, as body n_bodies."""
         known: dict[int, Outline] = {}
         for pair in pairs:
             known.setdefault(id(pair.first), pair.first)
             known.setdefault(id(pair.second), pair.second)
-        shapes: dict[Shape, int] = {}
+        shapes: dict[OutlineShape, int] = {}
         rows: list[list[list[float]]] = []
         found = cls(outlines=list(known.values()))
         shape: list[int] = []
         place: list[int] = []
         circles: list[tuple[float, float, float]] = []
         for outline in found.outlines:
-            own = Shape.of(outline, is_fixed=outline.body not in bodies)
+            own = OutlineShape.of(outline, is_fixed=outline.body not in bodies)
             k = shapes.setdefault(own, len(shapes))
             if k == len(rows):
                 rows.append([])
@@ -150,7 +150,7 @@ def _numbers(outline: Outline, numbers: Numbers, *, is_fixed: bool) -> Iterator[
         yield from (*placed(h.center), numbers.number(h.radius))
 
 
-def _circle(shape: Shape, row: list[float]) -> tuple[float, float, float]:
+def _circle(shape: OutlineShape, row: list[float]) -> tuple[float, float, float]:
     """Centre and radius of a circle about an outline; of a ring, the ring itself."""
     circles = np.array(row[: 3 * len(shape.rounds)]).reshape(-1, 3)
     if shape.n_hollows:

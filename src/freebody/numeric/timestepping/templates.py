@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.connections.contact import Pair, Surface
+from freebody.connections.contact import ContactSurface, OutlinePair
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE, ZERO, Expr, Symbol, differentiate, evaluate, free_symbols, substitute
 from freebody.measures.base import Measure
@@ -24,7 +24,7 @@ from freebody.model.elements import DryFriction, UnilateralConstraint
 from freebody.model.friction import Friction
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import KINDS, MAX_BODIES, MAX_NUMBERS
-from freebody.numeric.timestepping.shapes import FIRST, SECOND, Shape
+from freebody.numeric.timestepping.shapes import FIRST, SECOND, OutlineShape
 
 N_TERMS = 3  # most measures in one slip
 N_SPANS = 2  # most spans of one site
@@ -34,7 +34,7 @@ _GROUND = 2
 
 
 @dataclass(frozen=True)
-class Site:
+class TemplateSite:
     """One place where two outlines can touch, by places of measures in the template; -1: none."""
 
     gap: int
@@ -50,7 +50,7 @@ class Site:
 class Template:
     """The sites of two classes of outlines."""
 
-    def __init__(self, first: Shape, second: Shape) -> None:
+    def __init__(self, first: OutlineShape, second: OutlineShape) -> None:
         self.symbols = [*first.columns(FIRST), *second.columns(SECOND)]
         self._place = {name: k for k, name in enumerate(self.symbols)}
         self.kinds: list[int] = []
@@ -58,7 +58,9 @@ class Template:
         self._known: dict[Measure, int] = {}
         self._exprs: list[Expr] = []
         self._number_at: list[int] = []
-        pair = Pair("", first.stand_in(FIRST), second.stand_in(SECOND), _surface(), starts_closed=False, is_alone=False)
+        pair = OutlinePair(
+            "", first.stand_in(FIRST), second.stand_in(SECOND), _surface(), starts_closed=False, is_alone=False
+        )
         bounds, rubs = pair.elements()
         by_bound = {bound.name: [rub for rub in rubs if rub.of == bound.name] for bound in bounds}
         edges: dict[str, int] = {}
@@ -70,7 +72,7 @@ class Template:
         self._prepare()
 
     # -- reading ------------------------------------------------------------------------------
-    def _site(self, bound: UnilateralConstraint, rubs: list[DryFriction], edges: dict[str, int]) -> Site:
+    def _site(self, bound: UnilateralConstraint, rubs: list[DryFriction], edges: dict[str, int]) -> TemplateSite:
         row = bound.row
         assert not isinstance(row.measure, Combination)
         assert row.target is not None
@@ -81,7 +83,7 @@ class Template:
         self.spans.append([(span.low, span.high) for span in bound.within])
         on = row.ends[1]  # the part on which a round part lies
         is_edge = ".straight" in on
-        return Site(
+        return TemplateSite(
             self._measure(row.measure),  # type: ignore[arg-type]
             row.sign,
             tuple(self._measure(m) for _c, m in terms),
@@ -185,7 +187,7 @@ class SiteColumns:
     side: NDArray[np.intp]
 
     @classmethod
-    def of(cls, sites: list[Site]) -> SiteColumns:
+    def of(cls, sites: list[TemplateSite]) -> SiteColumns:
         def padded(rows: list[tuple[int, ...]], width: int) -> NDArray[np.intp]:
             return np.array([(*r, *(-1,) * (width - len(r))) for r in rows], np.intp).reshape(-1, width)
 
@@ -204,9 +206,9 @@ class SiteColumns:
         )
 
 
-def _surface() -> Surface:
+def _surface() -> ContactSurface:
     static, kinetic, restitution, arm = (Symbol(f"surface.{name}") for name in SURFACE)
-    return Surface(Friction(static, kinetic), restitution, arm)
+    return ContactSurface(Friction(static, kinetic), restitution, arm)
 
 
 def _terms(measure: Any) -> list[tuple[Expr, Measure]]:

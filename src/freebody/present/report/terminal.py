@@ -8,7 +8,7 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import replace
 
-from freebody.language.notation.stacked import Box
+from freebody.language.notation.stacked import TextBox
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
@@ -167,7 +167,7 @@ class _Writer:
             below = max(box.below for box in parts[-1])
         return found
 
-    def _equation(self, line: Equation, parts: list[tuple[Box, Box]], start: int, left_size: int) -> list[str]:
+    def _equation(self, line: Equation, parts: list[tuple[TextBox, TextBox]], start: int, left_size: int) -> list[str]:
         label, note = plain(line.label), self.text(line.note)
         number = f"({line.number})" if line.number is not None else ""
         found: list[str] = []
@@ -217,14 +217,14 @@ class _Writer:
         ) or [lead.rstrip()]
 
 
-def _parts(formula: Formula, width: int, left_size: int) -> list[tuple[Box, Box]]:
+def _parts(formula: Formula, width: int, left_size: int) -> list[tuple[TextBox, TextBox]]:
     """The rows of a formula whose left side stands in a column of that size."""
     own = side_width(formula.sides[0]) if formula.relations else 0
     width -= max(left_size - own, 0)
     return [_drawn(row, width) for row in rows(formula, width)]
 
 
-def _drawn(row: Row, width: int) -> tuple[Box, Box]:
+def _drawn(row: Row, width: int) -> tuple[TextBox, TextBox]:
     """What stands before the relation of a row, and the rest; on lines of text where a drawing would be too wide."""
     left, right = _STACKED.left(row), _STACKED.right(row)
     if left.width + right.width <= width:
@@ -233,7 +233,7 @@ def _drawn(row: Row, width: int) -> tuple[Box, Box]:
     written = _SHORT_BRACKETS.sub(lambda found: found[0].replace(" ", _NO_BREAK), written)
     lines = textwrap.wrap(written, max(width - left.width - 3, MIN_WIDTH // 2), subsequent_indent="  ") or [""]
     size = max(map(len, lines))
-    return left, Box(tuple(f" {line.ljust(size)}" for line in lines), 0)
+    return left, TextBox(tuple(f" {line.ljust(size)}" for line in lines), 0)
 
 
 def _shrunk(sizes: list[int], words: list[int], width: int) -> list[int]:

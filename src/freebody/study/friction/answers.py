@@ -18,9 +18,9 @@ from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.evidence import MIN_DRAWS, CrossCheck
-from freebody.study.friction.cases import Case, Compared, Ends, Limit
+from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
-from freebody.study.friction.touching import Touching, touching
+from freebody.study.friction.touching import TouchingAtRest, touching
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure
 from freebody.symbolic.conditions import Condition, merged
@@ -34,7 +34,7 @@ _ENDS = {1: "at most", -1: "at least"}
 
 
 @lru_cache(maxsize=8)
-def prepared(system: System) -> tuple[Touching, Setup]:
+def prepared(system: System) -> tuple[TouchingAtRest, Setup]:
     """What touches at the start, and both routes for it."""
     touched = touching(system)
     return touched, Setup(touched.held)
@@ -108,7 +108,7 @@ class _Answerer:
         if not found and signs == (-1,) and all(c.edge.value <= 0.0 == ends.low for c in limits[0].compared):
             zero = self.setup.model.field.zero
             pairs = [replace(c, exact=0.0, edge=replace(c.edge, value=0.0)) for c in limits[0].compared]
-            case = Case(Failure(), "", zero, (), True)
+            case = FailureCase(Failure(), "", zero, (), True)
             return self._finished(ends, [case], (zero,), [0.0], notes, [replace(limits[0], compared=tuple(pairs))])
         if not found:
             every = all(ends.is_linear and all(_unlimited(c, ends) for c in limit.compared) for limit in limits)
@@ -125,14 +125,14 @@ class _Answerer:
         elements = tuple(case.element for case in cases)
         return self._finished(ends, cases, elements, exact, notes, limits)
 
-    def _exact(self, ends: Ends, case: Case) -> float:
+    def _exact(self, ends: Ends, case: FailureCase) -> float:
         value = ends.number(case.element, self.setup.draws[0])
         return math.nan if value is None else (0.0 if abs(value) < 1e-12 else value)
 
-    def _words(self, limits: Sequence[Limit]) -> str:
+    def _words(self, limits: Sequence[HoldingLimit]) -> str:
         return ", ".join(limit.first.seen.words for limit in limits if limit.first and limit.first.seen)
 
-    def _notes(self, ends: Ends, limit: Limit, name: str, number: float, is_free: bool) -> Iterator[str]:
+    def _notes(self, ends: Ends, limit: HoldingLimit, name: str, number: float, is_free: bool) -> Iterator[str]:
         """How it fails at this end, and what else comes first for other parameters."""
         end = "upper" if limit.sign > 0 else "lower"
         subject = "it" if name == "it" else to_text(Symbol(name))
@@ -158,7 +158,7 @@ class _Answerer:
         if unlimited and not is_free:
             yield f"with other parameters there is no {end} limit ({len(unlimited)} of {len(limit.compared)} draws)"
 
-    def _others(self, limit: Limit, name: str) -> Iterator[str]:
+    def _others(self, limit: HoldingLimit, name: str) -> Iterator[str]:
         """What else comes first at an end of a range."""
         end = "upper" if limit.sign > 0 else "lower"
         subject = f"{end} limit" if name == "it" else f"{end} limit {to_text(Symbol(name))}"
@@ -174,11 +174,11 @@ class _Answerer:
     def _finished(
         self,
         ends: Ends,
-        cases: Sequence[Case],
+        cases: Sequence[FailureCase],
         elements: tuple[Ratio, ...],
         exact: Sequence[float],
         notes: list[str],
-        limits: Sequence[Limit],
+        limits: Sequence[HoldingLimit],
     ) -> Answer:
         conditions = merged([c for case in cases for c in case.conditions])
         if not all(case.is_complete for case in cases):
@@ -249,7 +249,7 @@ class _Answerer:
         )
 
 
-def _cases(limits: Sequence[Limit]) -> tuple[AnswerCase, ...]:
+def _cases(limits: Sequence[HoldingLimit]) -> tuple[AnswerCase, ...]:
     """The cases of an answer with one end, where there are several."""
     if len(limits) != 1 or len(limits[0].cases) < 2:
         return ()
@@ -257,7 +257,7 @@ def _cases(limits: Sequence[Limit]) -> tuple[AnswerCase, ...]:
     return tuple(AnswerCase(tidy(c.element), _conditions(c), c.words) for c in cases)
 
 
-def _is_free(limit: Limit, ends: Ends) -> bool:
+def _is_free(limit: HoldingLimit, ends: Ends) -> bool:
     return limit.first is not None and _unlimited(limit.first, ends)
 
 
@@ -265,17 +265,17 @@ def _unlimited(c: Compared, ends: Ends) -> bool:
     return math.isinf(c.edge.value) or (c.edge.value <= ends.low)
 
 
-def _where(case: Case) -> str:
+def _where(case: FailureCase) -> str:
     """The conditions of a case in one line."""
     return joined(_conditions(case)) or "nothing else fails before"
 
 
-def _conditions(case: Case) -> tuple[str, ...]:
+def _conditions(case: FailureCase) -> tuple[str, ...]:
     """Each without what it is for."""
     return tuple(Condition(c.element, c.relation).text() for c in case.conditions)
 
 
-def _evidence(question: str, limits: Sequence[Limit]) -> Evidence:
+def _evidence(question: str, limits: Sequence[HoldingLimit]) -> Evidence:
     """Every draw that belongs to a case, compared with the linear programs. Raises RoutesDisagree, or CannotAnswer if
     there were too few."""
     witness = CrossCheck(question, ROUTE, TOLERANCE)

@@ -12,11 +12,11 @@ from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
 from freebody.study.draws import SEED, Draw, draws
-from freebody.study.friction.failures import Seen, how_it_fails, seen
-from freebody.study.friction.limits import Edge
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
+from freebody.study.friction.limits import HoldingEnd
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
-from freebody.symbolic.active_set import Failure, Reduced, RestEquations, Slot
+from freebody.symbolic.active_set import Failure, ReducedColumns, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
@@ -31,7 +31,7 @@ _MORE = {1: "larger", -1: "smaller"}
 
 
 @dataclass(frozen=True)
-class Case:
+class FailureCase:
     """One way to fail: the parameter at which it happens, and the conditions under which it is the first. Without
     `is_complete` the conditions are not all known."""
 
@@ -47,18 +47,18 @@ class Compared:
     """A draw, the end there by numbers, and the case that it belongs to with its closed form there."""
 
     draw: Draw
-    edge: Edge
-    seen: Seen | None
-    case: Case | None
+    edge: HoldingEnd
+    seen: SeenFailure | None
+    case: FailureCase | None
     exact: float | None
 
 
 @dataclass(frozen=True)
-class Limit:
+class HoldingLimit:
     """One end. The first of the compared draws has the file's own values; `main` is its case."""
 
     sign: int
-    cases: tuple[Case, ...]
+    cases: tuple[FailureCase, ...]
     compared: tuple[Compared, ...]
 
     @property
@@ -66,7 +66,7 @@ class Limit:
         return self.compared[0] if self.compared else None
 
     @property
-    def main(self) -> Case | None:
+    def main(self) -> FailureCase | None:
         return None if self.first is None else self.first.case
 
 
@@ -81,13 +81,13 @@ class Ends:
     n_wide = 18  # more draws, in search of other ways to fail
     asked: str | None = None
 
-    def __init__(self, touching: Touching, setup: Setup) -> None:
+    def __init__(self, touching: TouchingAtRest, setup: Setup) -> None:
         self.touching = touching
         self.setup = setup
         self.model = setup.model
         self.field = setup.model.field
 
-    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+    def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         """The largest (sign +1) or smallest value at a draw; None if there is none at all. near: where it may be."""
         raise NotImplementedError
 
@@ -103,9 +103,9 @@ class Ends:
         self.touching.insist(self.setup.draws[0] in found)
         return found
 
-    def limit(self, sign: int) -> Limit:
+    def limit(self, sign: int) -> HoldingLimit:
         """One end, with all cases that the draws come across."""
-        cases: list[Case] = []
+        cases: list[FailureCase] = []
         compared: list[Compared] = []
         for draw in self.draws:
             near = next((x for c in cases if self.holds(c, draw) and (x := self.number(c.element, draw))), None)
@@ -124,14 +124,14 @@ class Ends:
                 if both is not None:
                     joined |= {k: both for k, v in joined.items() if v in (joined[case], joined[other])}
         compared = [c if c.case is None else replace(c, case=joined[c.case]) for c in compared]
-        return Limit(sign, tuple(dict.fromkeys(joined.values())), tuple(compared))
+        return HoldingLimit(sign, tuple(dict.fromkeys(joined.values())), tuple(compared))
 
     def why_never(self, draw: Draw) -> str:
         """Why nothing holds the system at a draw."""
         problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
         return f"nothing keeps the system at rest: {how_it_fails(self.touching, problem, draw)}"
 
-    def _compare(self, draw: Draw, edge: Edge, sign: int, cases: list[Case]) -> Compared:
+    def _compare(self, draw: Draw, edge: HoldingEnd, sign: int, cases: list[FailureCase]) -> Compared:
         if math.isinf(edge.value) or edge.value <= self.low:
             return Compared(draw, edge, None, None, None)
         here = seen(self.touching, edge.problem, edge.optimum, draw, self.asked)
@@ -148,7 +148,7 @@ class Ends:
         return Compared(draw, edge, here, None, None)
 
     # -- one case -----------------------------------------------------------------------------
-    def case(self, here: Seen, draw: Draw, edge: Edge, sign: int) -> Case | None:
+    def case(self, here: SeenFailure, draw: Draw, edge: HoldingEnd, sign: int) -> FailureCase | None:
         """The closed form of a failure, that which has the right value at the draw; None if there is none."""
         try:
             if self.asked is not None and abs(edge.value) <= ROUND_OFF * edge.problem.force:
@@ -162,12 +162,12 @@ class Ends:
                 if not all(self.model.vanishes(r) for r in at_end.residuals):
                     continue
                 conditions, is_complete = self._conditions(here, at_end, at, sign)
-                return Case(here.failure, here.words, element, conditions, is_complete)
+                return FailureCase(here.failure, here.words, element, conditions, is_complete)
         except (CannotAnswer, ZeroDivisionError):
             return None
         return None
 
-    def _nothing(self, here: Seen) -> Case:
+    def _nothing(self, here: SeenFailure) -> FailureCase:
         """A reaction that may vanish."""
         assert self.asked is not None
         failure = Failure(here.failure.opens | {self.asked}) if self.asked not in self.equations.rubs else Failure()
@@ -176,7 +176,9 @@ class Ends:
         reserves, is_complete = self._reserves(failure, at_end, {self.index: zero}, here.draw)
         conditions = [c for reserve in reserves for c in self._at_their_signs(reserve, here.draw)]
         is_complete = is_complete and all(r.is_zero() for r in at_end.residuals)
-        return Case(here.failure, "it may be without load", zero, tuple(without_implied(conditions)), is_complete)
+        return FailureCase(
+            here.failure, "it may be without load", zero, tuple(without_implied(conditions)), is_complete
+        )
 
     def _candidates(self, failure: Failure) -> Iterator[Values]:
         for residual in sorted(self.equations.conditions(failure, self.index), key=lambda r: len(r.num)):
@@ -190,7 +192,7 @@ class Ends:
         except (KeyError, ValueError, ArithmeticError):
             return None
 
-    def holds(self, case: Case, draw: Draw) -> bool:
+    def holds(self, case: FailureCase, draw: Draw) -> bool:
         """Whether a case is the one at a draw, as far as its conditions are known."""
         for c in case.conditions:
             value = self.number(c.element, draw)
@@ -199,7 +201,9 @@ class Ends:
         return True
 
     # -- where it is the first ----------------------------------------------------------------
-    def _conditions(self, here: Seen, at_end: Reduced, at: Values, sign: int) -> tuple[tuple[Condition, ...], bool]:
+    def _conditions(
+        self, here: SeenFailure, at_end: ReducedColumns, at: Values, sign: int
+    ) -> tuple[tuple[Condition, ...], bool]:
         reserves, is_complete = self._reserves(here.failure, at_end, at, here.draw)
         motion = self.equations.motion(here.failure, at)
         if motion is None:
@@ -231,7 +235,9 @@ class Ends:
             if condition is not None:
                 yield condition
 
-    def _reserves(self, failure: Failure, at_end: Reduced, at: Values, draw: Draw) -> tuple[list[Inequality], bool]:
+    def _reserves(
+        self, failure: Failure, at_end: ReducedColumns, at: Values, draw: Draw
+    ) -> tuple[list[Inequality], bool]:
         """What the reactions at the limit must satisfy where contacts stay, or slip under pressure; and whether that
         is all of it."""
         eq, one = self.equations, self.field.one
@@ -259,7 +265,7 @@ class Ends:
         found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
         return extra + found, is_complete
 
-    def _sized(self, name: str, direction: int | None, at_end: Reduced, at: Values) -> Inequality | None:
+    def _sized(self, name: str, direction: int | None, at_end: ReducedColumns, at: Values) -> Inequality | None:
         """What friction that a force with two components loads demands: its load is positive where it slips, else the
         square of what it can carry is not less than that of what it does. None where these are not unique."""
         eq = self.equations
@@ -273,7 +279,7 @@ class Ends:
         c = self._at_value(eq.coefficient(eq.rubs[name], 1), at)
         return c * c * square - force * force, ">=", f"{label} does not slip"
 
-    def _put(self, line: Row, at_end: Reduced, at: Values) -> Row:
+    def _put(self, line: Row, at_end: ReducedColumns, at: Values) -> Row:
         """A sum of multipliers (its constant under RHS) by the free ones."""
         total: Row = {}
         asked = None if self.asked is None else self.equations.columns[self.asked]
@@ -286,7 +292,7 @@ class Ends:
         return {k: x for k, x in total.items() if not x.is_zero()}
 
     def _moving(
-        self, here: Seen, motion: dict[Slot, Ratio], at_end: Reduced, at: Values, sign: int
+        self, here: SeenFailure, motion: dict[Slot, Ratio], at_end: ReducedColumns, at: Values, sign: int
     ) -> tuple[list[Inequality], bool]:
         """That the motion is one of failing: what opens does so, what slips does so that way. It is known up to its
         size: what fails first moves at rate one, the way it fails. The parameter must drive the motion beyond the
@@ -323,11 +329,11 @@ class Ends:
                 found.append((opening - sliding, ">=", f"{_label(eq.rows[name])} opens"))
         return found
 
-    def _of_size_one(self, here: Seen, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:
+    def _of_size_one(self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:
         """The motion by the rate of the first row that is known to move."""
         return next(self._by_sizes(here, motion, at), motion)
 
-    def _by_sizes(self, here: Seen, motion: dict[Slot, Ratio], at: Values) -> Iterator[dict[Slot, Ratio]]:
+    def _by_sizes(self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values) -> Iterator[dict[Slot, Ratio]]:
         """The motion by the rate of every row that is known to move, one after the other."""
         eq = self.equations
         sizes = [(name, direction) for name, direction in here.failure.slips if name != self.asked]
@@ -343,7 +349,7 @@ class Ends:
         return self.field.follow(x, at)
 
 
-def one_of_both(one: Case, other: Case) -> Case | None:
+def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
     """Two cases of one formula that differ in the sign of one condition, without it; None if they are not such."""
     if one == other or one.element != other.element:
         return None

@@ -11,8 +11,8 @@ from freebody.numeric.friction_limits import Optimum, rest_problem
 from freebody.study.draws import Draw
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import how_it_fails
-from freebody.study.friction.limits import Edge, Parametric
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.limits import HoldingEnd, Parametric
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import RestEquations
 from freebody.symbolic.field import Field, Ratio
@@ -23,7 +23,7 @@ _LARGE = 1e6  # a coefficient of friction that is as good as any
 class ParameterEnds(Ends):
     """The ends of the values of one parameter with which a system holds."""
 
-    def __init__(self, touching: Touching, setup: Setup, name: str) -> None:
+    def __init__(self, touching: TouchingAtRest, setup: Setup, name: str) -> None:
         super().__init__(touching, setup)
         self.name = name
         self.index = self.field.index(self.model.parameters[name])
@@ -54,7 +54,7 @@ class ParameterEnds(Ends):
         low = -math.inf if parameter.sign == "any" or parameter.dimension in (FORCE, TORQUE) else 0.0
         return Parametric(self.name, is_linear, is_friction, parameter.is_angle, parameter.acute, low)
 
-    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+    def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         return self.parametric.edge(self.touching, draw, sign, near)
 
     def why_never(self, draw: Draw) -> str:
@@ -69,7 +69,7 @@ class ParameterEnds(Ends):
 class ReactionEnds(Ends):
     """The ends of one reaction among all that hold a system; positive as people count it."""
 
-    def __init__(self, touching: Touching, setup: Setup, row: str) -> None:
+    def __init__(self, touching: TouchingAtRest, setup: Setup, row: str) -> None:
         super().__init__(touching, setup)
         self.asked = row
         symbol = self.field.parameter(f"@{row}")
@@ -77,7 +77,7 @@ class ReactionEnds(Ends):
         self.is_linear = True
         self.equations = RestEquations(setup.start_instant, touching.rubs, (row, symbol))
 
-    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+    def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
         assert self.asked is not None
         place = problem.place(self.asked)
@@ -86,7 +86,7 @@ class ReactionEnds(Ends):
             return None
         own = self.equations.rows[self.asked].sign
         found = ends[1] if sign * own > 0 else ends[0]
-        return Edge(own * found.value, problem, Optimum(own * found.value, found.forces, found.motion))
+        return HoldingEnd(own * found.value, problem, Optimum(own * found.value, found.forces, found.motion))
 
 
 def is_linear_in(field: Field, x: Ratio, generator: int) -> bool:

@@ -13,7 +13,7 @@ from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
 from freebody.numeric.jets import Array
 from freebody.study.draws import Draw
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure
 
 _STILL = 1e-6  # a rate that is none, of the largest
@@ -21,7 +21,7 @@ _TURNED = math.sin(math.radians(15))
 
 
 @dataclass(frozen=True)
-class Seen:
+class SeenFailure:
     """A failure in numbers: the states of the contacts, the rate of every row, and what it is in words."""
 
     failure: Failure
@@ -30,7 +30,9 @@ class Seen:
     words: str
 
 
-def seen(touching: Touching, problem: RestProblem, optimum: Optimum, draw: Draw, asked: str | None = None) -> Seen:
+def seen(
+    touching: TouchingAtRest, problem: RestProblem, optimum: Optimum, draw: Draw, asked: str | None = None
+) -> SeenFailure:
     """What the motion of an optimum does at every contact: it opens where it parts faster than sliding apart along the
     edge of the friction cone would. A row whose reaction is asked for does neither."""
     v = optimum.motion
@@ -68,10 +70,10 @@ def seen(touching: Touching, problem: RestProblem, optimum: Optimum, draw: Draw,
     }
     failure = Failure(frozenset(opens), tuple(sorted(slips.items())), tuple(sorted(signs.items())))
     rates = dict(zip(problem.names, map(float, raw), strict=True))
-    return Seen(failure, draw, rates, words(touching, problem, failure))
+    return SeenFailure(failure, draw, rates, words(touching, problem, failure))
 
 
-def how_it_fails(touching: Touching, problem: RestProblem, draw: Draw) -> str:
+def how_it_fails(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> str:
     """The failure of a system that nothing can hold, or the one that is nearest, in words."""
     loose = unresisted(problem)
     if loose is not None:
@@ -80,7 +82,7 @@ def how_it_fails(touching: Touching, problem: RestProblem, draw: Draw) -> str:
     return "" if found is None else seen(touching, problem, found, draw).words
 
 
-def touching_most(touching: Touching, problem: RestProblem, v: Array) -> str:
+def touching_most(touching: TouchingAtRest, problem: RestProblem, v: Array) -> str:
     """The body that moves most."""
     relative = np.abs(v) / problem.moves
     k, best, most = 0, "", -1.0
@@ -93,13 +95,13 @@ def touching_most(touching: Touching, problem: RestProblem, v: Array) -> str:
 
 
 # -- words ------------------------------------------------------------------------------------
-def words(touching: Touching, problem: RestProblem, failure: Failure) -> str:
+def words(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> str:
     """What happens, as one says it: tips about a corner, slips to the right on the floor."""
     parts = list(dict.fromkeys(_parts(touching, problem, failure)))
     return " and ".join(parts) if parts else "equilibrium alone decides"
 
 
-def _parts(touching: Touching, problem: RestProblem, failure: Failure) -> Iterator[str]:
+def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> Iterator[str]:
     tipping: dict[str, str] = {}
     for name in failure.opens:
         bound = _bound(touching, name)
@@ -119,7 +121,7 @@ def _parts(touching: Touching, problem: RestProblem, failure: Failure) -> Iterat
     yield from _slips(touching, problem, failure)
 
 
-def _slips(touching: Touching, problem: RestProblem, failure: Failure) -> Iterator[str]:
+def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> Iterator[str]:
     """Where dry friction gives way; corners of one body that slip alike, as the body."""
     groups: dict[tuple[str, str, str], list[str]] = {}
     for name, direction in failure.slips:
@@ -141,11 +143,11 @@ def _slips(touching: Touching, problem: RestProblem, failure: Failure) -> Iterat
         yield f"{places[0] if len(places) == 1 else who} {what}{where}"
 
 
-def _bound(touching: Touching, name: str) -> UnilateralConstraint | None:
+def _bound(touching: TouchingAtRest, name: str) -> UnilateralConstraint | None:
     return next((b for b in touching.bounds if b.name == name), None)
 
 
-def _pivot(touching: Touching, failure: Failure, body: str) -> str:
+def _pivot(touching: TouchingAtRest, failure: Failure, body: str) -> str:
     """The corner about which a body turns that leaves its others: the one that stays and does not slip."""
     slipping = {rub.of for rub in touching.rubs if rub.name in dict(failure.slips)}
     touched = [b for b in touching.bounds if body in b.row.ends]
@@ -164,7 +166,7 @@ def _place(row: ConstraintRow) -> str:
     return corner or (row.ends[0] if row.ends else row.connection)
 
 
-def _opening(touching: Touching, name: str) -> str:
+def _opening(touching: TouchingAtRest, name: str) -> str:
     row = next(r for r in touching.rows if r.name == name)
     if row.reaction == "tension":
         return f"{row.connection} goes slack"
@@ -173,7 +175,7 @@ def _opening(touching: Touching, name: str) -> str:
     return f"{row.connection} lifts off"
 
 
-def _heading(touching: Touching, problem: RestProblem, row: ConstraintRow, direction: int) -> str:
+def _heading(touching: TouchingAtRest, problem: RestProblem, row: ConstraintRow, direction: int) -> str:
     """Which way the first body slips along the other one."""
     body = next((end for end in row.ends if end in touching.held.bodies), "")
     columns: list[int] = []

@@ -21,9 +21,9 @@ from freebody.study.answer import Answer
 from freebody.study.draws import Draw
 from freebody.study.evidence import MIN_DRAWS, CrossCheck
 from freebody.study.friction.cases import Ends
-from freebody.study.friction.failures import Seen, how_it_fails, seen
-from freebody.study.friction.limits import Edge
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
+from freebody.study.friction.limits import HoldingEnd
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
@@ -38,7 +38,7 @@ _NEAR = 1e-7  # a margin that is too small to tell
 
 
 @dataclass(frozen=True)
-class Barrier:
+class FailureMode:
     """A way to fail, and what must not be negative for it not to happen, None where nothing can make it happen; `where`
     it is a way to fail at all."""
 
@@ -65,21 +65,21 @@ def _opposite(c: Condition) -> Stated:
     return compared(tidy(c.element), flipped, ZERO)
 
 
-class Holding(Ends):
+class RestHolding(Ends):
     """The ways to fail of a system at rest."""
 
-    def __init__(self, touching: Touching, setup: Setup) -> None:
+    def __init__(self, touching: TouchingAtRest, setup: Setup) -> None:
         super().__init__(touching, setup)
         self.equations = RestEquations(setup.start_instant, touching.rubs)
         self.index = self.field.index(self.field.parameter("@nothing"))
         self.is_linear = True
 
-    def edge(self, draw: Draw, sign: int, near: float | None) -> Edge | None:
+    def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
         problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
         found = margin(problem)
-        return None if found is None else Edge(found.value, problem, found)
+        return None if found is None else HoldingEnd(found.value, problem, found)
 
-    def barrier(self, here: Seen) -> Barrier | None:
+    def barrier(self, here: SeenFailure) -> FailureMode | None:
         """The inequality that prevents a failure; None if its motion has no closed form. The motion is measured by that
         of its rates with which fewest conditions are left."""
         motion = self.equations.motion(here.failure, {})
@@ -88,7 +88,7 @@ class Holding(Ends):
         found = [b for m in self._by_sizes(here, motion, {}) if (b := self._barrier_of(here, m)) is not None]
         return min(found, key=lambda b: len(b.where), default=None)
 
-    def _barrier_of(self, here: Seen, motion: dict[Slot, Ratio]) -> Barrier | None:
+    def _barrier_of(self, here: SeenFailure, motion: dict[Slot, Ratio]) -> FailureMode | None:
         power = -self.equations.power(here.failure, motion)
         if power.is_zero():
             return None
@@ -101,9 +101,9 @@ class Holding(Ends):
             where = [c for reserve in ways for c in self._at_their_signs(reserve, here.draw)]
         except CannotAnswer:  # it is never a way to fail
             return None
-        return Barrier(here.words, condition, tuple(without_implied(where)))
+        return FailureMode(here.words, condition, tuple(without_implied(where)))
 
-    def is_met(self, barrier: Barrier, draw: Draw) -> bool:
+    def is_met(self, barrier: FailureMode, draw: Draw) -> bool:
         """Whether a failure is prevented at a draw."""
 
         def holds(c: Condition) -> bool:
@@ -123,13 +123,13 @@ class Looked:
     problem: RestProblem
     is_held: bool
     is_clear: bool
-    seen: Seen
+    seen: SeenFailure
 
 
-def holds(touching: Touching, setup: Setup, question: Question) -> Answer:
+def holds(touching: TouchingAtRest, setup: Setup, question: Question) -> Answer:
     """Whether the system stays at rest, at the file's values and in general."""
-    study = Holding(touching, setup)
-    barriers: dict[Failure, Barrier] = {}
+    study = RestHolding(touching, setup)
+    barriers: dict[Failure, FailureMode] = {}
     looked: list[Looked] = []
     for draw in study.draws:
         edge = study.edge(draw, 1, None)
@@ -146,7 +146,9 @@ def holds(touching: Touching, setup: Setup, question: Question) -> Answer:
     return _answer(study, question, list(barriers.values()), looked)
 
 
-def _answer(study: Holding, question: Question, barriers: Sequence[Barrier], looked: Sequence[Looked]) -> Answer:
+def _answer(
+    study: RestHolding, question: Question, barriers: Sequence[FailureMode], looked: Sequence[Looked]
+) -> Answer:
     first = looked[0]
     always = without_implied([b.condition for b in barriers if b.condition is not None and not b.where])
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
@@ -188,7 +190,7 @@ def _answer(study: Holding, question: Question, barriers: Sequence[Barrier], loo
     )
 
 
-def _reserves(study: Holding, first: Looked) -> list[str]:
+def _reserves(study: RestHolding, first: Looked) -> list[str]:
     """The share of what friction can carry that is used, where the reactions are unique."""
     eq = study.equations
     reduced = eq.reactions(Failure())

@@ -11,7 +11,7 @@ from freebody.numeric.friction_branches import extreme, margin
 from freebody.numeric.friction_limits import ROUND_OFF, Optimum, RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
 from freebody.study.draws import Draw
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.touching import TouchingAtRest
 
 _CLOSE = 1e-13  # ends are found to this, by their size
 _BEYOND = 1e-11  # a margin that is surely negative
@@ -22,7 +22,7 @@ N_TRIED = 24  # values among which one that holds is looked for
 
 
 @dataclass(frozen=True)
-class Edge:
+class HoldingEnd:
     """One end of the values with which a system holds, infinite where there is none. The forces and the motion are
     those at the end, or just beyond it; `problem` is what they belong to."""
 
@@ -42,7 +42,7 @@ class Parametric:
     is_acute: bool
     low: float  # values below this mean nothing
 
-    def edge(self, touching: Touching, draw: Draw, sign: int, near: float | None = None) -> Edge | None:
+    def edge(self, touching: TouchingAtRest, draw: Draw, sign: int, near: float | None = None) -> HoldingEnd | None:
         """The largest (sign +1) or the smallest value with which the system holds; None if no value does. near: a value
         that may be it."""
         if self.is_linear:
@@ -53,7 +53,7 @@ class Parametric:
                 return found
         return self._followed(touching, draw, sign)
 
-    def _around(self, touching: Touching, draw: Draw, sign: int, near: float) -> Edge | None:
+    def _around(self, touching: TouchingAtRest, draw: Draw, sign: int, near: float) -> HoldingEnd | None:
         """The end between two values close to an expected one, if it is there."""
         step = sign * 1e-3 * (abs(near) or 1.0)
         problems = [self.problem(touching, draw, near + k * step) for k in (-1, 1)]
@@ -65,7 +65,7 @@ class Parametric:
             return None
         return self._between(touching, draw, near - step, near + step, (beyond, outer))
 
-    def problem(self, touching: Touching, draw: Draw, value: float) -> RestProblem | None:
+    def problem(self, touching: TouchingAtRest, draw: Draw, value: float) -> RestProblem | None:
         """The system at rest at another value of the parameter; None where it cannot be assembled or something else
         touches."""
         try:
@@ -77,7 +77,7 @@ class Parametric:
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
 
-    def _linear(self, touching: Touching, draw: Draw, sign: int) -> Edge | None:
+    def _linear(self, touching: TouchingAtRest, draw: Draw, sign: int) -> HoldingEnd | None:
         unit = abs(draw.values.get(self.name, 0.0)) or 1.0
         first, second = (self.problem(touching, draw, k * unit) for k in (1.0, 2.0))
         if first is None or second is None:
@@ -87,10 +87,10 @@ class Parametric:
         if found is None:
             return None
         value = found.value
-        return Edge(value, path.problem if math.isinf(value) else at(path, value), found)
+        return HoldingEnd(value, path.problem if math.isinf(value) else at(path, value), found)
 
     # -- following the margin -----------------------------------------------------------------
-    def _followed(self, touching: Touching, draw: Draw, sign: int) -> Edge | None:
+    def _followed(self, touching: TouchingAtRest, draw: Draw, sign: int) -> HoldingEnd | None:
         inside = self._holding(touching, draw)
         if inside is None:
             return None
@@ -113,14 +113,14 @@ class Parametric:
             found = margin(problem)
             assert found is not None
             is_end = sign < 0 and inside == self.low
-            return Edge(self.low if is_end else sign * math.inf, problem, found)
+            return HoldingEnd(self.low if is_end else sign * math.inf, problem, found)
         found = self._between(touching, draw, inside, outside, last)
         is_nothing = sign < 0 and self.is_friction and found.value < _NOTHING
-        return Edge(0.0, found.problem, found.optimum) if is_nothing else found
+        return HoldingEnd(0.0, found.problem, found.optimum) if is_nothing else found
 
     def _between(
-        self, touching: Touching, draw: Draw, inside: float, outside: float, last: tuple[RestProblem, Optimum]
-    ) -> Edge:
+        self, touching: TouchingAtRest, draw: Draw, inside: float, outside: float, last: tuple[RestProblem, Optimum]
+    ) -> HoldingEnd:
         """The end between a value that holds and one that does not, by secants through the margins outside, which are
         smooth where inside they may vanish."""
         margins = [(outside, last[1].value)]
@@ -146,9 +146,9 @@ class Parametric:
                 inside = guess
                 if len(margins) > 1 and abs(found.value) <= _BEYOND:
                     break
-        return Edge(inside, *last)
+        return HoldingEnd(inside, *last)
 
-    def _holding(self, touching: Touching, draw: Draw) -> float | None:
+    def _holding(self, touching: TouchingAtRest, draw: Draw) -> float | None:
         """A value with which the system holds: that of the draw, else one of several."""
         for value in [draw.values[self.name], *self._tried(draw.values[self.name])]:
             problem = self.problem(touching, draw, value)

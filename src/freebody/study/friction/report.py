@@ -11,11 +11,11 @@ from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
-from freebody.numeric.friction_limits import ROUND_OFF, Cone, RestProblem, rest_problem, unresisted
+from freebody.numeric.friction_limits import ROUND_OFF, FrictionCone, RestProblem, rest_problem, unresisted
 from freebody.study.draws import Draw
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.failures import how_it_fails, seen
-from freebody.study.friction.touching import Touching
+from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -117,7 +117,7 @@ def statics(system: System) -> Statics:
     return Statics(system, is_held, fails, reserve, reactions, tuple(notes))
 
 
-def _reactions(touching: Touching, problem: RestProblem) -> Iterator[Reaction]:
+def _reactions(touching: TouchingAtRest, problem: RestProblem) -> Iterator[Reaction]:
     tiny = _UNIQUE * problem.force
     cones = {cone.name: cone for cone in problem.cones}
     for k, row in enumerate(touching.rows):
@@ -136,7 +136,7 @@ def _reactions(touching: Touching, problem: RestProblem) -> Iterator[Reaction]:
         yield Reaction(row.name, row.connection, place, what, unit_of(row), low + 0.0, high + 0.0, used)
 
 
-def _used(problem: RestProblem, cone: Cone, force: float) -> float | None:
+def _used(problem: RestProblem, cone: FrictionCone, force: float) -> float | None:
     """The share of the cone that a friction force uses, where its load is unique."""
     load = 0.0
     parts: list[float] = []
@@ -153,7 +153,7 @@ def _used(problem: RestProblem, cone: Cone, force: float) -> float | None:
     return None if can <= _UNIQUE * problem.force else abs(force) / can
 
 
-def _reserve(touching: Touching, problem: RestProblem, draw: Draw) -> tuple[float, str]:
+def _reserve(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> tuple[float, str]:
     """1/x for the least share x of all friction with which the system holds, and how it fails with less."""
 
     def with_share(x: float) -> RestProblem:

@@ -20,7 +20,7 @@ from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, draw_parameters
-from freebody.system.modes import Mode, ideal_bounds, in_mode
+from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 from freebody.tolerances import TOUCHES
 
@@ -28,7 +28,7 @@ _TOGETHER = 1e-6  # gaps that close together
 
 
 @dataclass(frozen=True)
-class Touching:
+class TouchingAtRest:
     """A system at rest: `held` is the ordinary system with all that touches held, `rubs` the friction that acts."""
 
     system: System
@@ -57,14 +57,14 @@ class Touching:
             raise CannotAnswer("in the start pose something penetrates, or touches beyond the end of an edge")
 
 
-def touching(system: System) -> Touching:
+def touching(system: System) -> TouchingAtRest:
     """What touches in the start pose, at the model's own values. Raises CannotAnswer where the pose cannot be
     assembled, or something moves at the start."""
     values = draw_parameters(system, random.Random(SEED), 0.0)
     closed = {row.name for row in ideal_bounds(system)}
     starting = _starting(system)
     while True:
-        held = in_mode(system, Mode.of(closed, {}))[0]
+        held = in_mode(system, ContactMode.of(closed, {}))[0]
         reference = Reference(held, values)
         q = reference.assemble()
         g = reference.geometry(q, np.zeros_like(q), 0.0)
@@ -73,7 +73,7 @@ def touching(system: System) -> Touching:
             break
         closed |= found
     closed -= far_sides(reference, q, [bound for bound in system.bounds if bound.name in closed])
-    held = in_mode(system, Mode.of(closed, {}))[0]
+    held = in_mode(system, ContactMode.of(closed, {}))[0]
     reference = Reference(held, values)
     q = reference.assemble(guess=q)
     v = reference.velocities(q)
@@ -83,7 +83,7 @@ def touching(system: System) -> Touching:
         )
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
     rubs = tuple(rub for rub in system.rubs if not rub.of or rub.of in closed)
-    return Touching(system, held, bounds, rubs)
+    return TouchingAtRest(system, held, bounds, rubs)
 
 
 def _starting(system: System) -> list[list[UnilateralConstraint]]:

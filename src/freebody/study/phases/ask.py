@@ -20,15 +20,15 @@ from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
-from freebody.study.phases.tree import NO_FORM, Tree, why
+from freebody.study.phases.tree import NO_FORM, PhaseTree, why
 from freebody.study.phases.words import happening, summary
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import Relation, readable
+from freebody.symbolic.phases.relations import SolvedRelation, readable
 
 _ROUND_OFF = 1e-12
 
 
-def answer(tree: Tree, question: Question) -> Answer:
+def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
     unit = question.quantity.unit
     busy_with(f"answering {question.id}: {question.text}")
@@ -63,7 +63,7 @@ def _shown(piece: AnswerBranch) -> Expr | tuple[Expr, ...]:
 
 
 def _answer(
-    tree: Tree, question: Question, parts: list[list[AnswerBranch]], evidence: list[Evidence], unit: str
+    tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]], evidence: list[Evidence], unit: str
 ) -> Answer:
     regions = sorted((r for group in parts for r in _regions(tree, group)), key=lambda r: int(r.sets[0]))
     own = regions[0]
@@ -117,7 +117,7 @@ class _Region:
     """Where one answer holds: a piece of it, and the conditions of a part of the space of parameters."""
 
     piece: AnswerBranch
-    relations: tuple[Relation, ...]
+    relations: tuple[SolvedRelation, ...]
     sets: Chosen
 
     @property
@@ -125,7 +125,7 @@ class _Region:
         return tuple(r.text() for r in self.relations)
 
 
-def _regions(tree: Tree, group: list[AnswerBranch]) -> list[_Region]:
+def _regions(tree: PhaseTree, group: list[AnswerBranch]) -> list[_Region]:
     """Pieces with one answer by the fewest regions that their own inequalities cut out; else piece by piece."""
     alone = [_Region(p, tuple(relations(tree, p.conditions)), p.sets) for p in group]
     if len(group) < 2:
@@ -145,20 +145,20 @@ def _regions(tree: Tree, group: list[AnswerBranch]) -> list[_Region]:
     return regions
 
 
-def _broken(tree: Tree, region: _Region) -> str:
+def _broken(tree: PhaseTree, region: _Region) -> str:
     for r in region.relations:
         if not holds(r, tree.numbers(r.element))[0]:
             return reworded(f"{r.text()} is not true there", r.text())
     return "the model takes another way there"
 
 
-def _for_all(tree: Tree) -> str:
+def _for_all(tree: PhaseTree) -> str:
     from freebody.study.solve import for_all
 
     return for_all(tree.system)
 
 
-def _value(tree: Tree, piece: AnswerBranch) -> float | tuple[float, ...] | None:
+def _value(tree: PhaseTree, piece: AnswerBranch) -> float | tuple[float, ...] | None:
     """In numbers at the model's values; a function of the state at the start."""
     parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
     values: list[float] = []

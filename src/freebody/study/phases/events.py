@@ -17,10 +17,10 @@ from freebody.errors import CannotAnswer
 from freebody.numeric.jets import Array
 from freebody.study.phases.decide import NOTHING, Cell, Inequality, Test, as_test, cells
 from freebody.study.phases.numbers import Chosen, Mask, Sets
-from freebody.study.phases.phase import Phase, Watch
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import Energy, Uniform, Zero
+from freebody.symbolic.phases.course import CourseZero, EnergyMotion, UniformMotion
 from freebody.symbolic.signs import Sign, sign_of
 
 _NOW = 1e-9  # a zero at the very start, relative to what the function can become
@@ -33,24 +33,24 @@ _NOT_NEGATIVE = (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO)
 
 
 @dataclass(frozen=True)
-class First:
+class FirstEvent:
     """A zero of a watched function that comes before all others."""
 
-    watch: Watch
-    zero: Zero
-    together: tuple[Watch, ...] = ()  # what else happens at the same instant
+    watch: PhaseWatch
+    zero: CourseZero
+    together: tuple[PhaseWatch, ...] = ()  # what else happens at the same instant
 
 
 Proofs = tuple[tuple[Ratio, ...], ...]  # groups of elements; where all of one group are not negative, it is proved
 
 
 @dataclass(frozen=True)
-class Outcome:
+class PhaseOutcome:
     """How a phase ends in one part of the space of parameters; without `first` it lasts. The inequalities are over
     elements of the phase's field. `unsure`: what ends it at none of the sets, each by the inequalities of which one
     group must hold for a proof of that."""
 
-    first: First | None
+    first: FirstEvent | None
     sets: Chosen
     conditions: tuple[Inequality, ...]
     is_exact: bool
@@ -61,14 +61,14 @@ class Outcome:
 class _Candidate:
     """One zero of one watched function, at all sets: how long until it is reached (inf: never)."""
 
-    watch: Watch
-    zero: Zero
+    watch: PhaseWatch
+    zero: CourseZero
     reached: Array
     exists: tuple[Ratio, ...] = field(default=())  # positive where it happens at all
 
 
 @dataclass
-class _Found:
+class _PossibleEnds:
     """What can end a phase, the inequalities that tell which does, and what is known to last by formulas."""
 
     candidates: list[_Candidate] = field(default_factory=list[_Candidate])
@@ -76,20 +76,20 @@ class _Found:
     unsure: list[Proofs] = field(default_factory=list[Proofs])  # what vanishes at none of the sets
 
 
-def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Watch] = ()) -> list[Outcome]:
+def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[PhaseWatch] = ()) -> list[PhaseOutcome]:
     """The events that end a phase, each with the sets at which it comes first. Raises CannotAnswer where the motion, or
     an event of it, has no closed form."""
     watches = (*extra, *phase.watches)
     match phase.course:
-        case Uniform() as course:
+        case UniformMotion() as course:
             found = _in_time(course, watches, sets, indices)
-        case Energy() as course:
+        case EnergyMotion() as course:
             road = _Road(course, sets, indices)
             found = road.events(watches)
             indices = np.setdiff1d(indices, np.flatnonzero(road.too_near))
             sets.left_out |= road.too_near
         case _:
-            found = _Found(unsure=[() for _watch in watches])
+            found = _PossibleEnds(unsure=[() for _watch in watches])
     candidates = found.candidates
     labels = np.full(sets.n, NOTHING)
     if candidates:
@@ -100,22 +100,24 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Watc
     return [_outcome(cell, found) for cell in cells(labels, indices, found.tests)]
 
 
-def _outcome(cell: Cell, found: _Found) -> Outcome:
+def _outcome(cell: Cell, found: _PossibleEnds) -> PhaseOutcome:
     unsure = tuple(found.unsure)
     if cell.label == NOTHING:
-        return Outcome(None, cell.sets, cell.cuts, cell.is_exact, unsure)
+        return PhaseOutcome(None, cell.sets, cell.cuts, cell.is_exact, unsure)
     chosen = found.candidates[cell.label]
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
         same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], 1e-9, 0.0)]
     needs = tuple((x, ">", "it happens") for x in chosen.exists)
     cuts = tuple(cut for cut in cell.cuts if not any(cut[0] == x for x, _r, _p in needs))
-    return Outcome(First(chosen.watch, chosen.zero, tuple(same)), cell.sets, (*needs, *cuts), cell.is_exact, unsure)
+    return PhaseOutcome(
+        FirstEvent(chosen.watch, chosen.zero, tuple(same)), cell.sets, (*needs, *cuts), cell.is_exact, unsure
+    )
 
 
 # -- along the time ---------------------------------------------------------------------------
-def _in_time(course: Uniform, watches: Sequence[Watch], sets: Sets, indices: Chosen) -> _Found:
-    model, found = course.model, _Found()
+def _in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> _PossibleEnds:
+    model, found = course.model, _PossibleEnds()
     mine = np.zeros(sets.n, dtype=bool)
     mine[indices] = True
     for watch in watches:
@@ -151,7 +153,7 @@ def _without_roots(c: Sequence[Ratio]) -> Proofs:
     return (c[1], c[2]), (c[2], 4 * c[0] * c[2] - c[1] * c[1])
 
 
-def _where(model: SymbolicModel, watch: Watch, zero: Zero) -> tuple[Ratio, ...]:
+def _where(model: SymbolicModel, watch: PhaseWatch, zero: CourseZero) -> tuple[Ratio, ...]:
     """What must be positive for the place that touches to exist at that instant."""
     f = model.field
     found = (f.lowest_terms(f.follow(model.in_independent_speeds(x), zero.values)) for x in watch.within)
@@ -176,7 +178,7 @@ def _falls(numbers: Array, t: Array) -> Mask:
     return result
 
 
-def _times_in_order(course: Uniform, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
+def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
     """That a time is real, that it comes, and that it comes before another one."""
     model, found = course.model, list[Test]()
     times = [c.zero.time for c in candidates]
@@ -205,7 +207,7 @@ def _times_in_order(course: Uniform, candidates: Sequence[_Candidate], sets: Set
 class _Road:
     """The way of one coordinate whose speed energy gives, at all sets."""
 
-    def __init__(self, course: Energy, sets: Sets, indices: Chosen) -> None:
+    def __init__(self, course: EnergyMotion, sets: Sets, indices: Chosen) -> None:
         self.course, self.sets = course, sets
         self.mine = np.zeros(sets.n, dtype=bool)
         self.mine[indices] = True
@@ -254,8 +256,8 @@ class _Road:
             found = np.where(np.isfinite(d), np.fmin(found, d), found)
         return found
 
-    def events(self, watches: Sequence[Watch]) -> _Found:
-        found = _Found()
+    def events(self, watches: Sequence[PhaseWatch]) -> _PossibleEnds:
+        found = _PossibleEnds()
         for watch in watches:
             places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
             for place, at in places:
@@ -267,7 +269,7 @@ class _Road:
         found.tests = self._tests(found.candidates)
         return found
 
-    def _reached(self, watch: Watch, place: Ratio, at: Array) -> list[_Candidate]:
+    def _reached(self, watch: PhaseWatch, place: Ratio, at: Array) -> list[_Candidate]:
         """The place on the way out, and on the way back behind the start."""
         out, back = self._distance(at, 1), self._distance(at, -1)
         with np.errstate(invalid="ignore"):  # the start itself is passed on the way back
@@ -290,14 +292,14 @@ class _Road:
                 if here.any():
                     zero = self.course.at(place, sign)
                     if turned < 0:
-                        zero = Zero(None, zero.values, zero.at)
+                        zero = CourseZero(None, zero.values, zero.at)
                     there = _where(self.model, watch, zero)
                     here &= _all_hold(self.model, there, self.sets)
                     exists = (*self.course.reachable(zero), *there)
                     found.append(_Candidate(watch, zero, np.where(here, length, np.inf), exists))
         return found
 
-    def _require_known(self, watch: Watch, own: Sequence[_Candidate]) -> None:
+    def _require_known(self, watch: PhaseWatch, own: Sequence[_Candidate]) -> None:
         """Up to its first zero a watched function must be positive and the speed real: zeros without a closed form
         show there. Raises CannotAnswer."""
         first = np.min([c.reached for c in own], axis=0) if own else np.full(self.sets.n, np.inf)

@@ -24,8 +24,17 @@ from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCh
 from freebody.study.magnitude import magnitude
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import Node, Tree
-from freebody.study.phases.witness import MAX_TIME, NumericMode, Seen, Stage, before_impact, begun, follow, struck
+from freebody.study.phases.tree import PhaseNode, PhaseTree
+from freebody.study.phases.witness import (
+    MAX_TIME,
+    FollowedPhase,
+    NumericMode,
+    PhaseSnapshot,
+    before_impact,
+    begun,
+    follow,
+    struck,
+)
 from freebody.study.spread import disagreement
 from freebody.system.system import System
 
@@ -34,7 +43,7 @@ ROUND_OFF = 1e-12  # of rates at the start [SI]
 _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are left to other sets
 
 
-def compare(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
+def compare(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """Raises RoutesDisagree on a difference, CannotAnswer if too little could be compared."""
     if piece.at_start and question.quantity.is_of_event:
         return _at_once(tree, question, piece)
@@ -46,7 +55,7 @@ def compare(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instants(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
+def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     at_start = question.at_start or piece.at_start
     where = "at the start" if at_start else "at random poses and speeds"
     witness = CrossCheck(question.text, f"floating-point solve of all bodies and contacts {where}", INSTANT_TOLERANCE)
@@ -76,16 +85,16 @@ def _at_instants(tree: Tree, question: Question, piece: AnswerBranch) -> Evidenc
     return witness.evidence()
 
 
-def stage(tree: Tree, node: Node) -> Stage:
+def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
     """A phase as the numeric route follows it."""
     touching = None if node.phase.mode.closed <= tree.closed else tree.closed
     if node.impact is None:
         opens = tree.closed if node.phase.mode.closed < tree.closed else frozenset[str]()
-        return Stage(node.phase, touching, (), opens)
-    return Stage(node.phase, touching, node.impact.hits, node.impact.before.kept)
+        return FollowedPhase(node.phase, touching, (), opens)
+    return FollowedPhase(node.phase, touching, node.impact.hits, node.impact.before.kept)
 
 
-def _at_once(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
+def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
     derivatives of a gap the first that does not vanish is positive."""
     witness = CrossCheck(question.text, "floating-point rates and accelerations at the start", INSTANT_TOLERANCE)
@@ -104,7 +113,7 @@ def _at_once(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
     return witness.evidence()
 
 
-def _since_the_start(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
+def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """What is counted from the start is nothing at the start, but for the energy that an impact takes."""
     witness = CrossCheck(question.text, "floating-point energies before and after the impact", INSTANT_TOLERANCE)
     node = piece.nodes[-1]
@@ -145,13 +154,13 @@ class _Nothing:
         raise CannotAnswer("nothing has moved yet")
 
 
-def _home_numbers(tree: Tree, piece: AnswerBranch, k: int) -> tuple[float, ...]:
+def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, ...]:
     parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
     return tuple(float(tree.numbers(p)[k]) for p in parts)
 
 
 # -- an event ---------------------------------------------------------------------------------
-def _along_motion(tree: Tree, question: Question, piece: AnswerBranch) -> Evidence:
+def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     route = "numerical integration, every phase to the event that ends it"
     witness = CrossCheck(question.text, route, MOTION_TOLERANCE)
     assert piece.first is not None
@@ -178,7 +187,9 @@ def _along_motion(tree: Tree, question: Question, piece: AnswerBranch) -> Eviden
     return witness.evidence()
 
 
-def run(tree: Tree, event: QuestionEvent | None, piece: AnswerBranch, k: int, end: float | None) -> list[Seen]:
+def run(
+    tree: PhaseTree, event: QuestionEvent | None, piece: AnswerBranch, k: int, end: float | None
+) -> list[PhaseSnapshot]:
     """The motion of one parameter set up to the event of the piece; kept for other questions."""
     key = (
         tuple(n.phase for n in piece.nodes),
@@ -193,7 +204,7 @@ def run(tree: Tree, event: QuestionEvent | None, piece: AnswerBranch, k: int, en
     return tree.seen[key]
 
 
-def _number(tree: Tree, quantity: Quantity, piece: AnswerBranch, seen: list[Seen]) -> Any:
+def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list[PhaseSnapshot]) -> Any:
     last = seen[-1]
     mode, now = last.mode, last.snapshot()
     values, first = seen[0].mode.values, piece.nodes[0]
@@ -211,7 +222,7 @@ class _Passage:
     """What was seen of a motion in phases. begin, now: before all impacts, and where it is asked for, in `mode`."""
 
     base: System
-    seen: Sequence[Seen]
+    seen: Sequence[PhaseSnapshot]
     mode: System
     begin: Any
     now: Any
@@ -240,7 +251,7 @@ class _Passage:
         return value_in_mode(quantity, self.base, self.mode, self.now)
 
 
-def _taken_by_impacts(seen: Sequence[Seen], begin: Any, now: Any) -> float:
+def _taken_by_impacts(seen: Sequence[PhaseSnapshot], begin: Any, now: Any) -> float:
     """Between the end of a phase and the beginning of the next; `begin` and `now` are before and after all of them."""
     before = [begin, *(s.snapshot() for s in seen)]
     after = [*(s.begin for s in seen), now]
@@ -248,7 +259,7 @@ def _taken_by_impacts(seen: Sequence[Seen], begin: Any, now: Any) -> float:
     return sum(_energy(a, s) - _energy(b, s) for a, b, s in zip(before, after, systems, strict=True))
 
 
-def _heat(seen: Seen) -> float:
+def _heat(seen: PhaseSnapshot) -> float:
     """What friction turns into heat in one phase: its force by the way that it slips. Raises CannotAnswer where the
     force changes on the way."""
     begin, end = seen.mode.snapshot(seen.begin.q, seen.begin.v, seen.begin.t), seen.snapshot()

@@ -26,7 +26,7 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import parted
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import Mode, ideal_bounds, in_mode, sticking_row
+from freebody.system.modes import ContactMode, ideal_bounds, in_mode, sticking_row
 from freebody.system.system import System
 
 _ZERO = 1e-9
@@ -42,7 +42,7 @@ class Home:
         touching = closed_at_start(system)
         self.moving = parted_at_start(system, touching)  # touch, with a gap that grows or shrinks at the start
         self.closed = touching - self.moving
-        free = Mode.of(self.closed, {})
+        free = ContactMode.of(self.closed, {})
         self.home = Setup(in_mode(system, free)[0])
         self.system = _with_angles(system, self.home)
         if self.system is not system:
@@ -205,7 +205,7 @@ def closed_at_start(system: System) -> frozenset[str]:
         }
     others = [b for b in system.bounds if b.name not in closed]
     if others:
-        setup = Setup(in_mode(system, Mode.of(closed, {}))[0], 2)
+        setup = Setup(in_mode(system, ContactMode.of(closed, {}))[0], 2)
         for bound in others:
             geometry = setup.model.geometry
             target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
@@ -235,12 +235,12 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
     found: set[str] = set()
     for k in range(_N_STARTS):
         values = draw_parameters(system, random.Random(SEED + k), 1.0)
-        held = Reference(in_mode(system, Mode.of(touching, {}))[0], values)
+        held = Reference(in_mode(system, ContactMode.of(touching, {}))[0], values)
         q = held.assemble()
         with suppress(CannotAnswer):
             held.velocities(q)
             continue
-        free = Reference(in_mode(system, Mode.of(touching - own.keys(), {}))[0], values)
+        free = Reference(in_mode(system, ContactMode.of(touching - own.keys(), {}))[0], values)
         g = free.geometry(free.assemble(), free.velocities(q), 0.0)
         rates = {name: free.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
         largest = max(map(abs, rates.values()))

@@ -28,7 +28,7 @@ from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.motion import StartState, start_from_bodies, start_state
 from freebody.symbolic.phases.friction import named_rows
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
 
@@ -42,7 +42,7 @@ class Blow:
     conditions: tuple[Inequality, ...]
 
 
-class Collision:
+class ClosedFormCollision:
     """Bounds whose gaps are zero and shrink, in a state; what else touches keeps touching. Raises CannotAnswer where
     the impact has no closed form here."""
 
@@ -63,7 +63,7 @@ class Collision:
             raise CannotAnswer(
                 f"{_listed(hits)} collide at once, with friction: such an impact has no closed form here"
             )
-        system, _loads = in_mode(placed.put_into(base), Mode.of(kept, {}))
+        system, _loads = in_mode(placed.put_into(base), ContactMode.of(kept, {}))
         self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
         pushes = [
             AppliedLoad("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck

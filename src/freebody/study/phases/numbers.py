@@ -21,7 +21,7 @@ from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.relations import Relation
+from freebody.symbolic.phases.relations import SolvedRelation
 from freebody.system.system import System
 
 Chosen = NDArray[np.intp]  # indices of parameter sets
@@ -72,7 +72,7 @@ def _far(p: Parameter, center: float, share: Array, width: Array) -> Array:
     return (center or 1.0) * np.exp(share * (np.minimum(width, _SPREAD) if p.is_angle else width))
 
 
-def holds(r: Relation, numbers: Array) -> Mask:
+def holds(r: SolvedRelation, numbers: Array) -> Mask:
     """Where a relation is satisfied, by the values of its element. One that was solved is turned where its divisor is
     negative; the element is not."""
     if r.relation in ("=", "!="):

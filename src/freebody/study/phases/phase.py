@@ -24,7 +24,7 @@ from freebody.symbolic.phases.course import ClosedFormMotion, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
 
@@ -46,7 +46,7 @@ class Placed:
 
 
 @dataclass(frozen=True)
-class Watch:
+class PhaseWatch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
     kind: str  # "slip ends", "opens", "slips", "touches", "edge ends"
@@ -82,7 +82,7 @@ class Phase:
     """A mode from a given state on. Raises CannotAnswer where the mode has no closed form, or its forces are not
     unique."""
 
-    def __init__(self, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
+    def __init__(self, base: System, mode: ContactMode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
         self.base, self.mode, self.placed = base, mode, placed
         self.bounds: dict[str, UnilateralConstraint] = {b.name: b for b in base.bounds}
         self.rubs: dict[str, DryFriction] = {r.name: r for r in base.rubs}
@@ -151,7 +151,7 @@ class Phase:
         return course_of(self.model, self.start)
 
     @classmethod
-    def begun(cls, base: System, mode: Mode, placed: Placed, values: Sequence[Mapping[str, float]]) -> Phase:
+    def begun(cls, base: System, mode: ContactMode, placed: Placed, values: Sequence[Mapping[str, float]]) -> Phase:
         """The phase, in the coordinates of the named measures, or without them where only that has a closed form."""
         phase = cls(base, mode, placed, values)
         if not has_lines(base):
@@ -211,20 +211,22 @@ class Phase:
 
     # -- what the phase lives on --------------------------------------------------------------
     @cached_property
-    def watches(self) -> tuple[Watch, ...]:
+    def watches(self) -> tuple[PhaseWatch, ...]:
         """Everything that stays positive while the phase lasts."""
-        found: list[Watch] = []
+        found: list[PhaseWatch] = []
         states = self.mode.states
         for name in [row.name for row in self.base.held if row.unilateral] + list(self.bounds):
             if name in self.mode.closed:
-                found.append(Watch("opens", name, self.normal(self.rows[name])))
-                found += [Watch("edge ends", name, x) for x in self.spans(name)]
+                found.append(PhaseWatch("opens", name, self.normal(self.rows[name])))
+                found += [PhaseWatch("edge ends", name, x) for x in self.spans(name)]
             elif name in self.bounds:
-                found.append(Watch("touches", name, self._nearness(self.bounds[name].row), within=self.spans(name)))
+                found.append(
+                    PhaseWatch("touches", name, self._nearness(self.bounds[name].row), within=self.spans(name))
+                )
         for name, state in states.items():
             rub = self.rubs[name]
             if state:
-                found.append(Watch("slip ends", name, state * self.state.rate(rub.row.measure)))
+                found.append(PhaseWatch("slip ends", name, state * self.state.rate(rub.row.measure)))
             elif name not in self.dropped:
                 found += self._limits(rub)
         return tuple(found)
@@ -239,7 +241,7 @@ class Phase:
             found += [] if span.high is None else [g.scalar(span.high) - value]
         return tuple(x for x in found if not x.is_zero())
 
-    def _limits(self, rub: DryFriction) -> list[Watch]:
+    def _limits(self, rub: DryFriction) -> list[PhaseWatch]:
         """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
         held = self.friction(rub)
         together = [rub, *(self.rubs[name] for name in self.shared.get(rub.name, ()))]
@@ -247,7 +249,7 @@ class Phase:
         for one in together:
             up = up + self.coefficient(one, 1, at_rest=True) * self.load(one)
             down = down + self.coefficient(one, -1, at_rest=True) * self.load(one)
-        return [Watch("slips", rub.name, up + held, 1), Watch("slips", rub.name, down - held, -1)]
+        return [PhaseWatch("slips", rub.name, up + held, 1), PhaseWatch("slips", rub.name, down - held, -1)]
 
     def base_row(self, name: str) -> ConstraintRow:
         """A row of the system, or of its bounds, whether it is held now or not."""

@@ -14,15 +14,15 @@ from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.reading import Question, QuestionEvent
-from freebody.study.phases.events import First, first_events
+from freebody.study.phases.events import FirstEvent, first_events
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, Watch
+from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import NO_FORM, Edge, Node, Tree, why
+from freebody.study.phases.tree import NO_FORM, PhaseEnd, PhaseNode, PhaseTree, why
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import Energy
+from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.state import SymbolicState, law_polynomial
 
 Elements = Ratio | tuple[Ratio, ...]
@@ -36,13 +36,13 @@ class AnswerBranch:
 
     value: Elements
     is_home: bool
-    nodes: list[Node]
-    first: First | None
+    nodes: list[PhaseNode]
+    first: FirstEvent | None
     conditions: list[Condition]
     sets: Chosen
     time: Ratio | None = None  # of the event, since the start
     notes: list[str] = field(default_factory=list[str])
-    after: Node | None = None  # the phase behind the impact that the event is: the value is that just after it
+    after: PhaseNode | None = None  # the phase behind the impact that the event is: the value is that just after it
 
     @property
     def phase(self) -> Phase:
@@ -55,24 +55,26 @@ class AnswerBranch:
 
 
 @dataclass(frozen=True)
-class _Way:
+class _WayToPhase:
     """From the start to the beginning of a phase."""
 
-    nodes: tuple[Node, ...]
-    edges: tuple[Edge, ...]
+    nodes: tuple[PhaseNode, ...]
+    edges: tuple[PhaseEnd, ...]
     conditions: tuple[Condition, ...]
 
-    def on(self, edge: Edge, node: Node) -> _Way:
-        return _Way((*self.nodes, node), (*self.edges, edge), (*self.conditions, *edge.conditions, *node.conditions))
+    def on(self, edge: PhaseEnd, node: PhaseNode) -> _WayToPhase:
+        return _WayToPhase(
+            (*self.nodes, node), (*self.edges, edge), (*self.conditions, *edge.conditions, *node.conditions)
+        )
 
     @property
-    def last(self) -> Node:
+    def last(self) -> PhaseNode:
         return self.nodes[-1]
 
 
-def pieces(tree: Tree, question: Question) -> list[AnswerBranch]:
+def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
-    roots = [_Way((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
+    roots = [_WayToPhase((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
     met: list[str] = []
     if question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
@@ -86,7 +88,7 @@ def pieces(tree: Tree, question: Question) -> list[AnswerBranch]:
     return found
 
 
-def _not_found(tree: Tree, question: Question, met: list[str]) -> str:
+def _not_found(tree: PhaseTree, question: Question, met: list[str]) -> str:
     """That something never happens is said where every way through the phases is known to its end."""
     asked = question.transition.text if question.transition is not None else str(getattr(question.event, "text", ""))
     nodes = list(tree.nodes())
@@ -104,7 +106,7 @@ def _not_found(tree: Tree, question: Question, met: list[str]) -> str:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instant(tree: Tree, question: Question, way: _Way) -> AnswerBranch:
+def _at_instant(tree: PhaseTree, question: Question, way: _WayToPhase) -> AnswerBranch:
     """In the phase in which the motion begins."""
     phase = way.last.phase
     state = phase.start_instant if question.at_start else phase.state
@@ -119,13 +121,13 @@ def _at_instant(tree: Tree, question: Question, way: _Way) -> AnswerBranch:
     return AnswerBranch(value, is_home, [way.last], None, list(way.conditions), way.last.sets, notes=notes)
 
 
-def _just_after(node: Node) -> str:
+def _just_after(node: PhaseNode) -> str:
     assert node.impact is not None
     when = " at the start" if node.depth == 0 else ""
     return f"just after the {node.impact.words}{when}"
 
 
-def _elements(tree: Tree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
+def _elements(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
     value = value_in_mode(quantity, tree.system, phase.system, state)
     f = phase.model.field
     still = _still(phase)
@@ -142,7 +144,9 @@ def _still(phase: Phase) -> dict[int, Ratio]:
 
 
 # -- events of contacts -----------------------------------------------------------------------
-def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list[_Way]) -> Iterator[AnswerBranch]:
+def _at_transition(
+    tree: PhaseTree, question: Question, asked: Transition, ways: list[_WayToPhase]
+) -> Iterator[AnswerBranch]:
     for way in ways:
         if not way.edges and (at_once := _at_once(tree, asked, way.last)):
             yield _at_the_start(tree, question, way, at_once)
@@ -169,19 +173,19 @@ def _at_transition(tree: Tree, question: Question, asked: Transition, ways: list
                     yield from _at_transition(tree, question, asked, [way.on(edge, node)])
 
 
-def _is_left(node: Node, asked: Transition, connection: str) -> bool:
+def _is_left(node: PhaseNode, asked: Transition, connection: str) -> bool:
     """Whether no place of a connection touches any more, where an edge has ended."""
     still = {name.partition(".")[0] for name in node.phase.mode.closed}
     return _is_named(asked, connection) and connection not in still
 
 
-def _rebounds(node: Node, asked: Transition) -> bool:
+def _rebounds(node: PhaseNode, asked: Transition) -> bool:
     """Whether a phase begins with an impact that parts what is meant."""
     hits = () if node.impact is None else node.impact.hits
     return any(name not in node.phase.mode.closed and _is_named(asked, name.partition(".")[0]) for name in hits)
 
 
-def _at_once(tree: Tree, asked: Transition, node: Node) -> str:
+def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
     """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, or what touches parts."""
     phase = node.phase
     if asked.kind == "slips":
@@ -196,7 +200,7 @@ def _at_once(tree: Tree, asked: Transition, node: Node) -> str:
     return ""
 
 
-def _at_the_start(tree: Tree, question: Question, way: _Way, why: str) -> AnswerBranch:
+def _at_the_start(tree: PhaseTree, question: Question, way: _WayToPhase, why: str) -> AnswerBranch:
     phase, zero = way.last.phase, tree.home.model.field.zero
     notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
     if way.last.impact is None and question.quantity.kinematic_order in (0, 1):
@@ -216,14 +220,14 @@ def _is_named(asked: Transition, connection: str) -> bool:
     return not asked.of or connection in asked.of
 
 
-def _is_meant(asked: Transition, watch: Watch) -> bool:
+def _is_meant(asked: Transition, watch: PhaseWatch) -> bool:
     kind = {"rolls": "slip ends"}.get(asked.kind, asked.kind)
     return watch.kind == kind and _is_named(asked, watch.connection)
 
 
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(
-    tree: Tree, question: Question, event: QuestionEvent, ways: list[_Way], met: list[str]
+    tree: PhaseTree, question: Question, event: QuestionEvent, ways: list[_WayToPhase], met: list[str]
 ) -> Iterator[AnswerBranch]:
     """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
@@ -232,11 +236,11 @@ def _at_event(
 
 
 def _in_phase(
-    tree: Tree,
+    tree: PhaseTree,
     question: Question,
     event: QuestionEvent,
-    way: _Way,
-    watch: Watch,
+    way: _WayToPhase,
+    watch: PhaseWatch,
     sets: Chosen,
     given: list[Condition],
     met: list[str],
@@ -260,7 +264,9 @@ def _in_phase(
                 yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))], met)
 
 
-def _watches(tree: Tree, node: Node, event: QuestionEvent) -> Iterator[tuple[Watch, Chosen, list[Condition]]]:
+def _watches(
+    tree: PhaseTree, node: PhaseNode, event: QuestionEvent
+) -> Iterator[tuple[PhaseWatch, Chosen, list[Condition]]]:
     """The distance from the value, positive when the phase begins (where it is zero, right after that), with the sets
     for which it has this sign."""
     phase = node.phase
@@ -274,7 +280,7 @@ def _watches(tree: Tree, node: Node, event: QuestionEvent) -> Iterator[tuple[Wat
         for sign in (1, -1):
             mine = left[sign * numbers > _NONE]
             if len(mine):
-                watch = Watch("is reached", event.text, sign * difference)
+                watch = PhaseWatch("is reached", event.text, sign * difference)
                 given = tree.conditions([(sign * at_first, ">", place)], mine) if len(mine) < len(node.sets) else []
                 yield watch, mine, given
         left = left[~(np.abs(numbers) > _NONE)]
@@ -285,17 +291,17 @@ def _watches(tree: Tree, node: Node, event: QuestionEvent) -> Iterator[tuple[Wat
 
 # -- the value there --------------------------------------------------------------------------
 def _piece(
-    tree: Tree,
+    tree: PhaseTree,
     question: Question,
-    way: _Way,
-    first: First,
+    way: _WayToPhase,
+    first: FirstEvent,
     conditions: list[Condition],
     sets: Chosen,
-    after: Node | None = None,
+    after: PhaseNode | None = None,
 ) -> AnswerBranch:
     notes: list[str] = []
     time = _total(tree, way, first)
-    if isinstance(course := way.last.phase.course, Energy) and course.coordinate.speed not in first.zero.values:
+    if isinstance(course := way.last.phase.course, EnergyMotion) and course.coordinate.speed not in first.zero.values:
         notes.append("that it gets so far was checked at many parameter values; there is no short condition for it")
     phase = way.last.phase
     there = SymbolicState(phase.model, {**_still(phase), **first.zero.values})
@@ -308,7 +314,7 @@ def _piece(
     return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
 
-def _total(tree: Tree, way: _Way, first: First) -> Ratio | None:
+def _total(tree: PhaseTree, way: _WayToPhase, first: FirstEvent) -> Ratio | None:
     """Time since the start: the phases before and the part of the last one."""
     total = tree.home.model.field.zero
     for edge in way.edges:
@@ -319,14 +325,14 @@ def _total(tree: Tree, way: _Way, first: First) -> Ratio | None:
 
 
 def _value(
-    tree: Tree,
+    tree: PhaseTree,
     quantity: Quantity,
-    way: _Way,
+    way: _WayToPhase,
     phase: Phase,
     there: SymbolicState,
     time: Ratio | None,
-    first: First | None = None,
-    after: Node | None = None,
+    first: FirstEvent | None = None,
+    after: PhaseNode | None = None,
 ) -> Elements:
     """The quantity at an instant of a phase, by the parameters alone; `first` ends the last phase of the way there."""
     return quantity.counted(_Passage(tree, way, phase, there, time, first, after))
@@ -336,13 +342,13 @@ def _value(
 class _Passage:
     """The way to an instant of a phase, in formulas of the parameters alone."""
 
-    tree: Tree
-    way: _Way
+    tree: PhaseTree
+    way: _WayToPhase
     phase: Phase
     state: SymbolicState
     elapsed: Ratio | None
-    first: First | None
-    after: Node | None
+    first: FirstEvent | None
+    after: PhaseNode | None
 
     def time(self) -> Ratio:
         if self.elapsed is None:
@@ -386,7 +392,7 @@ class _Passage:
         return self.way.nodes[0].phase
 
 
-def _heat(tree: Tree, way: _Way, first: First | None) -> Ratio:
+def _heat(tree: PhaseTree, way: _WayToPhase, first: FirstEvent | None) -> Ratio:
     """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
     s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
     total = tree.home.model.field.zero
@@ -399,7 +405,7 @@ def _heat(tree: Tree, way: _Way, first: First | None) -> Ratio:
         if ends is None:
             continue
         zero = ends.zero
-        if isinstance(phase.course, Energy):
+        if isinstance(phase.course, EnergyMotion):
             total = total + _energy_lost(tree, phase, zero.values)
             continue
         time = None if zero.time is None else tree.to_home(phase, zero.time)
@@ -412,7 +418,7 @@ def _heat(tree: Tree, way: _Way, first: First | None) -> Ratio:
     return total
 
 
-def _energy_lost(tree: Tree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
+def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
     """What the mechanical energy loses from the beginning of a phase to a state of it."""
     if not only_friction_takes_energy(phase.system):
         raise CannotAnswer(
@@ -424,7 +430,7 @@ def _energy_lost(tree: Tree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio
     return tree.to_home(phase, before) - tree.to_home(phase, after)
 
 
-def _taken_by_impact(tree: Tree, node: Node) -> Ratio:
+def _taken_by_impact(tree: PhaseTree, node: PhaseNode) -> Ratio:
     """What the mechanical energy loses in the collision with which a phase begins."""
     if node.impact is None:
         return tree.home.model.field.zero
@@ -434,7 +440,7 @@ def _taken_by_impact(tree: Tree, node: Node) -> Ratio:
     return tree.to_home(setup, before) - tree.to_home(phase, after)
 
 
-def _revolutions(tree: Tree, body: str, way: _Way, first: First | None) -> Ratio:
+def _revolutions(tree: PhaseTree, body: str, way: _WayToPhase, first: FirstEvent | None) -> Ratio:
     """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
     from freebody.measures.angle import Angle
 
@@ -449,7 +455,7 @@ def _revolutions(tree: Tree, body: str, way: _Way, first: First | None) -> Ratio
         a, b = (tree.to_home(phase, s.value(angle)) for s in (phase.start_instant, end))
         u, w = (tree.numbers(tree.to_home(phase, s.rate(angle))) for s in (phase.start_instant, end))
         turned = tree.numbers(b - a)[way.last.sets]
-        if (u * w)[way.last.sets].min() < -1e-9 and not isinstance(phase.course, Energy):
+        if (u * w)[way.last.sets].min() < -1e-9 and not isinstance(phase.course, EnergyMotion):
             raise CannotAnswer(f"{body} turns one way and then the other; ask for the change of its angle instead")
         signs = set(np.sign(turned[np.abs(turned) > 1e-12]).tolist())
         if len(signs) > 1:

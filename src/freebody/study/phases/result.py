@@ -17,14 +17,14 @@ from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import Regions, regions
-from freebody.study.phases.tree import Edge, Impact, Node, Tree, tree_of
+from freebody.study.phases.tree import PhaseEnd, PhaseImpact, PhaseNode, PhaseTree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, Energy, Uniform
-from freebody.symbolic.phases.relations import Relation, generators_of, readable, simplified
+from freebody.symbolic.phases.course import ClosedFormMotion, EnergyMotion, UniformMotion
+from freebody.symbolic.phases.relations import SolvedRelation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
@@ -68,7 +68,7 @@ class PhaseResult:
 
 
 @dataclass(frozen=True)
-class Case:
+class PhaseCase:
     """A sequence of phases, and where in the space of parameters it is the one that happens."""
 
     what: str
@@ -77,7 +77,7 @@ class Case:
     is_own: bool  # the one of the model's own values
     n_sets: int  # parameter sets that were seen to take it
     is_exact: bool = True  # the conditions are sufficient, too
-    relations: tuple[Relation, ...] = field(default=(), compare=False, repr=False)
+    relations: tuple[SolvedRelation, ...] = field(default=(), compare=False, repr=False)
 
     def to_plain(self) -> dict[str, Any]:
         return {
@@ -95,12 +95,12 @@ class Phases:
     """All cases; that of the model's own values first."""
 
     system: System
-    cases: tuple[Case, ...]
+    cases: tuple[PhaseCase, ...]
     n_sets: int
     reasons: tuple[str, ...]  # modes that could not be looked at, and why
     between: tuple[str, ...]  # equations on which nothing slips at the start, between cases
     missing: str  # why there is no case at some parameter sets; empty where there is one at all
-    tree: Tree = field(compare=False, repr=False)
+    tree: PhaseTree = field(compare=False, repr=False)
 
     def to_plain(self) -> dict[str, Any]:
         return {
@@ -133,7 +133,7 @@ def phases(system: System) -> Phases:
     return phases_of(tree_of(system))
 
 
-def phases_of(tree: Tree) -> Phases:
+def phases_of(tree: PhaseTree) -> Phases:
     """The cases of a tree, path by path."""
     if not tree.system.bounds and not tree.system.rubs and not tree.closed:
         raise CannotAnswer("the system has no contact, no stop and no dry friction: its motion has one phase")
@@ -144,7 +144,7 @@ def phases_of(tree: Tree) -> Phases:
     return Phases(tree.system, tuple(cases), tree.sets.n, reasons, between, _missing(tree, reasons), tree)
 
 
-def _missing(tree: Tree, reasons: Sequence[str]) -> str:
+def _missing(tree: PhaseTree, reasons: Sequence[str]) -> str:
     """Why no case was found at some parameter sets."""
     covered = np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
     if tree.sets.left_out[np.setdiff1d(tree.indices, covered)].all():
@@ -164,10 +164,10 @@ def _equation(x: Ratio) -> str:
     return relation_text(readable(element), "=")
 
 
-Path = list[tuple[Node, Edge | None]]
+Path = list[tuple[PhaseNode, PhaseEnd | None]]
 
 
-def paths(nodes: list[Node]) -> list[Path]:
+def paths(nodes: list[PhaseNode]) -> list[Path]:
     """All ways through the tree."""
     found: list[Path] = []
     for node in nodes:
@@ -180,7 +180,7 @@ def paths(nodes: list[Node]) -> list[Path]:
     return found
 
 
-def path_conditions(tree: Tree, path: Path) -> list[Condition]:
+def path_conditions(tree: PhaseTree, path: Path) -> list[Condition]:
     """All that makes a path the one that happens."""
     found = list(tree.assumed)
     for node, edge in path:
@@ -188,14 +188,14 @@ def path_conditions(tree: Tree, path: Path) -> list[Condition]:
     return found
 
 
-def relations(tree: Tree, conditions: list[Condition]) -> list[Relation]:
+def relations(tree: PhaseTree, conditions: list[Condition]) -> list[SolvedRelation]:
     """Conditions solved for the coefficients of friction."""
     model = tree.home.model
     unknowns = generators_of(model.field, coefficients_of_friction(tree.system), model.parameters)
     return simplified(conditions, unknowns)
 
 
-def _case(tree: Tree, path: Path) -> Case:
+def _case(tree: PhaseTree, path: Path) -> PhaseCase:
     found = relations(tree, path_conditions(tree, path))
     sets = _sets(path)
     shown = [
@@ -204,7 +204,7 @@ def _case(tree: Tree, path: Path) -> Case:
     is_own = tree.system.has_values and 0 in sets
     texts = tuple(r.text() for r in found)
     is_exact = all(n.is_exact and (e is None or e.is_exact) for n, e in path)
-    return Case(_title(shown), texts, tuple(shown), is_own, len(sets), is_exact, tuple(found))
+    return PhaseCase(_title(shown), texts, tuple(shown), is_own, len(sets), is_exact, tuple(found))
 
 
 def _title(shown: Sequence[PhaseResult]) -> str:
@@ -220,7 +220,7 @@ def _title(shown: Sequence[PhaseResult]) -> str:
     return ", then ".join(words)
 
 
-def _phase(tree: Tree, node: Node, edge: Edge | None, following: Node | None) -> PhaseResult:
+def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: PhaseNode | None) -> PhaseResult:
     phase = node.phase
     texts = tuple(_with_purpose(r) for r in relations(tree, node.conditions))
     equations, motion = _motion(tree, phase)
@@ -253,7 +253,7 @@ def _phase(tree: Tree, node: Node, edge: Edge | None, following: Node | None) ->
     )
 
 
-def _impulses(tree: Tree, impact: Impact) -> tuple[tuple[str, Expr], ...]:
+def _impulses(tree: PhaseTree, impact: PhaseImpact) -> tuple[tuple[str, Expr], ...]:
     """Impulses as their reactions are counted: at a bound a push is positive."""
     rows = {row.name: row for row in tree.system.rows}
     return tuple(
@@ -262,11 +262,11 @@ def _impulses(tree: Tree, impact: Impact) -> tuple[tuple[str, Expr], ...]:
     )
 
 
-def _with_purpose(r: Relation) -> str:
+def _with_purpose(r: SolvedRelation) -> str:
     return reworded(f"{r.text()} ({', '.join(r.purposes)})", r.text()) if r.purposes else r.text()
 
 
-def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tuple[tuple[Expr, Expr], ...]]:
+def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tuple[tuple[Expr, Expr], ...]]:
     """Accelerations, and their integrals in the time since the phase began."""
     model = phase.model
     course = _course(phase)
@@ -276,7 +276,7 @@ def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tu
         x = model.solved_accelerations[a]
         equations.append((second, readable(x if course is None else course.plain(x))))
     motion: list[tuple[Expr, Expr]] = []
-    if isinstance(course, Uniform):
+    if isinstance(course, UniformMotion):
         t = tree.home.model.field.time
         for c in model.coordinates:
             values = course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed]
@@ -285,7 +285,7 @@ def _motion(tree: Tree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tu
             except CannotAnswer:  # it starts where only the assembly says
                 continue
             motion.append((Symbol(c.name), add(readable(q0), readable(u0 * t), readable(a * t * t / 2))))
-    elif isinstance(course, Energy):
+    elif isinstance(course, EnergyMotion):
         motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, readable(course.square)))
     return tuple(equations), tuple(motion)
 
@@ -297,7 +297,7 @@ def _course(phase: Phase) -> ClosedFormMotion | None:
         return None
 
 
-def _shown(tree: Tree, phase: Phase, x: Ratio) -> Expr:
+def _shown(tree: PhaseTree, phase: Phase, x: Ratio) -> Expr:
     """By the parameters alone where nothing moves in it."""
     moving = {k for c in phase.model.coordinates for k in (c.index, c.speed)}
     time = phase.model.field.index(phase.model.field.time)
@@ -306,7 +306,7 @@ def _shown(tree: Tree, phase: Phase, x: Ratio) -> Expr:
     return readable(tree.to_home(phase, x))
 
 
-def _forces(tree: Tree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
+def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     """Reactions of bounds and frictions in this mode."""
     found: list[tuple[str, Expr]] = []
     state = SymbolicState(phase.model)

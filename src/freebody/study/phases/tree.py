@@ -25,17 +25,17 @@ from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
-from freebody.study.phases.events import First, Outcome, Proofs, first_events
+from freebody.study.phases.events import FirstEvent, PhaseOutcome, Proofs, first_events
 from freebody.study.phases.home import Home
-from freebody.study.phases.impact import Blow, Collision
+from freebody.study.phases.impact import Blow, ClosedFormCollision
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, Placed, Watch, has_lines
+from freebody.study.phases.phase import Phase, PhaseWatch, Placed, has_lines
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import Mode, ideal_bounds
+from freebody.system.modes import ContactMode, ideal_bounds
 from freebody.system.system import System
 
 MAX_DEPTH = 5
@@ -55,31 +55,31 @@ def why(error: Exception) -> str:
 
 
 @dataclass
-class Edge:
+class PhaseEnd:
     """How a phase ends: by an event after a time (None where energy alone describes the motion), or never."""
 
-    first: First | None
+    first: FirstEvent | None
     time: Ratio | None  # since the phase began, in the home field
     conditions: list[Condition]
     sets: Chosen  # indices of the parameter sets that take this way
-    nodes: list[Node] = field(default_factory=list["Node"])
+    nodes: list[PhaseNode] = field(default_factory=list["PhaseNode"])
     stops: str = ""  # why nothing follows
     is_exact: bool = True  # the conditions tell it from the other ends
     is_proved: bool = True  # that nothing else ends the phase follows from formulas
 
     @property
-    def watch(self) -> Watch | None:
+    def watch(self) -> PhaseWatch | None:
         return None if self.first is None else self.first.watch
 
 
 @dataclass(frozen=True)
-class Impact:
+class PhaseImpact:
     """A collision with which a phase begins: what hits, and the impulses by row in the home field; `before` is the
     state just before."""
 
     hits: tuple[str, ...]
     impulses: Mapping[str, Ratio]
-    before: Collision
+    before: ClosedFormCollision
 
     @property
     def words(self) -> str:
@@ -87,23 +87,23 @@ class Impact:
 
 
 @dataclass
-class Node:
+class PhaseNode:
     """A phase in the tree; its conditions are those that make it the one that follows."""
 
     phase: Phase
     conditions: list[Condition]
     sets: Chosen
     depth: int
-    edges: list[Edge] = field(default_factory=list[Edge])
+    edges: list[PhaseEnd] = field(default_factory=list[PhaseEnd])
     reason: str = ""  # why its motion has no closed form
-    impact: Impact | None = None  # with which it begins
+    impact: PhaseImpact | None = None  # with which it begins
     n_impacts: int = 0  # so far
     is_exact: bool = True
     known: tuple[Condition, ...] = ()  # what holds on the way to it
 
 
 @dataclass(frozen=True)
-class Instant:
+class PhaseStart:
     """A state in which a phase begins: what touches without parting, slips by friction, and what comes from before."""
 
     placed: Placed
@@ -111,13 +111,13 @@ class Instant:
     slips: Mapping[str, Ratio]
     before: Mapping[str, int] = field(default_factory=dict[str, int])
     excluded: tuple[str, int] | None = None
-    impact: Impact | None = None
+    impact: PhaseImpact | None = None
     n_impacts: int = 0
     known: tuple[Condition, ...] = ()  # what holds on the way to it
     given: tuple[Condition, ...] = ()  # what makes it the state that follows
 
 
-class Tree(Home):
+class PhaseTree(Home):
     """The phases of a system."""
 
     def __init__(self, system: System) -> None:
@@ -127,7 +127,7 @@ class Tree(Home):
         self.lost: dict[int, str] = {}  # parameter sets for which nothing follows on the start, and why
         self.seen: dict[Any, Any] = {}  # motions in numbers, kept for other questions
         self.slips: dict[str, Ratio] = {}  # at the start, where nothing collides
-        self.roots: list[Node] = []
+        self.roots: list[PhaseNode] = []
         self.boundaries: list[Ratio] = []
         moving = [b for b in self.system.bounds if b.name in self.moving]
         rates = {b.name: b.row.sign * self.at_start(self.home.state.rate(b.row.measure)) for b in moving}
@@ -135,7 +135,7 @@ class Tree(Home):
             self._begin(rates, signs, sets)
         self.roots.sort(key=lambda node: int(node.sets[0]))
 
-    def nodes(self) -> Iterator[Node]:
+    def nodes(self) -> Iterator[PhaseNode]:
         """All of them, from the start on."""
         left = list(self.roots)
         while left:
@@ -177,13 +177,13 @@ class Tree(Home):
         hits = tuple(sorted(name for name, sign in signs.items() if sign < 0))
         closed = self.closed | {name for name, sign in signs.items() if sign == 0}
         if hits:
-            nodes = self._struck(Instant(Placed(), closed, {}, given=tuple(given)), hits, sets, 0)
+            nodes = self._struck(PhaseStart(Placed(), closed, {}, given=tuple(given)), hits, sets, 0)
         else:
             here = self.home.state
             slips = {r.name: self.at_start(here.rate(r.row.measure)) for r in self._rubbing(closed)}
             self.slips |= slips
             self.boundaries += [x for x in slips.values() if self.changes_sign(x, sets)]
-            nodes = self._follow(Instant(Placed(), closed, slips, given=tuple(given)), sets, 0)
+            nodes = self._follow(PhaseStart(Placed(), closed, slips, given=tuple(given)), sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
         reason = self.reasons[-1] if self.reasons else "no state of the contacts is consistent with the start"
@@ -193,11 +193,13 @@ class Tree(Home):
         return [rub for rub in self.system.rubs if not rub.of or rub.of in closed]
 
     # -- impacts ----------------------------------------------------------------------------------
-    def _struck(self, instant: Instant, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[Node]:
+    def _struck(self, instant: PhaseStart, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[PhaseNode]:
         """The phases that follow on a collision. Where it has no closed form there is none, and a reason more."""
-        found: list[Node] = []
+        found: list[PhaseNode] = []
         try:
-            collision = Collision(self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3))
+            collision = ClosedFormCollision(
+                self.system, instant.closed, hits, instant.placed, self.sets.some(indices, 3)
+            )
             blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
         except NO_FORM as error:
             self.reasons.append(why(error))
@@ -213,7 +215,7 @@ class Tree(Home):
             blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
             given = self.conditions([*elements, *cell.cuts], cell.sets)
-            now = replace(instant, impact=Impact(hits, impulses, collision), n_impacts=instant.n_impacts + 1)
+            now = replace(instant, impact=PhaseImpact(hits, impulses, collision), n_impacts=instant.n_impacts + 1)
             now = replace(now, given=(*instant.given, *given))
             nodes = self._after_blow(collision, blow, now, cell.sets, depth)
             for node in nodes:
@@ -221,13 +223,13 @@ class Tree(Home):
             found += nodes
         return found
 
-    def _tested(self, collision: Collision, blow: Blow) -> tuple[list[Inequality], list[Test]]:
+    def _tested(self, collision: ClosedFormCollision, blow: Blow) -> tuple[list[Inequality], list[Test]]:
         elements = [(self.to_home(collision.setup, x), relation, purpose) for x, relation, purpose in blow.conditions]
         return elements, [self._test(x, relation, purpose) for x, relation, purpose in elements]
 
     def _after_blow(
-        self, collision: Collision, blow: Blow, instant: Instant, indices: Chosen, depth: int
-    ) -> list[Node]:
+        self, collision: ClosedFormCollision, blow: Blow, instant: PhaseStart, indices: Chosen, depth: int
+    ) -> list[PhaseNode]:
         """A contact without rebound stays closed; what rebounds opens."""
         values = {**collision.start.values, **blow.speeds}
         after = SymbolicState(collision.model, values)
@@ -241,7 +243,7 @@ class Tree(Home):
         except NO_FORM as error:
             self.reasons.append(why(error))
             return []
-        found: list[Node] = []
+        found: list[PhaseNode] = []
         for signs, sets in self._by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
             closed = touching - {name for name, sign in signs.items() if sign}
             own = {r.name: slips[r.name] for r in self._rubbing(closed)}
@@ -261,7 +263,7 @@ class Tree(Home):
         near &= np.arange(self.sets.n) < self.sets.n_near
         return replace(test, holds=test.holds & ~near if relation == ">" else test.holds | near)
 
-    def _follow(self, instant: Instant, indices: Chosen, depth: int) -> list[Node]:
+    def _follow(self, instant: PhaseStart, indices: Chosen, depth: int) -> list[PhaseNode]:
         """The phases that begin in a state, each with the parameter sets for which it does."""
         left = indices
         phases: list[tuple[Phase, list[Inequality]]] = []
@@ -288,20 +290,20 @@ class Tree(Home):
                 left = left[~holds[left]]
         if not phases:
             return []
-        found: list[Node] = []
+        found: list[PhaseNode] = []
         for cell in cells(labels, indices, [replace(t, against="") for t in tests]):
             if cell.label != NOTHING:
                 phase, checks = phases[cell.label]
                 cuts = [cut for cut in cell.cuts if not any(cut[:2] == check[:2] for check in checks)]
                 conditions = self.conditions([*checks, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
-                node = Node(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
+                node = PhaseNode(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
                 node.impact, node.n_impacts, node.known = instant.impact, instant.n_impacts, instant.known
                 found.append(node)
         for node in found:
             self._end(node)
         return found
 
-    def _phase(self, mode: Mode, placed: Placed, left: Chosen) -> Phase:
+    def _phase(self, mode: ContactMode, placed: Placed, left: Chosen) -> Phase:
         phase = Phase.begun(self.system, mode, placed, self.sets.some(left, 3))
         if placed.bodies is None and self._parts_too_early(phase):
             placed = self.placed(self.home, self.home.start.values)
@@ -324,7 +326,7 @@ class Tree(Home):
         rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
 
-    def _candidates(self, instant: Instant, indices: Chosen) -> Iterator[Mode]:
+    def _candidates(self, instant: PhaseStart, indices: Chosen) -> Iterator[ContactMode]:
         """Modes in the order in which they are tried: all closed, sticking before sliding."""
         closed, slips, before, excluded = instant.closed, instant.slips, instant.before, instant.excluded
         choices: list[list[tuple[str, int | None]]] = []
@@ -344,13 +346,13 @@ class Tree(Home):
                     signs.append(0)
             choices.append([(name, s) for s in signs])
         tried = itertools.islice(itertools.product(*choices), 4 * allowed(MAX_CANDIDATES))
-        seen: set[Mode] = set()
-        modes: list[tuple[int, int, Mode]] = []
+        seen: set[ContactMode] = set()
+        modes: list[tuple[int, int, ContactMode]] = []
         for k, combination in enumerate(tried):
             still = {n for n, s in combination if n in closed and s is not None}
             still |= {n for n in closed if n not in dict(combination)}
             rubs = {n: s for n, s in combination if n in slips and s is not None and self._touches(n, still)}
-            mode = Mode.of(still, rubs)
+            mode = ContactMode.of(still, rubs)
             if mode not in seen:
                 seen.add(mode)
                 n_changes = sum(before.get(n, s) != s for n, s in rubs.items()) + 3 * (len(closed) - len(still))
@@ -362,7 +364,7 @@ class Tree(Home):
         of = next(r.of for r in self.system.rubs if r.name == rub)
         return not of or of in closed
 
-    def _checks(self, phase: Phase, instant: Instant) -> Iterator[Inequality]:
+    def _checks(self, phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
         """Inequalities between elements of the parameters that make the mode consistent at its start. What an event has
         just let go of, by a force that falls through its limit, goes on of itself."""
         closed, slips, excluded = instant.closed, instant.slips, instant.excluded
@@ -395,7 +397,7 @@ class Tree(Home):
                 yield rate, ">", f"{name.partition('.')[0]} opens"
 
     # -- how a phase ends -------------------------------------------------------------------------
-    def _end(self, node: Node) -> None:
+    def _end(self, node: PhaseNode) -> None:
         """The first events, and what follows each."""
         try:
             outcomes = first_events(node.phase, self.sets, node.sets)
@@ -409,23 +411,23 @@ class Tree(Home):
             time = None if first is None or first.zero.time is None else self.to_home(node.phase, first.zero.time)
             conditions = self.outcome_conditions(node.phase, outcome)
             proved = all(self._never(node, conditions, proofs) for proofs in outcome.unsure)
-            edge = Edge(first, time, conditions, outcome.sets, is_exact=outcome.is_exact, is_proved=proved)
+            edge = PhaseEnd(first, time, conditions, outcome.sets, is_exact=outcome.is_exact, is_proved=proved)
             node.edges.append(edge)
             if first is None:
                 edge.stops = again
             else:
                 self._after(node, edge)
 
-    def _never(self, node: Node, conditions: Sequence[Condition], proofs: Proofs) -> bool:
+    def _never(self, node: PhaseNode, conditions: Sequence[Condition], proofs: Proofs) -> bool:
         """Whether it follows from the conditions that something does not end a phase."""
         premises = [*self.assumed, *node.known, *node.conditions, *conditions]
         return any(all(decide(self.to_home(node.phase, x), ">=", premises) for x in group) for group in proofs)
 
-    def outcome_conditions(self, phase: Phase, outcome: Outcome) -> list[Condition]:
+    def outcome_conditions(self, phase: Phase, outcome: PhaseOutcome) -> list[Condition]:
         elements = [(self.to_home(phase, x), relation, purpose) for x, relation, purpose in outcome.conditions]
         return self.conditions(elements, outcome.sets)
 
-    def _after(self, node: Node, edge: Edge) -> None:
+    def _after(self, node: PhaseNode, edge: PhaseEnd) -> None:
         watch = edge.watch
         assert edge.first is not None
         assert watch is not None
@@ -454,7 +456,7 @@ class Tree(Home):
                     closed = closed - {watch.name} | self._taking_over(phase, there, watch.name, edge.sets)
                     rubs = self._rubbing(closed)
                     slips = {r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in rubs}
-                instant = Instant(placed, closed, slips, before, excluded, None, node.n_impacts, known)
+                instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
             edge.stops = why(error)
@@ -480,8 +482,8 @@ class Tree(Home):
         return frozenset(found)
 
     def _touched(
-        self, node: Node, edge: Edge, placed: Placed, before: Mapping[str, int], known: tuple[Condition, ...]
-    ) -> list[Node]:
+        self, node: PhaseNode, edge: PhaseEnd, placed: Placed, before: Mapping[str, int], known: tuple[Condition, ...]
+    ) -> list[PhaseNode]:
         """A gap that closes with a speed is an impact. After MAX_IMPACTS of them the formulas end."""
         watch = edge.watch
         assert watch is not None
@@ -491,22 +493,22 @@ class Tree(Home):
                 "effort (--effort) to go on"
             )
             return []
-        instant = Instant(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
+        instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
         return self._struck(instant, (watch.name,), edge.sets, node.depth + 1)
 
 
-def tree_of(system: System) -> Tree:
+def tree_of(system: System) -> PhaseTree:
     """The tree of a system, made once for all that is asked of it. Raises CannotAnswer where there is none."""
     return _tree(system, allowed(_EFFORT))
 
 
 @lru_cache(maxsize=4)
-def _tree(system: System, _effort: int) -> Tree:
+def _tree(system: System, _effort: int) -> PhaseTree:
     """With another effort it is another tree."""
-    return Tree(system)
+    return PhaseTree(system)
 
 
-def _without_slip(mode: Mode, instant: Instant) -> list[Inequality]:
+def _without_slip(mode: ContactMode, instant: PhaseStart) -> list[Inequality]:
     """What sticks from the start on although a slip is possible there must have none."""
     states = mode.states
     return [

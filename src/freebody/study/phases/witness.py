@@ -25,7 +25,7 @@ from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.reading import QuestionEvent
 from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
-from freebody.system.modes import Mode, in_mode
+from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
 Watcher = Callable[[Array, Array, float], float]
@@ -38,7 +38,7 @@ MAX_TIME = 1000.0
 
 
 @dataclass(frozen=True)
-class Seen:
+class PhaseSnapshot:
     """The state at the end of a phase: by which event, when, and the instant in the mode that ends."""
 
     event: tuple[str, str, int] | None  # kind, name, direction
@@ -54,7 +54,7 @@ class Seen:
 
 
 @dataclass(frozen=True)
-class Stage:
+class FollowedPhase:
     """A phase to be followed. touching: what touches at the start of the motion, where more does in the phase. hits:
     what collides when it begins; kept: what keeps touching in that, and for the first phase what does so up to the
     start, where it opens."""
@@ -68,7 +68,7 @@ class Stage:
 class NumericMode:
     """One mode of a system at given parameter values."""
 
-    def __init__(self, base: System, stage: Stage, values: Mapping[str, float]) -> None:
+    def __init__(self, base: System, stage: FollowedPhase, values: Mapping[str, float]) -> None:
         phase = stage.phase
         self.base, self.mode, self.stage = base, phase.mode, stage
         system, self.loads = in_mode(base, phase.mode)
@@ -95,7 +95,7 @@ class NumericMode:
     def _start(self) -> tuple[Reference, Array]:
         """The start of the model, where the mode does not hold yet."""
         assert self.stage.touching is not None
-        reference = Reference(in_mode(self.base, Mode.of(self.stage.touching, {}))[0], self.values)
+        reference = Reference(in_mode(self.base, ContactMode.of(self.stage.touching, {}))[0], self.values)
         return reference, reference.assemble()
 
     def start(self) -> tuple[Array, Array]:
@@ -220,7 +220,7 @@ class NumericMode:
         return lambda q, v, t: sign * gap(self.references[0].snapshot(q, v, t, begin))
 
     # -- motion -----------------------------------------------------------------------------------
-    def run(self, q: Array, v: Array, start: float, until: float, asked: QuestionEvent | None = None) -> Seen:
+    def run(self, q: Array, v: Array, start: float, until: float, asked: QuestionEvent | None = None) -> PhaseSnapshot:
         """To the first event, or until a time. asked: a measure that reaches a value, as a further event."""
         n = len(q)
         begin = self.references[0].snapshot(q, v, start)
@@ -248,10 +248,10 @@ class NumericMode:
                 time, k = max(at_once, key=lambda r: r[1])
                 y = state(time)
                 together = tuple(watches[other][0] for _time, other in at_once)
-                return Seen(watches[k][0], time, self, y[:n], y[n:], begin, together)
+                return PhaseSnapshot(watches[k][0], time, self, y[:n], y[n:], begin, together)
             armed |= now > _STILL
             q, v = y[:n], y[n:]
-        return Seen(None, until, self, q, v, begin)
+        return PhaseSnapshot(None, until, self, q, v, begin)
 
 
 def _looks(
@@ -291,7 +291,7 @@ def _signs(first: Array) -> Sequence[Array]:
 def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str]) -> Array:
     """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
     CannotAnswer where it has no solution."""
-    from freebody.numeric.contact.transition import Transition
+    from freebody.numeric.contact.transition import InstantTransition
     from freebody.numeric.options import Law
     from freebody.study.simulate import Simulator
 
@@ -300,7 +300,7 @@ def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: 
     assert bounded is not None
     y = bounded.free.state(*simulator.reference.by_body(q, v))
     touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
-    after = Transition(bounded, Law.NEWTON).after(y, 0.0, simulator.engine.near(), None, touched)
+    after = InstantTransition(bounded, Law.NEWTON).after(y, 0.0, simulator.engine.near(), None, touched)
     if not after.impacts:
         raise CannotAnswer("the impact has no solution in numbers")
     return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])
@@ -308,14 +308,14 @@ def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: 
 
 def before_impact(base: System, kept: frozenset[str], values: Mapping[str, float]) -> tuple[Snapshot, Array, Array]:
     """The start of a motion that begins with an impact, just before it."""
-    system, _loads = in_mode(base, Mode.of(kept, {}))
+    system, _loads = in_mode(base, ContactMode.of(kept, {}))
     reference = Reference(system, {n: x for n, x in values.items() if n in base.parameters})
     q = reference.assemble()
     v = reference.velocities(q)
     return reference.snapshot(q, v), q, v
 
 
-def begun(base: System, stage: Stage, values: Mapping[str, float]) -> tuple[NumericMode, Array, Array]:
+def begun(base: System, stage: FollowedPhase, values: Mapping[str, float]) -> tuple[NumericMode, Array, Array]:
     """The first phase of a motion, and the state in which it begins."""
     mode = NumericMode(base, stage, values)
     if not stage.kept and not stage.hits:
@@ -326,13 +326,13 @@ def begun(base: System, stage: Stage, values: Mapping[str, float]) -> tuple[Nume
 
 def follow(
     base: System,
-    stages: Sequence[Stage],
+    stages: Sequence[FollowedPhase],
     values: Mapping[str, float],
     until: Sequence[float],
     asked: QuestionEvent | None = None,
-) -> list[Seen]:
+) -> list[PhaseSnapshot]:
     """The phases one after the other, each to its event or its time in `until`."""
-    found: list[Seen] = []
+    found: list[PhaseSnapshot] = []
     time = 0.0
     mode, q, v = begun(base, stages[0], values)
     for k, (stage, end) in enumerate(zip(stages, until, strict=True)):

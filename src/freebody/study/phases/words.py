@@ -5,7 +5,7 @@ from __future__ import annotations
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import DryFriction
-from freebody.study.phases.phase import Phase, Watch
+from freebody.study.phases.phase import Phase, PhaseWatch
 
 ROLLING = "rolling resistance"
 _HELD = {"tension": ("taut", "slack"), "stop force": ("at the stop", "free"), "stop torque": ("at the stop", "free")}
@@ -91,7 +91,7 @@ def _by_connection(found: dict[str, str]) -> dict[str, str]:
     return spoken
 
 
-def happening(watch: Watch, after: Phase | None) -> str:
+def happening(watch: PhaseWatch, after: Phase | None) -> str:
     """An event in words."""
     name = label(watch.name)
     match watch.kind:

@@ -9,10 +9,10 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import Finding
+from freebody.study.steady.finding import SteadyFinding
 
 
-def find(setup: Setup, question: Question) -> Finding:
+def find(setup: Setup, question: Question) -> SteadyFinding:
     """The closed form with its evidence. Raises CannotAnswer with the reason where there is none."""
     if question.event is not None:
         raise CannotAnswer("what goes on evenly has no event; leave out 'when'")
@@ -20,33 +20,33 @@ def find(setup: Setup, question: Question) -> Finding:
 
 
 @singledispatch
-def _find(q: Quantity, setup: Setup, question: Question) -> Finding:
+def _find(q: Quantity, setup: Setup, question: Question) -> SteadyFinding:
     raise CannotAnswer("this is no question about steady motion")
 
 
 @_find.register(SteadyValue)
-def _value(q: SteadyValue, setup: Setup, question: Question) -> Finding:
+def _value(q: SteadyValue, setup: Setup, question: Question) -> SteadyFinding:
     from freebody.study.steady.motion import steady_value
 
     return steady_value(setup, question, q)
 
 
 @_find.register(Extremes)
-def _extremes(q: Extremes, setup: Setup, question: Question) -> Finding:
+def _extremes(q: Extremes, setup: Setup, question: Question) -> SteadyFinding:
     from freebody.study.steady.extremes import extremes
 
     return extremes(setup, question, q)
 
 
 @_find.register(SpinStability)
-def _spin(q: SpinStability, setup: Setup, question: Question) -> Finding:
+def _spin(q: SpinStability, setup: Setup, question: Question) -> SteadyFinding:
     from freebody.study.steady.spin import spin_stability
 
     return spin_stability(setup, question, q)
 
 
 @_find.register(SteadyStability)
-def _stability(q: SteadyStability, setup: Setup, question: Question) -> Finding:
+def _stability(q: SteadyStability, setup: Setup, question: Question) -> SteadyFinding:
     from freebody.study.steady.stability import steady_stability
 
     return steady_stability(setup, question)

@@ -15,8 +15,8 @@ from freebody.language.notation import joined, reworded, to_text
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import Finding, odd_part
-from freebody.study.steady.turning import Place, Turning
+from freebody.study.steady.finding import SteadyFinding, odd_part
+from freebody.study.steady.turning import TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
@@ -31,10 +31,10 @@ class Extremum:
     """A stationary value, and where it is reached."""
 
     value: Ratio
-    places: tuple[Place, ...]
+    places: tuple[TurnPose, ...]
 
 
-def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
+def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     from freebody.study.steady.round_turn import over_a_turn
 
@@ -45,18 +45,18 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
     c = angle_of(model, q, x)
     x = at_start_but_for(setup, question, x, c)
-    turning = Turning(model, c)
+    turning = TurningAngle(model, c)
     turning.check(x)
-    search = Search(turning)
+    search = ExtremaSearch(turning)
     search.must_exist(x)
     search.must_go_round(setup)
     least, largest = search.ordered(search.stationary(x))
     evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
     notes = [_where("least", least, c), _where("largest", largest, c), *turning.notes]
-    return Finding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
+    return SteadyFinding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
 
 
-def _kept(setup: Setup, turning: Turning) -> list[Condition]:
+def _kept(setup: Setup, turning: TurningAngle) -> list[Condition]:
     """Conditions of the model that are not settled for the whole turn."""
     holding = setup.holding(setup.state)
     return [k for k in holding if k.purpose != "as at the start" or not turning.occurs_in(k.element)]
@@ -99,10 +99,10 @@ def _where(which: str, e: Extremum, c: Coordinate) -> str:
     return reworded(f"{which} at {' and '.join(places)}", joined(places, " or "))
 
 
-class Search:
+class ExtremaSearch:
     """Stationary values over the turn, and what must be positive for them."""
 
-    def __init__(self, turning: Turning) -> None:
+    def __init__(self, turning: TurningAngle) -> None:
         self.turning = turning
         self.field = turning.model.field
         self.conditions: list[Condition] = []
@@ -122,7 +122,7 @@ class Search:
             raise CannotAnswer("no pose is stationary: the quantity has no extremes over a turn")
         return values
 
-    def _exists(self, place: Place) -> bool:
+    def _exists(self, place: TurnPose) -> bool:
         """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then."""
         for x in place.must_be_positive:
             condition, possible = require(odd_part(x), ">=", "there is such a pose")
@@ -167,7 +167,7 @@ class Search:
 
     def _keep_sign(self, base: Ratio, otherwise: str, purpose: str, *, may_touch: bool) -> None:
         """All stationary values have the sign that the element has at the start."""
-        inner = Search(self.turning)
+        inner = ExtremaSearch(self.turning)
         sign = 1 if self._at_first(base) > 0 else -1
         for place in self.turning.zeros(self._slope(base).numerator()):
             value = sign * self.turning.at(base, place)

@@ -11,7 +11,7 @@ from freebody.symbolic.model import SymbolicModel
 
 
 @dataclass
-class Finding:
+class SteadyFinding:
     """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
 
     element: Ratio | tuple[Ratio, ...]

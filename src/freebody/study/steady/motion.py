@@ -21,7 +21,7 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import Finding, odd_part, without_square_roots
+from freebody.study.steady.finding import SteadyFinding, odd_part, without_square_roots
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -254,7 +254,7 @@ class Solutions:
     with_them: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
 
 
-def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
+def steady_value(setup: Setup, question: Question, q: SteadyValue) -> SteadyFinding:
     """A rate or a place by the conditions of steady motion, or any other quantity during one."""
     from freebody.study.steady.evidence import in_steady_motion
 
@@ -272,7 +272,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     purposes = [_THERE_IS] if len(roots) == 1 else [f"for [{k + 1}]" for k in range(len(roots))]
     ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
     conditions = ranges + setup.holding(steady.state)
-    return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
+    return SteadyFinding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
 
 
 def unknown_of(steady: Steady, q: SteadyValue) -> Coordinate | None:
@@ -309,7 +309,7 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
     return found
 
 
-def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> Finding:
+def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> SteadyFinding:
     from freebody.study.steady.evidence import during_steady_motion
 
     f = setup.model.field
@@ -326,7 +326,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     if not has_value and setup.has_values:
         notes.append("no value: the given start is not in steady motion")
     element = shown[0] if not isinstance(value, tuple) else shown
-    return Finding(element, evidence, conditions, notes, says, has_value=has_value)
+    return SteadyFinding(element, evidence, conditions, notes, says, has_value=has_value)
 
 
 def _starts_steadily(setup: Setup, steady: Steady) -> bool:

@@ -40,7 +40,7 @@ def over_a_turn(
     for draw in setup.draw_stream():
         if len(reached.pairs) >= MIN_DRAWS:
             break
-        turn = Round(setup, draw, c, quantity)
+        turn = FullTurn(setup, draw, c, quantity)
         try:
             if not all(holds(setup, k, draw, turn.start) for k in conditions):
                 continue
@@ -55,7 +55,7 @@ def over_a_turn(
     return reached.evidence()
 
 
-class Round:
+class FullTurn:
     """A full turn of one draw, the other coordinates as at its start."""
 
     def __init__(self, setup: Setup, draw: Draw, c: Coordinate, quantity: Quantity) -> None:

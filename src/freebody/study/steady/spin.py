@@ -25,7 +25,7 @@ from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
 from freebody.study.evidence import CrossCheck
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import Finding
+from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -40,7 +40,7 @@ _AXES = "xyz"
 _PRODUCTS: dict[frozenset[int], int] = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
 
 
-def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Finding:
+def spin_stability(setup: Setup, question: Question, q: SpinStability) -> SteadyFinding:
     """The square of the exponent of a small disturbance, negative where the spin is stable."""
     model = setup.model
     _check_moments(model, q.body)
@@ -53,7 +53,7 @@ def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Findin
         f"the square of the exponent λ of a disturbance e^(λ t), the spin {to_text(tidy(rate))} being about "
         f"{q.body}.{q.axis}; negative where it is stable, then -λ² is the squared frequency of the wobble"
     ]
-    return Finding(square, evidence, notes=notes, says=[stable_if([-square])])
+    return SteadyFinding(square, evidence, notes=notes, says=[stable_if([-square])])
 
 
 def _check_moments(model: SymbolicModel, body: str) -> None:

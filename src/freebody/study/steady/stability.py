@@ -21,7 +21,7 @@ from freebody.language.notation import compared, reworded, to_text
 from freebody.questions.reading import Question
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import Finding
+from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.motion import Steady
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.field import Ratio
@@ -88,7 +88,7 @@ class Linear:
         return sum(n for base, n in factors if base == self.exponent) - len(self.steady.cyclic)
 
 
-def steady_stability(setup: Setup, question: Question) -> Finding:
+def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
     from freebody.study.steady.linearised import agrees
 
@@ -114,7 +114,7 @@ def steady_stability(setup: Setup, question: Question) -> Finding:
         )
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
-    return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
+    return SteadyFinding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
 
 
 def _what(roots: Sequence[Ratio] | None) -> str:

@@ -36,7 +36,7 @@ _QUARTERS = {(1, 0): ("0", "0"), (0, 1): ("90°", "pi/2"), (-1, 0): ("180°", "p
 
 
 @dataclass(frozen=True)
-class Place:
+class TurnPose:
     """A pose of the turn by cosine and sine; real while some elements are not negative."""
 
     cos: Ratio
@@ -59,7 +59,7 @@ def tidy_name(name: str) -> Any:
     return Symbol(name)
 
 
-class Turning:
+class TurningAngle:
     """One angle of a model on its way round."""
 
     def __init__(self, model: SymbolicModel, angle: Coordinate) -> None:
@@ -87,7 +87,7 @@ class Turning:
                     f"it depends on a part or a multiple of {self.angle.name}, and has no closed form here"
                 )
 
-    def at(self, x: Ratio, place: Place) -> Ratio:
+    def at(self, x: Ratio, place: TurnPose) -> Ratio:
         """The element in a place. Raises CannotAnswer where it has no finite value."""
         try:
             value = self.field.follow(x, {self.cos: place.cos, self.sin: place.sin})
@@ -106,9 +106,9 @@ class Turning:
         return self.field.substitute(x, arcs)
 
     # -- zeros --------------------------------------------------------------------------------
-    def zeros(self, x: Ratio) -> list[Place]:
+    def zeros(self, x: Ratio) -> list[TurnPose]:
         """Places in which a numerator vanishes."""
-        found: list[Place] = []
+        found: list[TurnPose] = []
         for base, _exponent in self.field.factor(x.num)[1]:
             if self.occurs_in(base):
                 found += [p for p in self._factor(base) if all(p.cos != k.cos or p.sin != k.sin for k in found)]
@@ -125,7 +125,7 @@ class Turning:
             x = p * p - q * q * self.field.radicand(index)
         return x
 
-    def _factor(self, base: Ratio) -> list[Place]:
+    def _factor(self, base: Ratio) -> list[TurnPose]:
         if self.roots_in(base):
             return self._with_root(base)
         own = [i for i in base.generators() if self.moves(i)]
@@ -142,7 +142,7 @@ class Turning:
             return []
         return linear
 
-    def _with_root(self, base: Ratio) -> list[Place]:
+    def _with_root(self, base: Ratio) -> list[TurnPose]:
         if len(base.generators()) == 1:
             return []  # the root itself: there it ends, and `must_exist` sees to it
         norm = self.norm(base)
@@ -150,27 +150,27 @@ class Turning:
             return []
         return [p for p in self.zeros(norm.numerator()) if self._vanishes(base, p)]
 
-    def _vanishes(self, base: Ratio, place: Place) -> bool:
+    def _vanishes(self, base: Ratio, place: TurnPose) -> bool:
         value = self.at(base, place)
         if value.is_zero() or any(sign_of(x) in (Sign.NEGATIVE,) for x in place.must_be_positive):
             return value.is_zero()
         numbers = [v for v in self.model.at_samples(value) if not math.isnan(v)]
         return bool(numbers) and all(abs(v) < ROUND_OFF for v in numbers)
 
-    def _in_sine(self, base: Ratio) -> list[Place] | None:
+    def _in_sine(self, base: Ratio) -> list[TurnPose] | None:
         """Zeros of a polynomial that is one in s alone, with c^2 = 1 - s^2; None where it is not."""
         f = self.field
         terms = sine_form(f.terms(base.num), self.cos, self.sin)
         if any(g == self.cos for m in terms for g, _e in m):
             return None
-        found: list[Place] = []
+        found: list[TurnPose] = []
         for coefficients in f.factors_in(terms, self.sin):
             found += self._in_one(base, coefficients, lambda u, w: ((w, u), (-w, u)))
         return found
 
     def _in_one(
         self, base: Ratio, c: list[Ratio], both: Callable[[Ratio, Ratio], tuple[tuple[Ratio, Ratio], ...]]
-    ) -> list[Place]:
+    ) -> list[TurnPose]:
         """Zeros of a polynomial in the cosine, or in the sine, alone, by its coefficients."""
         f = self.field
         if len(c) > 3:
@@ -184,16 +184,16 @@ class Turning:
                 return []
             root = f.sqrt(inside)
             values, real = [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])], (inside,)
-        found: list[Place] = []
+        found: list[TurnPose] = []
         for u in values:
             room = 1 - u * u
             if room.is_zero():
-                found.append(Place(*both(u, f.zero)[0], real))
+                found.append(TurnPose(*both(u, f.zero)[0], real))
             elif sign_of(room) is not Sign.NEGATIVE:
-                found += [Place(cos, sin, (*real, room)) for cos, sin in both(u, f.sqrt(room))]
+                found += [TurnPose(cos, sin, (*real, room)) for cos, sin in both(u, f.sqrt(room))]
         return found
 
-    def _linear(self, base: Ratio) -> list[Place] | None:
+    def _linear(self, base: Ratio) -> list[TurnPose] | None:
         """a c + b s + d = 0."""
         f = self.field
         in_cos = base.coefficients(self.cos)
@@ -210,7 +210,7 @@ class Turning:
         w = f.sqrt(room)
         must = () if d.is_zero() else (room,)
         return [
-            Place(f.lowest_terms((-a * d - e * b * w) / square), f.lowest_terms((-b * d + e * a * w) / square), must)
+            TurnPose(f.lowest_terms((-a * d - e * b * w) / square), f.lowest_terms((-b * d + e * a * w) / square), must)
             for e in (1, -1)
         ]
 

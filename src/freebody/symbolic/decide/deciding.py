@@ -22,7 +22,7 @@ import flint
 
 from freebody.errors import CannotAnswer
 from freebody.symbolic.decide.cells import TooLarge
-from freebody.symbolic.decide.picture import Balls, Picture, is_made, sign_at
+from freebody.symbolic.decide.picture import BallFunctions, CellDecomposition, is_made, sign_at
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, is_positive, sign_of, times
 
@@ -105,7 +105,7 @@ def possible(conditions: Sequence[Premise]) -> bool | None:
         return True
     try:
         with _flint.ctx.workprec(192):
-            picture = Picture(open_[0].element.field, [c.element for c in open_])
+            picture = CellDecomposition(open_[0].element.field, [c.element for c in open_])
             return any(all(sign_at(c.element, v) == 1 for c in open_) for v in picture.values())
     except TooLarge:
         return None
@@ -251,7 +251,7 @@ def _sign_of_number(x: Ratio) -> Sign | None:
         return None
     for precision in (64, 256, 1024):
         with _flint.ctx.workprec(precision):
-            values = f.complete({}, Balls())
+            values = f.complete({}, BallFunctions())
             try:
                 value = _flint.arb(f.evaluate(x, values))
             except (KeyError, ZeroDivisionError):
@@ -304,7 +304,7 @@ def _signs(factors: list[Ratio], premises: list[_Given]) -> tuple[set[int], bool
     """Of a product, in the cells where the premises hold strictly; and whether there is but one cell."""
     found, n_cells = set[int](), 0
     with _flint.ctx.workprec(192):
-        picture = Picture(factors[0].field, [*factors, *(p.element for p in premises)])
+        picture = CellDecomposition(factors[0].field, [*factors, *(p.element for p in premises)])
         for values in picture.values():
             n_cells += 1
             if any(sign_at(p.element, values) != 1 for p in premises):

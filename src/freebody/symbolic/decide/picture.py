@@ -40,7 +40,7 @@ _RANGES: dict[str, Interval] = {
 }
 
 
-class Balls:
+class BallFunctions:
     """The elementary functions on balls, by the names that generators use."""
 
     def __getattr__(self, name: str) -> Any:
@@ -53,7 +53,7 @@ class Balls:
         return function
 
 
-class Picture:
+class CellDecomposition:
     """Some elements together: variables, a box for them, and the polynomials that cut it into cells."""
 
     def __init__(self, field: Field, elements: Sequence[Ratio]) -> None:
@@ -150,7 +150,7 @@ class Picture:
         values = {k: self._number(k) for k in sorted(self.field.generators[g].made_of - {g})}
         compute = self.field.generators[g].compute
         assert compute is not None
-        return compute(self.field.complete(values, Balls()), Balls())
+        return compute(self.field.complete(values, BallFunctions()), BallFunctions())
 
     # -- the polynomials ----------------------------------------------------------------------
     @cached_property

@@ -18,7 +18,7 @@ from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import Coordinate, SymbolicModel
-from freebody.symbolic.motion import Motion, StartState
+from freebody.symbolic.motion import SmoothMotion, StartState
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.zeros import zeros_of
 
@@ -26,7 +26,7 @@ TAU = "@since"  # the time since a phase began, as a generator
 
 
 @dataclass(frozen=True)
-class Zero:
+class CourseZero:
     """A place where a function vanishes along the course: after a time, or at a value of the coordinate."""
 
     time: Ratio | None
@@ -50,7 +50,7 @@ class ClosedFormMotion:
         """Coefficients of a function of the state: of the powers of the time, lowest first."""
         raise NotImplementedError
 
-    def zeros(self, x: Ratio) -> list[Zero]:
+    def zeros(self, x: Ratio) -> list[CourseZero]:
         """All zeros after the start that have a closed form."""
         raise NotImplementedError
 
@@ -60,7 +60,7 @@ class ClosedFormMotion:
         return f.lowest_terms(f.follow(self.model.in_independent_speeds(x), self.still))
 
 
-class Uniform(ClosedFormMotion):
+class UniformMotion(ClosedFormMotion):
     """Constant accelerations."""
 
     @property
@@ -100,11 +100,11 @@ class Uniform(ClosedFormMotion):
         below = x.denominator()
         return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
 
-    def zeros(self, x: Ratio) -> list[Zero]:
-        return [Zero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
+    def zeros(self, x: Ratio) -> list[CourseZero]:
+        return [CourseZero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
 
 
-class Energy(ClosedFormMotion):
+class EnergyMotion(ClosedFormMotion):
     """One degree of freedom by the first integral of energy."""
 
     @property
@@ -143,7 +143,7 @@ class Energy(ClosedFormMotion):
     def along(self, x: Ratio) -> list[Ratio]:
         return [self.as_function(x)]
 
-    def zeros(self, x: Ratio) -> list[Zero]:
+    def zeros(self, x: Ratio) -> list[CourseZero]:
         return [self.at(value, 1) for value in self.places(x)]
 
     def places(self, x: Ratio) -> list[Ratio]:
@@ -163,17 +163,19 @@ class Energy(ClosedFormMotion):
                 found += zeros_of(self.model, base, self.coordinate)
         return found
 
-    def at(self, value: Ratio, way: int) -> Zero:
+    def at(self, value: Ratio, way: int) -> CourseZero:
         """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1)."""
         f, c = self.model.field, self.coordinate
         if any(f.arguments[g][0] == "atan" for g in value.generators() if g in f.arguments):
-            return Zero(None, {c.index: value}, value)  # its cosine is made of nested roots: no form to go on from
+            return CourseZero(
+                None, {c.index: value}, value
+            )  # its cosine is made of nested roots: no form to go on from
         square = f.lowest_terms(f.follow(self.square, {c.index: value}))
-        return Zero(
+        return CourseZero(
             self._time_to(value), {c.index: value, c.speed: way * f.sqrt(square, self.model.is_negative)}, value
         )
 
-    def reachable(self, zero: Zero) -> tuple[Ratio, ...]:
+    def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
         """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
         what makes the place a real number."""
         assert zero.at is not None
@@ -253,10 +255,10 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     still |= {c.speed: f.zero for c in model.dependent}
     accelerations = [f.lowest_terms(f.follow(model.solved_accelerations[a], still)) for a in model.accelerations]
     if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
-        return Uniform(model, start, still)
+        return UniformMotion(model, start, still)
     if len(model.coordinates) == 1:
         c = model.coordinates[0]
-        square = Motion(model, start).speed_squared(c, model.field.variable(c.index))
-        return Energy(model, start, model.field.lowest_terms(square))
+        square = SmoothMotion(model, start).speed_squared(c, model.field.variable(c.index))
+        return EnergyMotion(model, start, model.field.lowest_terms(square))
     names = ", ".join(c.name for c in model.coordinates)
     raise CannotAnswer(f"the accelerations of {names} are not constant, and energy alone gives the speed of one only")

@@ -28,7 +28,7 @@ IsNegative = Callable[[Ratio], bool]
 
 
 @dataclass(frozen=True)
-class Loads:
+class FrictionLoads:
     """The loads by the symbols that name them, and what must be positive for them to exist."""
 
     values: dict[str, Ratio]
@@ -55,7 +55,7 @@ def resultant(
 
 def solve_loads(
     model: SymbolicModel, loads: Mapping[str, DryFriction], rows: Mapping[str, ConstraintRow], is_negative: IsNegative
-) -> Loads:
+) -> FrictionLoads:
     """The loads of all sliding frictions. Raises CannotAnswer where they are not unique or not rational."""
     f = model.field
     names = list(loads)
@@ -79,7 +79,7 @@ def solve_loads(
     if solved.free or solved.contradictory:
         raise CannotAnswer("the friction forces that slide here are not determined")
     values = {name: f.lowest_terms(solved.pivots[column].get(RHS, f.zero)) for column, name in columns.items()}
-    return Loads(values, f.lowest_terms(determinant))
+    return FrictionLoads(values, f.lowest_terms(determinant))
 
 
 def _determinant(A: list[list[Ratio]], one: Ratio) -> Ratio:
@@ -92,7 +92,7 @@ def _determinant(A: list[list[Ratio]], one: Ratio) -> Ratio:
     return total
 
 
-def with_loads(system: System, model: SymbolicModel, loads: Loads) -> System:
+def with_loads(system: System, model: SymbolicModel, loads: FrictionLoads) -> System:
     """The system with the loads put into the laws of its frictions. Coordinates stand in a law as named measures.
     Raises CannotAnswer where a load depends on what is no measure."""
     exprs = {name: tidy(value) for name, value in loads.values.items()}

@@ -9,8 +9,8 @@ from freebody.language.expression import (
     Call,
     Expr,
     Number,
-    Power,
-    Product,
+    PowerOf,
+    ProductOf,
     Sum,
     add,
     multiply,
@@ -28,7 +28,7 @@ _FLIPPED = {">": "<", ">=": "<="}
 
 
 @dataclass(frozen=True)
-class Relation:
+class SolvedRelation:
     """`left relation right` where it could be solved for a generator; else `element relation 0`."""
 
     element: Ratio
@@ -54,11 +54,11 @@ def with_tangents(e: Expr) -> Expr:
     match e:
         case Sum(terms):
             return add(*map(with_tangents, terms))
-        case Power(base, exponent):
+        case PowerOf(base, exponent):
             return power(with_tangents(base), exponent)
         case Call(function, argument):
             return Call(function, with_tangents(argument))
-        case Product(factors):
+        case ProductOf(factors):
             return _tangent_product(factors)
         case _:
             return e
@@ -79,20 +79,20 @@ def _tangent_product(factors: tuple[Expr, ...]) -> Expr:
 
 
 def _is_divisor(f: Expr) -> bool:
-    return isinstance(f, Power) and isinstance(f.exponent, Number) and f.exponent.value == -1
+    return isinstance(f, PowerOf) and isinstance(f.exponent, Number) and f.exponent.value == -1
 
 
 def _inner(f: Expr) -> tuple[Expr, ...]:
-    assert isinstance(f, Power)
-    return f.base.factors if isinstance(f.base, Product) else (f.base,)
+    assert isinstance(f, PowerOf)
+    return f.base.factors if isinstance(f.base, ProductOf) else (f.base,)
 
 
-def solved_for(condition: Condition, unknowns: Sequence[int]) -> Relation:
+def solved_for(condition: Condition, unknowns: Sequence[int]) -> SolvedRelation:
     """The condition solved for the first of some generators in which it is linear with a slope of known sign."""
     x = condition.element.numerator()
     below = sign_of(condition.element.denominator())
     purposes = (condition.purpose,) if condition.purpose else ()
-    plain = Relation(condition.element, condition.relation, purposes=purposes)
+    plain = SolvedRelation(condition.element, condition.relation, purposes=purposes)
     if condition.relation not in _FLIPPED:
         return plain
     for g in unknowns:
@@ -106,13 +106,13 @@ def solved_for(condition: Condition, unknowns: Sequence[int]) -> Relation:
             continue
         relation = condition.relation if slope is below else _FLIPPED[condition.relation]
         bound = x.field.lowest_terms(-parts[0] / parts[1])
-        return Relation(condition.element, relation, g, bound, purposes)
+        return SolvedRelation(condition.element, relation, g, bound, purposes)
     return plain
 
 
-def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list[Relation]:
+def simplified(conditions: Iterable[Condition], unknowns: Sequence[int]) -> list[SolvedRelation]:
     """The conditions solved, without those that follow from the others."""
-    kept: list[Relation] = []
+    kept: list[SolvedRelation] = []
     for condition in needed(list(conditions)):
         new = solved_for(condition, unknowns)
         if new.unknown is not None and new.bound is not None and _says_nothing(new):
@@ -159,7 +159,7 @@ def _without_factors(condition: Condition, premises: Sequence[Condition]) -> Con
     return replace(condition, element=sign * rest)
 
 
-def _says_nothing(r: Relation) -> bool:
+def _says_nothing(r: SolvedRelation) -> bool:
     """mu >= what is never positive."""
     assert r.unknown is not None
     assert r.bound is not None
@@ -167,7 +167,7 @@ def _says_nothing(r: Relation) -> bool:
     return r.relation in (">", ">=") and sign is Sign.NEGATIVE and r.element.field.generators[r.unknown].positive
 
 
-def _follows(weak: Relation, strong: Relation) -> bool:
+def _follows(weak: SolvedRelation, strong: SolvedRelation) -> bool:
     """True where the first is a consequence of the second."""
     if weak.element == strong.element:
         return weak.relation == strong.relation or weak.relation == strong.relation + "="

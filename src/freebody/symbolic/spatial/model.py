@@ -26,14 +26,14 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
 from freebody.model.elements import ConstraintRow, NonholonomicForm, Rotation
 from freebody.model.rotations import UNIT, singular_pose
-from freebody.symbolic.elimination import Equation, Unknown
+from freebody.symbolic.elimination import RowEquation, Unknown
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, known_angle
 from freebody.symbolic.geometry import ROTATIONS, AnyPose, FieldGeometry, Tangent, straight_tangent
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import BODY_ANGLE, NAMED, POSITION, TANGENT_LENGTH, Coordinate, Parts, SymbolicModel
 from freebody.symbolic.sample import Sample
-from freebody.symbolic.spatial.tree import Link, Step, Tree, tree_of
+from freebody.symbolic.spatial.tree import JointTree, RotationStep, TreeLink, tree_of
 from freebody.tolerances import ROUND_OFF
 
 Triple = tuple[Ratio, Ratio, Ratio]
@@ -50,7 +50,7 @@ class SpatialModel(SymbolicModel):
 
     # -- poses --------------------------------------------------------------------------------
     @cached_property
-    def tree(self) -> Tree:
+    def tree(self) -> JointTree:
         return tree_of(self.system)
 
     @property
@@ -145,7 +145,7 @@ class SpatialModel(SymbolicModel):
         one, zero = self.field.one, self.field.zero
         return (one, zero, zero), (zero, one, zero), (zero, zero, one)
 
-    def _rotation(self, step: Step) -> Matrix:
+    def _rotation(self, step: RotationStep) -> Matrix:
         if not step.name:
             columns = [tuple(map(self._constant, column)) for column in step.constant]
             return columns[0], columns[1], columns[2]  # type: ignore[return-value]
@@ -183,7 +183,7 @@ class SpatialModel(SymbolicModel):
             k = len(self._roots)
             length = self._unknown(f"length_{self._tangent_label or k}", (TANGENT_LENGTH, -k), compute=size)
             self._roots[key] = x, length
-            self._line_equations[key] = [Equation(f"length {k}", length * length - x)]
+            self._line_equations[key] = [RowEquation(f"length {k}", length * length - x)]
         self._define_line(key)
         return self._roots[key][1]
 
@@ -296,7 +296,7 @@ class SpatialModel(SymbolicModel):
             found[link.body] = self._carried(found.get(link.parent, (zero, zero, zero)), link)
         return found
 
-    def _carried(self, omega: Triple, link: Link) -> Triple:
+    def _carried(self, omega: Triple, link: TreeLink) -> Triple:
         for step in link.steps:
             R = self._rotation(step)
             if step.name:

@@ -23,7 +23,7 @@ _DEFAULT = (("yaw", (ZERO, ZERO, ONE)), ("pitch", (ZERO, ONE, ZERO)), ("roll", (
 
 
 @dataclass(frozen=True)
-class Step:
+class RotationStep:
     """A rotation by a constant matrix, or by a named angle (times `sign`) about an axis."""
 
     constant: Columns = UNIT
@@ -33,26 +33,26 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Link:
+class TreeLink:
     """How a body is turned from another one."""
 
     body: str
     parent: str
-    steps: tuple[Step, ...]
+    steps: tuple[RotationStep, ...]
     chain: tuple[Rotation, ...] = ()  # of three named angles, which have a singular pose
 
 
 @dataclass(frozen=True)
-class Tree:
+class JointTree:
     """The links in an order in which every parent comes before, every angle in them as a measure, and the names of the
     rows that hold by construction."""
 
-    links: tuple[Link, ...]
+    links: tuple[TreeLink, ...]
     angles: dict[str, Measure]
     rows: frozenset[str]
 
 
-def tree_of(system: System) -> Tree:
+def tree_of(system: System) -> JointTree:
     """The tree of a system in space, whatever the order of its file."""
     return _Grower(in_one_order(system)).tree()
 
@@ -60,19 +60,19 @@ def tree_of(system: System) -> Tree:
 class _Grower:
     def __init__(self, system: System) -> None:
         self.system = system
-        self.links: list[Link] = []
+        self.links: list[TreeLink] = []
         self.angles: dict[str, Measure] = {}
         self.rows: set[str] = set()
         self.placed = {b.name: None for b in system.bodies.values() if b.fixed or not b.turns}  # in this order
         self._names = {m: name for name, m in (*system.offered, *system.measures.items())}
 
-    def tree(self) -> Tree:
+    def tree(self) -> JointTree:
         waiting = [b.name for b in self.system.moving if b.turns]
         while waiting:
             name = self._next(waiting)
             self.placed[name] = None
             waiting.remove(name)
-        return Tree(tuple(self.links), self.angles, frozenset(self.rows))
+        return JointTree(tuple(self.links), self.angles, frozenset(self.rows))
 
     def _next(self, waiting: Sequence[str]) -> str:
         """Places one more body: by its chain, by the joint with the fewest angles, or freely."""
@@ -117,26 +117,26 @@ class _Grower:
         for turn in body.chain:
             if turn.name:
                 self.angles[turn.name] = self.system.measures[turn.name]
-        self.links.append(Link(name, body.frame, tuple(map(_step, body.chain)), body.chain))
+        self.links.append(TreeLink(name, body.frame, tuple(map(_step, body.chain)), body.chain))
 
     def _free(self, name: str) -> None:
         chain = tuple(Rotation(axis, Symbol(f"{label}_{name}"), f"{label}_{name}") for label, axis in _DEFAULT)
         self.angles |= angles_of(Names(), chain, name, GROUND)
-        self.links.append(Link(name, GROUND, tuple(map(_step, chain)), chain))
+        self.links.append(TreeLink(name, GROUND, tuple(map(_step, chain)), chain))
 
     def _by_joint(self, a: Attitude, name: str) -> None:
         self.rows |= {f"{a.connection}.{component}" for component in a.components}
-        turns: list[Step] = []
+        turns: list[RotationStep] = []
         for axis, own, measure in a.turns:
             label = self._names.get(measure, f"{a.connection}_{own}")
             self.angles[label] = measure
-            turns.append(Step(axis=axis, name=label))
-        steps = [Step(a.before), *turns, Step(transposed(a.after))]
+            turns.append(RotationStep(axis=axis, name=label))
+        steps = [RotationStep(a.before), *turns, RotationStep(transposed(a.after))]
         if name == a.first:  # backwards
-            turned = [Step(axis=t.axis, name=t.name, sign=-1) for t in reversed(turns)]
-            steps = [Step(a.after), *turned, Step(transposed(a.before))]
-        self.links.append(Link(name, a.second if name == a.first else a.first, tuple(steps)))
+            turned = [RotationStep(axis=t.axis, name=t.name, sign=-1) for t in reversed(turns)]
+            steps = [RotationStep(a.after), *turned, RotationStep(transposed(a.before))]
+        self.links.append(TreeLink(name, a.second if name == a.first else a.first, tuple(steps)))
 
 
-def _step(turn: Rotation) -> Step:
-    return Step(axis=turn.axis, name=turn.name) if turn.name else Step(rotation(turn.axis, turn.by))
+def _step(turn: Rotation) -> RotationStep:
+    return RotationStep(axis=turn.axis, name=turn.name) if turn.name else RotationStep(rotation(turn.axis, turn.by))

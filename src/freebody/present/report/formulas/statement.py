@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Generic, TypeVar
 
-from freebody.language.expression import Expr, Number, Product, Sum, Symbol
+from freebody.language.expression import Expr, Number, ProductOf, Sum, Symbol
 from freebody.present.report.blocks import Derivative, Difference, Formula, Side
 from freebody.present.report.formulas.rows import Row
 
@@ -116,7 +116,7 @@ def is_sum(side: Side) -> bool:
 
 def _begins_with_minus(side: Side) -> bool:
     match side:
-        case Number(value) | Product((Number(value), *_)):
+        case Number(value) | ProductOf((Number(value), *_)):
             return value < 0
         case _:
             return False
