@@ -286,7 +286,10 @@ def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
     if masses.all() or not free.size:
         return v
     roots = np.sqrt(masses)
-    return v - free @ np.linalg.lstsq(roots[:, None] * free, roots * v, rcond=NO_ENERGY)[0]
+    U, sizes, Vt = np.linalg.svd(roots[:, None] * free, full_matrices=False)  # sizes: 1 where only masses move
+    has_energy = sizes > NO_ENERGY
+    along = (U[:, has_energy].T @ (roots * v)) / sizes[has_energy]
+    return v - free @ (Vt[has_energy].T @ along)
 
 
 def _given(reference: Reference, q: Array) -> Array | None:
