@@ -227,3 +227,17 @@ def test_half_angles_are_bound_to_their_angle() -> None:
 )
 def test_root_of_a_product_is_the_product_of_the_roots(x: Ratio, y: Ratio) -> None:
     assert FIELD.sqrt(x) * FIELD.sqrt(y) == FIELD.sqrt(x * y)
+
+
+def test_a_term_with_a_sine_of_zero_is_small_beside_its_size_and_a_product_of_small_sines_is_not() -> None:
+    f = Field()
+    length = f.parameter("L", positive=True)
+    angles = [f.generator(Generator(Symbol(name), "coordinate")) for name in "pqr"]
+    pairs = [cos_sin(f, angle) for angle in angles]
+    values: dict[int, float] = {f.index(length): 2.0}
+    for (c, s), turn in zip(pairs, (1e-14, 1e-4, 1e-5), strict=True):
+        values |= {f.index(c): math.cos(turn), f.index(s): math.sin(turn)}
+    value, size = f.numerator_and_size(length * pairs[0][1], values)
+    assert abs(value) < 1e-13 * size
+    value, size = f.numerator_and_size(length * pairs[1][1] * pairs[2][1], values)
+    assert value == pytest.approx(size, rel=1e-12)

@@ -29,6 +29,7 @@ import flint
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
+from freebody.tolerances import ROUND_OFF
 
 _flint: Any = flint
 Poly: TypeAlias = Any  # fmpz_mpoly: FLINT ships no type information
@@ -795,16 +796,17 @@ class Field:
 
     def numerator_and_size(self, x: Ratio, values: Mapping[int, float]) -> tuple[float, float]:
         """The numerator at the given values, and the sum of the sizes of its terms, whatever they are measured in.
-        Sines and cosines count as one in a size, so that a single term with the sine of zero is small beside it."""
-        terms: list[float] = []
-        sizes: list[float] = []
-        for monomial, coefficient in self.terms(x.num).items():
-            factors = [(values[k] ** exponent, self.generators[k].kind in ("cos", "sin")) for k, exponent in monomial]
-            terms.append(math.prod((value for value, _is_bounded in factors), start=float(coefficient)))
-            sizes.append(
-                math.prod((abs(v) for v, is_bounded in factors if not is_bounded), start=abs(float(coefficient)))
-            )
-        return math.fsum(terms), math.fsum(sizes)
+        A sine or cosine that vanishes counts as one in a size, so that a single term with it is small beside its size;
+        others count as what they are, so that a product of small ones is not taken for zero."""
+
+        def size(k: int) -> float:
+            is_zero = self.generators[k].kind in ("cos", "sin") and abs(values[k]) <= ROUND_OFF
+            return 1.0 if is_zero else abs(values[k])
+
+        terms = self.terms(x.num).items()
+        parts = (math.prod((values[k] ** e for k, e in monomial), start=float(c)) for monomial, c in terms)
+        sizes = (math.prod((size(k) ** e for k, e in monomial), start=abs(float(c))) for monomial, c in terms)
+        return math.fsum(parts), math.fsum(sizes)
 
     def expression(self, x: Ratio) -> Expr:
         """The plain expression, expanded; see `tidy` for the form people read."""
