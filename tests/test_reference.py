@@ -693,3 +693,29 @@ def test_a_massless_frame_pulls_at_no_guess_and_weighs_nothing_in_the_velocities
     v, more_v = plain.velocities(q), framed.velocities(more_q)
     assert np.abs(v).max() > 0.1
     assert more_v[:6] == pytest.approx(v, abs=1e-12)
+
+
+_UNDESCRIBED = """
+ground: {points: {A: [3 m, 2 m]}}
+bodies:
+  p: {rod: {mass: 2 kg, length: 1 m}, points: {tip: [0.4 m, 0.1 m]}}
+connections:
+  pin: {pin: [ground.A, p.tip]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "joined"),
+    [
+        ("  far: {particle: {mass: 3 kg}, at: [100 m, 70 m]}", "  guide: {slider: {body: far, along: right}}"),
+        ("  frame: {body: {}}", "  weld: {weld: [p, frame.origin]}"),
+        ("  frame: {body: {}}", "  weld: {weld: [frame.origin, p.tip]}"),
+        ("  frame: {body: {}}\n  next: {body: {}}", "  weld: {weld: [p, frame.origin]}\n  hinge: {pin: [frame, next]}"),
+    ],
+)
+def test_what_is_not_described_hangs_on_no_other_part_and_on_nothing_that_is_carried(more: str, joined: str) -> None:
+    alone, among = (
+        Reference(System.from_text(t))
+        for t in (_UNDESCRIBED, _UNDESCRIBED.replace("connections:", f"{more}\nconnections:\n{joined}"))
+    )
+    assert np.allclose(among.assemble()[list(among.columns("p"))], alone.assemble(), rtol=0, atol=1e-14)

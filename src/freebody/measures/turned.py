@@ -1,4 +1,4 @@
-"""The bodies whose turning changes a measure."""
+"""What a measure is made of: its points, and the bodies whose turning changes it."""
 
 from __future__ import annotations
 
@@ -24,6 +24,18 @@ def carriers(part: Any) -> Iterator[str]:
     elif is_dataclass(part):
         for field in fields(part):
             yield from carriers(getattr(part, field.name))
+
+
+def points_in(part: Any) -> Iterator[Point]:
+    """The points that a measure, or a part of one, is taken between."""
+    if isinstance(part, Point):
+        yield part
+    elif isinstance(part, tuple):
+        for item in cast("tuple[Any, ...]", part):
+            yield from points_in(item)
+    elif is_dataclass(part) and not isinstance(part, Direction):
+        for field in fields(part):
+            yield from points_in(getattr(part, field.name))
 
 
 def turned_in(part: Any) -> Iterator[str]:

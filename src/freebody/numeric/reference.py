@@ -13,7 +13,8 @@ Source: Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988, ch. 7 an
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -35,6 +36,7 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
 from freebody.numeric.trajectory import ReferenceTrajectory, integrate
+from freebody.system.parts import cut_out, groups_of, joined
 from freebody.system.system import System
 
 
@@ -65,6 +67,7 @@ class Reference:
         by_coordinate = [n for n, b in zip(near, system.moving, strict=True) for _ in columns[b.name]]
         self.sizes = Sizes.of(self.masses, turning, typical_length(system, self.number), by_coordinate)
         self.placing = Placing(self.frame, self.sizes)
+        self._parts: dict[frozenset[str], Reference] = {}
         self._branches: dict[Branch, float] = {}
         self._origins: dict[int, float] | None = None
         self._without_origin: dict[int, str] = {}  # by number of a measure: why it has no value at the start
@@ -75,6 +78,22 @@ class Reference:
             if not self.system.space:
                 return np.array([self.number(body.inertia)]), spatial.UNIT
             return spatial.principal_axes(spatial.tensor_of(body, self.number))
+
+    # -- parts --------------------------------------------------------------------------------
+    def groups_joined_by(self, measures: Iterable[Measure | NonholonomicForm]) -> list[set[str]]:
+        """The moving bodies, as sets of those that the model or one of some measures joins."""
+        return joined(self._groups, (set(measure.bodies()) for measure in measures))
+
+    @cached_property
+    def _groups(self) -> list[set[str]]:
+        return sorted(groups_of(self.system), key=lambda group: natural(min(group, key=natural)))
+
+    def part(self, group: set[str]) -> Reference:
+        """The bodies of a group, and those that do not move, alone."""
+        key = frozenset(group)
+        if key not in self._parts:
+            self._parts[key] = Reference(cut_out(self.system, group), self.frame.values)
+        return self._parts[key]
 
     # -- poses and velocities -----------------------------------------------------------------
     def columns(self, body: str) -> tuple[int, ...]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,7 +23,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
-from freebody.numeric.jets import Array, Jet, JetGeometry
+from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
@@ -37,6 +38,7 @@ MOST_STEPS = 3200  # of all starts together
 NO_ENERGY = 1e-7  # of a motion of unit size: it moves massless bodies only
 SINGULAR = 1e-6  # the volume that three unit axes span
 MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
+Wanted = Sequence[tuple[Measure | NonholonomicForm, float]]  # values that measures, or their rates, must have
 _AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 
 
@@ -93,17 +95,79 @@ def _start_axes(
     return frame @ spatial.turned_by(body.chain, guess, number)
 
 
-def assembled(
-    reference: Reference,
-    extra: Sequence[tuple[Measure | NonholonomicForm, float]],
-    guess: Array | None,
-    n_starts: int = N_STARTS,
-) -> Fit:
-    """The pose at t = 0 nearest to the guess; see `Reference.assemble`."""
+def assembled(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int = N_STARTS) -> Fit:
+    """The pose at t = 0 nearest to the guess; see `Reference.assemble`. Parts that nothing joins are assembled each for
+    itself, so that what else stands in a model moves nothing in them."""
+    groups = reference.groups_joined_by(measure for measure, _value in extra)
+    if len(groups) < 2:
+        return _assembled_part(reference, extra, guess, n_starts)
+    q = _guess(reference) if guess is None else guess.copy()
+    near: dict[Branch, float] = {}
+    for group in groups:
+        part = reference.part(group)
+        own = [k for body in part.system.moving for k in reference.columns(body.name)]
+        asked = [(measure, x) for measure, x in extra if group.intersection(measure.bodies())]
+        fit = _assembled_part(part, asked, None if guess is None else guess[own], n_starts)
+        q[own] = fit.q
+        near |= fit.branches
+    fit = reference.placing.fit(q, _equations(reference, extra), 0.0, near, n_steps=0)
+    if fit is None or fit.error > ACCEPTED:
+        off = "a measure has no value" if fit is None else f"at best {fit.worst}"
+        raise CannotAnswer(f"the start cannot be assembled: {off}. Change the start of the model or the lengths")
+    return fit
+
+
+def _assembled_part(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
+    """The pose at t = 0 of one part. What is carried follows where it is carried to: it pulls at nothing."""
+    carried = _carried(reference, extra)
+    rest = {body.name for body in reference.system.moving} - carried
+    if not carried or not rest:
+        return _assembled_whole(reference, extra, guess, n_starts)
+    own = [k for name, columns in reference.frame.columns.items() if name in rest for k in columns]
+    q = turned_to_face(reference, _guess(reference)) if guess is None else guess.copy()
+    q[own] = _assembled_whole(reference.part(rest), extra, None if guess is None else guess[own], n_starts).q
+    loose = reference.sizes.small_moves.copy()
+    loose[own] = 0.0
+    placing = replace(reference.placing, sizes=replace(reference.sizes, small_moves=loose))
+    fit = placing.fit(q, _equations(reference, extra), 0.0, {})
+    if fit is not None and fit.error <= ACCEPTED and next(turned_over(reference, fit.q), None) is None:
+        return fit
+    return _assembled_whole(reference, extra, guess, n_starts)
+
+
+def _carried(reference: Reference, extra: Wanted) -> set[str]:
+    """Massless bodies of which nothing is said and which are held to one other body at most, those that they carry
+    themselves left out."""
+    system = reference.system
+    said = {name for measure, _value in extra for name in measure.bodies()}
+    said |= {name for key in system.start for name in system.measures[key].bodies()}
+    said |= {name for attitude in system.attitudes for name in (attitude.first, attitude.second)}
+    light = {
+        body.name
+        for body in system.moving
+        if body.start == Start() and not body.chain and reference.masses[reference.columns(body.name)[0]] == 0.0
+    } - said
+    rows = [reference.frame.columns.keys() & set(row.measure.bodies()) for row in system.held]
+    found: set[str] = set()
+    while True:
+        ends = {name: set[str]().union(*(row for row in rows if name in row)) - found for name in light - found}
+        more = {name for name, bodies in ends.items() if len(bodies - {name}) <= 1}
+        if not more:
+            return found
+        found |= more
+
+
+def _equations(reference: Reference, extra: Wanted) -> list[PoseEquation]:
+    """What holds in the start pose."""
+    equations = reference.held_by_targets()
+    return [*equations, *_start_equations(reference, extra), *_body_equations(reference, lambda body: body.start)]
+
+
+def _assembled_whole(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
+    """The pose at t = 0 of one part nearest to the guess."""
     for body in reference.system.moving:
         _refuse_singular(reference, body)
-    equations = reference.held_by_targets()
-    equations += [*_start_equations(reference, extra), *_body_equations(reference, lambda body: body.start)]
+    equations = _equations(reference, extra)
     described = turned_to_face(reference, _guess(reference))
     guess = described if guess is None else guess
     best: Fit | None = None
@@ -200,9 +264,7 @@ def _starts(reference: Reference, guess: Array, n_starts: int) -> Iterator[Array
         yield reference.frame.moved(guess, min(1.0, 0.02 * 2.0**k) * reference.sizes.unit_moves * disturbance)
 
 
-def _start_equations(
-    reference: Reference, extra: Sequence[tuple[Measure | NonholonomicForm, float]]
-) -> list[PoseEquation]:
+def _start_equations(reference: Reference, extra: Wanted) -> list[PoseEquation]:
     equations: list[PoseEquation] = []
     for name, expr in reference.system.start.items():
         measure = reference.system.measures[name]
@@ -256,9 +318,7 @@ def _attitude(body: str, R: Array) -> list[PoseEquation]:
 _Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it must be
 
 
-def start_velocities(
-    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | NonholonomicForm, float]], *, with_start: bool
-) -> Array:
+def start_velocities(reference: Reference, g: JetGeometry, extra: Wanted, *, with_start: bool) -> Array:
     """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
     n = len(g.q)
     wanted = list(wanted_rates(reference, g, extra, with_start))
@@ -307,9 +367,7 @@ def _given(reference: Reference, q: Array) -> Array | None:
     return v
 
 
-def wanted_rates(
-    reference: Reference, g: JetGeometry, extra: Sequence[tuple[Measure | NonholonomicForm, float]], with_start: bool
-) -> Iterator[_Rate]:
+def wanted_rates(reference: Reference, g: JetGeometry, extra: Wanted, with_start: bool) -> Iterator[_Rate]:
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
     replaces them, and the extra ones."""
     system = reference.system

@@ -26,7 +26,7 @@ from freebody.study.answer import NOT_VALID, Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
-from freebody.study.parts import groups_of, part_for
+from freebody.study.parts import part_for
 from freebody.study.passage import FormulaPassage
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
@@ -38,6 +38,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
 from freebody.symbolic.written import HasNoValue, has_values
+from freebody.system.parts import groups_of
 from freebody.system.system import System
 
 if TYPE_CHECKING:
