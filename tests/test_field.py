@@ -131,6 +131,16 @@ def test_lowest_terms_never_change_the_element(x: Ratio, y: Ratio, at: dict[str,
     assert close(SET.value(lowest, at), SET.value(quotient, at))
 
 
+def test_a_factor_of_two_angles_is_cancelled() -> None:
+    """sin(q - beta), which only c^2 + s^2 = 1 of both angles makes a common factor."""
+    cq, sq, cb, sb = SET.leaves[4:8]
+    factor, x, y = sq * cb - cq * sb, SET.a * cq + SET.b * sb, SET.b + SET.a * cb
+    lowest = FIELD.lowest_terms((factor * x) / (factor * y))
+    assert lowest == x / y
+    assert lowest.den is not None
+    assert len(lowest.den) == len(y.num)
+
+
 @quick
 @given(elements, points)
 def test_the_tidy_form_has_the_same_value(x: Ratio, at: dict[str, float]) -> None:

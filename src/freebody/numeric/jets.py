@@ -307,14 +307,20 @@ class JetGeometry:
         self._poses: dict[str, Pose[Jet] | SpatialPose[Jet]] = {}
         self.memory: dict[int, tuple[object, Vector[Jet]]] = {}  # of points and directions
         self._measure, self._n_tangents = -1, 0
+        self._known: dict[int, tuple[int, Jet]] = {}  # by number of a measure: how many angles of lines are in it
 
     def of(self, measure: Measure | NonholonomicForm | Component) -> Jet:
         """The jet of a measure. One that is only a rate has the value 0, and as gradient the coefficients of
         the velocities in it."""
         if isinstance(measure, NonholonomicForm):
             return self._of_rate(measure)
-        self._measure, self._n_tangents = self.frame.number(measure), 0
-        return measure.value(self)
+        number = self._measure = self.frame.number(measure)
+        if number not in self._known:
+            self._n_tangents = 0
+            jet = measure.value(self)
+            self._known[number] = self._n_tangents, jet
+        self._n_tangents, jet = self._known[number]
+        return jet
 
     def of_near(self, measure: Measure | NonholonomicForm, target: float) -> Jet:
         """The jet of a measure, its angles counted so that the value comes nearest to the target."""
@@ -324,12 +330,18 @@ class JetGeometry:
             while branches and abs(jet.value - target) > math.pi:
                 before = {branch: self.angles[branch] for branch in branches}
                 self.angles |= {branch: angle + turn for branch, angle in before.items()}
+                self._forget(measure)
                 turned = self.of(measure)
                 if abs(turned.value - target) >= abs(jet.value - target):
                     self.angles |= before
+                    self._forget(measure)
                     break
                 jet = turned
         return jet
+
+    def _forget(self, measure: Measure | NonholonomicForm) -> None:
+        """Its angles are counted otherwise from here on."""
+        self._known.pop(self.frame.number(measure), None)
 
     def _of_rate(self, measure: NonholonomicForm) -> Jet:
         # d/dt (c m') = c m'' + c' m'

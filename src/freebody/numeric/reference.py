@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
 
 import numpy as np
 
@@ -36,8 +35,8 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
 from freebody.numeric.trajectory import ReferenceTrajectory, integrate
-from freebody.system.parts import cut_out, groups_of, joined
-from freebody.system.system import System
+from freebody.system.parts import cut_out
+from freebody.system.system import System, merged
 
 
 class Reference:
@@ -80,20 +79,16 @@ class Reference:
             return spatial.principal_axes(spatial.tensor_of(body, self.number))
 
     # -- parts --------------------------------------------------------------------------------
-    def groups_joined_by(self, measures: Iterable[Measure | NonholonomicForm]) -> list[set[str]]:
+    def groups_joined_by(self, measures: Iterable[Measure | NonholonomicForm]) -> list[frozenset[str]]:
         """The moving bodies, as sets of those that the model or one of some measures joins."""
-        return joined(self._groups, (set(measure.bodies()) for measure in measures))
+        groups = merged(self.system.groups, (set(measure.bodies()) for measure in measures))
+        return sorted(groups, key=lambda group: natural(min(group, key=natural)))
 
-    @cached_property
-    def _groups(self) -> list[set[str]]:
-        return sorted(groups_of(self.system), key=lambda group: natural(min(group, key=natural)))
-
-    def part(self, group: set[str]) -> Reference:
+    def part(self, group: frozenset[str]) -> Reference:
         """The bodies of a group, and those that do not move, alone."""
-        key = frozenset(group)
-        if key not in self._parts:
-            self._parts[key] = Reference(cut_out(self.system, group), self.frame.values)
-        return self._parts[key]
+        if group not in self._parts:
+            self._parts[group] = Reference(cut_out(self.system, group), self.frame.values)
+        return self._parts[group]
 
     # -- poses and velocities -----------------------------------------------------------------
     def columns(self, body: str) -> tuple[int, ...]:

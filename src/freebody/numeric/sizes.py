@@ -8,7 +8,7 @@ part that it belongs to, so that nothing in another part matters.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,11 +17,8 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.units import LENGTH
-from freebody.measures.base import Measure
-from freebody.measures.turned import points_in
-from freebody.model.elements import NonholonomicForm, RigidBody
+from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
-from freebody.system.parts import groups_of
 from freebody.system.system import System
 from freebody.tolerances import LEAST
 
@@ -44,7 +41,7 @@ def neighbours(
     bodies = system.moving
     arms = [_arm(body, number) for body in bodies]
     found: dict[int, Near] = {}
-    for group in groups_of(system):
+    for group in system.groups:
         part = [k for k, body in enumerate(bodies) if body.name in group]
         known = [masses[k] for k in part if masses[k] > 0.0] or [1.0]
         gyration = [math.sqrt(i / masses[k]) for k in part for i in moments[k] if i > 0.0 and masses[k] > 0.0]
@@ -96,10 +93,9 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
     """How far points are from mass centres and from the origin, and how long held lengths are, at most [m]. Of what is
     fixed only those points count at which something is held, pushed or measured."""
     moving = system.moving
-    touched = {point for measure in _measures(system) for point in points_in(measure)}
-    fixed = {point.body for point in touched} & {name for name, body in system.bodies.items() if body.fixed}
+    fixed = {point.body for point in system.touched} & {name for name, body in system.bodies.items() if body.fixed}
     places = [place for body in moving for place in body.points.values()]
-    places += [point.offset for point in touched if point.body in fixed]
+    places += [point.offset for point in system.touched if point.body in fixed]
     placed = [*moving, *(system.bodies[name] for name in fixed)]
     places += [body.start.at[1] for body in placed if body.start.at]
     lengths = [0.0, *(math.hypot(*map(number, place)) for place in places)]
@@ -108,12 +104,6 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
         if row.target is not None and row.measure.dimension == LENGTH and "t" not in free_symbols(row.target):
             lengths.append(abs(number(row.target)))
     return max(lengths) or 1.0
-
-
-def _measures(system: System) -> Iterator[Measure | NonholonomicForm]:
-    yield from (row.measure for row in system.rows)
-    yield from (push.measure for push in system.pushes)
-    yield from system.measures.values()
 
 
 def _small_moves(masses: Array, turning: NDArray[np.bool_], near: Sequence[Near]) -> Array:

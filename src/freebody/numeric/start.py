@@ -120,7 +120,7 @@ def assembled(reference: Reference, extra: Wanted, guess: Array | None, n_starts
 def _assembled_part(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part. What is carried follows where it is carried to: it pulls at nothing."""
     carried = _carried(reference, extra)
-    rest = {body.name for body in reference.system.moving} - carried
+    rest = frozenset(body.name for body in reference.system.moving) - carried
     if not carried or not rest:
         return _assembled_whole(reference, extra, guess, n_starts)
     own = [k for name, columns in reference.frame.columns.items() if name in rest for k in columns]

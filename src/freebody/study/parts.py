@@ -14,11 +14,11 @@ from typing import Any, cast
 from freebody.measures.geometry import Direction, Point
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.system.parts import bodies_of, cut_out
+from freebody.system.parts import cut_out
 from freebody.system.system import System
 
 
-def part_for(system: System, groups: Sequence[set[str]], question: Question) -> System | None:
+def part_for(system: System, groups: Sequence[frozenset[str]], question: Question) -> System | None:
     """The part of a system that a question is about; None if that is the whole system, or several parts. groups: of the
     bodies that belong together."""
     if len(groups) < 2 or system.mode is not None or system.unspecified:
@@ -71,7 +71,7 @@ def _named(system: System, name: str) -> Iterator[str]:
         yield from system.measures[name].bodies()
     for row in system.rows:
         if row.connection == name:
-            yield from bodies_of(system, row)
+            yield from system.ends_of(row)
     for push in system.pushes:
         if push.load == name:
             yield from push.measure.bodies()

@@ -38,7 +38,6 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts
 from freebody.symbolic.written import HasNoValue, has_values
-from freebody.system.parts import groups_of
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -124,8 +123,7 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
 
 def _solved(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
     """The answers, each question about one part of a system in that part."""
-    groups = groups_of(system)
-    parts = [(q, part_for(system, groups, q)) for q in questions]
+    parts = [(q, part_for(system, system.groups, q)) for q in questions]
     whole = _in_whole(system, [q for q, part in parts if part is None], setup)
     answers = {a.id: a for a in whole.answers}
     together: dict[tuple[str, ...], tuple[System, list[Question]]] = {}

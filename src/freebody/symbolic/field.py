@@ -37,6 +37,7 @@ Kind = Literal["parameter", "coordinate", "speed", "acceleration", "time", "cos"
 
 # Above this many terms an element is no longer something that anybody reads or that factors quickly.
 TERM_LIMIT = 60_000
+_PRIME = 2**61 - 1
 _LOWEST_TERMS_LIMIT = 1_000_000  # terms times the growth that half-angle tangents may bring
 _QUICK_TERMS = 40
 MAX_POWER = 64
@@ -653,6 +654,8 @@ class Field:
         if self._half_tangent_growth(x, pairs) * (len(x.num) + len(x.den)) > _LOWEST_TERMS_LIMIT:
             return x
         num, den = self.current(x.num), self.current(x.den)
+        if not self._may_share(num, den, pairs):
+            return x
         for pair in pairs:
             num, den = self._half_tangent(num, den, pair)
         divisor = num.gcd(den)
@@ -662,6 +665,50 @@ class Field:
         for pair in pairs:
             num, den = self._from_half_tangent(num, den, pair)
         return self.quotient(num, den)
+
+    def _may_share(self, num: Poly, den: Poly, pairs: Sequence[tuple[int, int]]) -> bool:
+        """Whether both may have a common factor with T = tan(angle/2) of a pair: seen modulo a prime, where everything
+        else is a number, cosines and sines on the circle. Factors without any T they cannot share: those divide the
+        elements as they are."""
+        known: dict[int, int] = {}
+        for index in self.used(num) | self.used(den):
+            known[index] = _scattered(index)
+        for c, s in pairs:
+            t = _scattered(c)
+            below = pow(1 + t * t, -1, _PRIME)
+            known[c], known[s] = (1 - t * t) * below % _PRIME, 2 * t * below % _PRIME
+        terms = [self.terms(poly) for poly in (num, den)]
+        return any(self._shares_tangent(terms, pair, known) for pair in pairs)
+
+    @staticmethod
+    def _shares_tangent(
+        both: Sequence[Mapping[tuple[tuple[int, int], ...], int]], pair: tuple[int, int], known: Mapping[int, int]
+    ) -> bool:
+        """Whether two polynomials have a common factor with the T of a pair, the other generators being numbers."""
+        c, s = pair
+        seen: list[dict[tuple[int, int], int]] = []
+        for terms in both:
+            parts: dict[tuple[int, int], int] = {}
+            for monomial, coefficient in terms.items():
+                i = j = 0
+                for index, exponent in monomial:
+                    if index == c:
+                        i = exponent
+                    elif index == s:
+                        j = exponent
+                    else:
+                        coefficient = coefficient * pow(known[index], exponent, _PRIME) % _PRIME
+                parts[i, j] = (parts.get((i, j), 0) + coefficient) % _PRIME
+            seen.append(parts)
+        degree = max(i + j for parts in seen for i, j in parts)
+        plus, minus, double = (_flint.nmod_poly(list(k), _PRIME) for k in ((1, 0, 1), (1, 0, -1), (0, 2)))
+        found: list[Any] = []
+        for parts in seen:
+            total = _flint.nmod_poly([], _PRIME)
+            for (i, j), coefficient in parts.items():
+                total = total + coefficient * minus**i * double**j * plus ** (degree - i - j)
+            found.append(total)
+        return found[0].gcd(found[1]).degree() > 0
 
     @staticmethod
     def _half_tangent_growth(x: Ratio, pairs: Sequence[tuple[int, int]]) -> int:
@@ -902,3 +949,8 @@ def _square_part(value: int) -> tuple[int, int]:
         prime += 1
     root = math.isqrt(value)
     return (square * root, free) if root * root == value else (square, free * value)
+
+
+def _scattered(k: int) -> int:
+    """A number for a generator, other for every one, in no simple relation with others."""
+    return 2 + 30011 * (k + 1) % 65537

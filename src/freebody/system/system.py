@@ -7,7 +7,7 @@ through the same reader and give the same value.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
@@ -22,6 +22,7 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.loads.base import Load
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ONE, ZERO, Components, Direction, Point
+from freebody.measures.turned import points_in
 from freebody.model.elements import (
     AppliedLoad,
     Attitude,
@@ -171,6 +172,45 @@ class System:
             rubs += more_rubs
         return tuple(bounds), tuple(rubs)
 
+    # -- what belongs together ----------------------------------------------------------------
+    @cached_property
+    def groups(self) -> tuple[frozenset[str], ...]:
+        """The moving bodies in groups of those that belong together, because a connection, a load, a contact or a given
+        start value joins them; the ground and fixed bodies join nothing, since they do not move."""
+        return merged([frozenset({b.name}) for b in self.moving], self._ties())
+
+    def _ties(self) -> Iterator[set[str]]:
+        """Bodies that a connection, load, contact, attitude, frame or start value joins."""
+        of_connection: dict[str, set[str]] = {}
+        connection_of = {row.name: row.connection for row in self.rows}
+        for row in self.rows:
+            of_connection.setdefault(row.connection, set()).update(self.ends_of(row))
+        yield from of_connection.values()
+        for bound in self.bounds:
+            yield set(bound.row.measure.bodies()).union(*(span.measure.bodies() for span in bound.within))
+        for rub in self.rubs:
+            yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
+            loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
+            yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
+        for push in self.pushes:
+            yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
+        for attitude in self.attitudes:
+            yield {attitude.first, attitude.second}
+        for body in self.bodies.values():
+            yield {body.name, body.frame}
+        for name in (*self.start, *self.start_rates):
+            yield set(self.measures[name].bodies())
+
+    def ends_of(self, row: ConstraintRow) -> set[str]:
+        """The bodies between which a row is; of its ends, some are called by lines."""
+        return {*row.measure.bodies(), *(end for end in row.ends if end in self.bodies)}
+
+    @cached_property
+    def touched(self) -> frozenset[Point]:
+        """The points at which something is held, bounded, pushed or measured."""
+        measures = [row.measure for row in self.rows] + [push.measure for push in self.pushes]
+        return frozenset(point for measure in (*measures, *self.measures.values()) for point in points_in(measure))
+
     @property
     def has_values(self) -> bool:
         """True if every parameter has a number."""
@@ -197,6 +237,16 @@ class System:
         described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
         bounded = (self.contacts, self.limits, self.brakes)
         return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
+
+
+def merged(groups: Iterable[frozenset[str]], ties: Iterable[set[str]]) -> tuple[frozenset[str], ...]:
+    """Groups of bodies, those made one that a tie joins. ties: sets of bodies, of which some may be in no group."""
+    found = list(groups)
+    for tie in ties:
+        touched = [group for group in found if group & tie]
+        if len(touched) > 1:
+            found = [group for group in found if not group & tie] + [frozenset[str]().union(*touched)]
+    return tuple(found)
 
 
 def _plain(value: Any) -> Any:

@@ -123,7 +123,9 @@ class NumericMode:
         """One instant without loads and with each unit load; the last one is kept, since everything asks for it."""
         key = (t, q.tobytes(), v.tobytes())
         if self._last is None or self._last[0] != key:
-            self._last = key, [r.snapshot(q, v, t) for r in self.references]
+            first = self.references[0].snapshot(q, v, t)
+            more = [Snapshot(r, first.geometry, q, v, t) for r in self.references[1:]]  # loads move nothing
+            self._last = key, [first, *more]
         return self._last[1]
 
     def multiplier(self, name: str, q: Array, v: Array, t: float) -> float:
