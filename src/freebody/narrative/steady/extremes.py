@@ -18,9 +18,9 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answer import Answer
 from freebody.study.evidence import holds
-from freebody.study.steady.extremes import ExtremaSearch, Extremum, angle_of, at_start_but_for
+from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for
 from freebody.study.steady.round_turn import FullTurn
-from freebody.study.steady.turning import TurningAngle
+from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import Coordinate

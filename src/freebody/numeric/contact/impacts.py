@@ -8,44 +8,22 @@ Keller      one contact, slip followed through the impact: see `keller.py`.
 Newton's law asks for u+ >= 0 where a touching contact parts while another collides. Such a mixture may gain energy
 without friction, and may have no solution if contacts outnumber freedoms. Poisson's law with one e has neither fault.
 
-Each problem is that of forces with velocities for accelerations. Friction has one coefficient, the kinetic one, because
-an impulse that sticks at the end may have slipped before. Loads of finite force (brakes) carry no impulse.
+Each problem is that of forces with velocities for accelerations.
 Sources: Newton's law in this form: Moreau 1988; Poisson's: Glocker & Pfeiffer, Nonlinear Dynamics 7 (1995) 471-497.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from freebody.numeric.contact.forces import MOST_MODES, contact_forces
-from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, Mode, OutcomeCount
+from freebody.numeric.contact.impulses import ImpactOutcome, impulsive, judged
+from freebody.numeric.contact.keller import Restitution, impact_without_collision
+from freebody.numeric.contact.problem import ContactProblem, OutcomeCount
 from freebody.numeric.options import Law
-
-_GREW = 1e-11
-
-
-@dataclass(frozen=True, slots=True)
-class ImpactOutcome:
-    """Impulses and velocities after, (n,) each, in the mode at the end; NaN if there are none.
-
-    `energy_change`: sum P (u+ + u-)/2 [J] over all rows; held rows that moved before take part. `energy_grew`: it
-    exceeds rounding, which Newton's law with friction allows (Kane & Levinson 1985).
-    """
-
-    status: OutcomeCount
-    mode: Mode
-    impulses: Array
-    velocities: Array
-    energy_change: float
-    energy_grew: bool
-    is_proven: bool = True
-
-    @property
-    def is_found(self) -> bool:
-        return self.status in (OutcomeCount.UNIQUE, OutcomeCount.SEVERAL)
 
 
 def impact(
@@ -64,8 +42,6 @@ def impact(
     if any(not 0.0 <= e <= 1.0 for e in restitution.values()):
         raise ValueError("restitution must lie in [0, 1]")
     if law is Law.KELLER:
-        from freebody.numeric.contact.keller import Restitution, impact_without_collision
-
         return impact_without_collision(problem, max(restitution.values(), default=0.0), Restitution.POISSON)
     smooth = replace(problem, rubs=impulsive(problem))
     if law is Law.POISSON:
@@ -75,11 +51,6 @@ def impact(
         target[row] += restitution.get(row, 0.0) * min(float(problem.b[row]), 0.0)
     found = contact_forces(replace(smooth, b=target), most_others=most_others)
     return judged(problem, found.status, found.mode, found.forces, is_proven=found.is_proven)
-
-
-def impulsive(problem: ContactProblem) -> tuple[FrictionProblemRow, ...]:
-    """The rubs as they act in an impact: kinetic coefficients, no slip known, nothing from finite forces."""
-    return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.rubs)
 
 
 def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_others: int) -> ImpactOutcome:
@@ -99,14 +70,3 @@ def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_oth
     status = status if expansion.is_found else expansion.status
     impulses = compression.forces + released + expansion.forces
     return judged(problem, status, expansion.mode, impulses, is_proven=compression.is_proven and expansion.is_proven)
-
-
-def judged(
-    problem: ContactProblem, status: OutcomeCount, mode: Mode, impulses: Array, is_proven: bool
-) -> ImpactOutcome:
-    """The outcome of impulses, with its energy: dT = sum P (u+ + u-)/2, because u+ - u- = A P."""
-    velocities = problem.A @ impulses + problem.b
-    velocities[list(problem.held_rows)] = 0.0
-    change = float(impulses @ (velocities + problem.b)) / 2.0
-    terms = float(np.abs(impulses) @ (np.abs(velocities) + np.abs(problem.b))) / 2.0
-    return ImpactOutcome(status, mode, impulses, velocities, change, change > _GREW * terms, is_proven)

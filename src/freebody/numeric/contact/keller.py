@@ -19,7 +19,7 @@ from enum import Enum
 
 import numpy as np
 
-from freebody.numeric.contact.impacts import ImpactOutcome, impulsive, judged
+from freebody.numeric.contact.impulses import ImpactOutcome, impulsive, judged
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, OutcomeCount, RowState
 from freebody.numeric.contact.reduction import reduced
 

@@ -17,7 +17,8 @@ import numpy as np
 
 from freebody.numeric.contact.bounded import TOUCHING, Bounded, ContactInstant, ModeOf, RowProblem
 from freebody.numeric.contact.forces import contact_forces, is_admissible
-from freebody.numeric.contact.impacts import ImpactOutcome, impact
+from freebody.numeric.contact.impacts import impact
+from freebody.numeric.contact.impulses import ImpactOutcome
 from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, OutcomeCount, RowState
 from freebody.numeric.engine.layout import Floats

@@ -8,7 +8,6 @@ three are questions for the zeros of factors, which `turning.py` finds, or prove
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import joined, reworded, to_text
@@ -16,7 +15,8 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import SteadyFinding, odd_part
-from freebody.study.steady.turning import TurningAngle, TurnPose
+from freebody.study.steady.round_turn import over_a_turn
+from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
@@ -26,18 +26,8 @@ from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy
 
 
-@dataclass(frozen=True)
-class Extremum:
-    """A stationary value, and where it is reached."""
-
-    value: Ratio
-    places: tuple[TurnPose, ...]
-
-
 def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
-    from freebody.study.steady.round_turn import over_a_turn
-
     model = setup.model
     value = q.of.value(setup.system, setup.state)
     if isinstance(value, tuple):

@@ -15,7 +15,7 @@ from freebody.study.answer import Evidence
 from freebody.study.draws import Draw
 from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, NotReal, element_at, holds
 from freebody.study.setup import Setup
-from freebody.study.steady.extremes import Extremum
+from freebody.study.steady.turning import Extremum
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.model import Coordinate
 

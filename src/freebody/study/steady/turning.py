@@ -53,6 +53,14 @@ class TurnPose:
         return joined((compared(cos, "=", tidy(self.cos)), compared(sin, "=", tidy(self.sin))), ", ")
 
 
+@dataclass(frozen=True)
+class Extremum:
+    """A stationary value, and where it is reached."""
+
+    value: Ratio
+    places: tuple[TurnPose, ...]
+
+
 def tidy_name(name: str) -> Any:
     from freebody.language.expression import Symbol
 
