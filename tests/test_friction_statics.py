@@ -555,3 +555,22 @@ questions: [{find: does it tip or slide as mu grows, id: rest}%s]
     }
     assert len(reasons) == 1
     assert "p moves at the start" in str(reasons)
+
+
+def test_a_motion_that_cannot_be_told_is_refused_for_its_own_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where a question about rest stands beside, which has a reason of its own."""
+    from freebody.study.phases import tree
+
+    def refused(_system: object) -> None:
+        raise fb.CannotAnswer("too long")
+
+    monkeypatch.setattr(tree, "tree_of", refused)
+    text = """
+ground: {lines: {floor: {along: right}}}
+bodies: {p: {disk: {mass: 2 kg, radius: 0.5 m}, at: [0, 0.5 m], angular_velocity: 2 rad/s}}
+connections: {c: {contact: {between: [p, floor], friction: 0.3}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [{find: does it hold}, {find: acceleration of p}]
+"""
+    with pytest.raises(fb.ModelError, match="too long"):
+        fb.System.from_text(text).solve()

@@ -243,9 +243,12 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         rests = [q for q in questions if q.quantity.scope == "rest"]
         if not rests:
             raise ModelError([Problem((), str(error))], system.file) from error
-        found = {a.id: a for a in _at_rest(system, rests).answers}  # rest asks for no motion
-        answers = (found.get(q.id) or _without_form(q, str(error)) for q in questions)
-        return replace(_at_rest(system, ()), answers=tuple(answers))
+        try:
+            at_pose = _at_rest(system, rests)  # rest asks for no motion
+        except CannotAnswer:
+            raise ModelError([Problem((), str(error))], system.file) from error
+        found = {a.id: a for a in at_pose.answers}
+        return replace(at_pose, answers=tuple(found.get(q.id) or _without_form(q, str(error)) for q in questions))
     phases = phases_of(tree)
     model = phases.first_model
     answers = tuple(at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions)

@@ -321,8 +321,8 @@ def in_halves(system: System, rng: random.Random) -> list[Changed]:
             if value is None:
                 return []
             half[key] = value
-    place = {k: v for k, v in entry.items() if k in ("turned", "angle", "at") and k != "turned"}
-    data["bodies"] = dict(data["bodies"]) | {name: entry | {kind: half}, _STRANGER: {kind: copy.deepcopy(half)} | place}
+    begins = {k: v for k, v in entry.items() if k in ("angle", "at", "near", "velocity", "angular_velocity")}
+    data["bodies"] = dict(data["bodies"]) | {name: entry | {kind: half}, _STRANGER: {kind: copy.deepcopy(half)} | begins}
     point = system.bodies[name].default_point
     data["connections"] = {
         **section(data, "connections"),
