@@ -124,10 +124,10 @@ class Reference:
         n_starts: int = N_STARTS,
     ) -> Array:
         """The pose at t = 0: the held measures hold, the start of the model is as described, and the `extra`
-        measures have the given values (which replace those of the model's start). What is left free moves as
-        little as possible from zero, or from the `guess`. From here on measures of which only changes mean
-        something count from this pose. n_starts: disturbed guesses that are tried after the guess itself, the first of
-        them near it.
+        measures have the given values (which replace those of the model's start). What is left free stays near zero,
+        or near the `guess`: each step on the way is the smallest by the masses. From here on measures of which only
+        changes mean something count from this pose. n_starts: disturbed guesses that are tried after the guess itself,
+        the first of them near it.
 
         Returns q. Raises CannotAnswer naming the row with the largest gap if this is contradictory."""
         fit = assembled(self, extra, guess, n_starts)

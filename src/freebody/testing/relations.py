@@ -322,7 +322,10 @@ def in_halves(system: System, rng: random.Random) -> list[Changed]:
                 return []
             half[key] = value
     begins = {k: v for k, v in entry.items() if k in ("angle", "at", "near", "velocity", "angular_velocity")}
-    data["bodies"] = dict(data["bodies"]) | {name: entry | {kind: half}, _STRANGER: {kind: copy.deepcopy(half)} | begins}
+    data["bodies"] = dict(data["bodies"]) | {
+        name: entry | {kind: half},
+        _STRANGER: {kind: copy.deepcopy(half)} | begins,
+    }
     point = system.bodies[name].default_point
     data["connections"] = {
         **section(data, "connections"),
