@@ -301,7 +301,9 @@ def test_zeros_of_a_wave(turning: TurningAngle) -> None:
     f = turning.field
     c, s = f.variable(turning.cos), f.variable(turning.sin)
     found = turning.zeros(6 * c + 8 * s - 5)
-    angles = sorted(np.degrees(np.arctan2(*(turning.model.at_samples(x)[0] for x in (p.sin, p.cos)))) for p in found)
+    angles = sorted(
+        np.degrees(np.arctan2(*(turning.model.samples.at_starts(x)[0] for x in (p.sin, p.cos)))) for p in found
+    )
     middle = np.degrees(np.arctan2(4, 3))
     assert angles == pytest.approx([middle - 60, middle + 60])
 

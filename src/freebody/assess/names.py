@@ -27,8 +27,8 @@ class NameTable:
         self._functions = {p.name: self._elements[p.name] for p in system.parameters.values() if p.form is not None}
         self.dimensions |= system.dimensions()
         for c in model.coordinates:
-            if c.index in model.start_symbols:
-                self._elements[f"{c.name}_0"] = model.start_symbols[c.index]
+            if c.index in model.samples.start_symbols:
+                self._elements[f"{c.name}_0"] = model.samples.start_symbols[c.index]
                 self.dimensions[f"{c.name}_0"] = self.dimensions[c.name]
 
     def __contains__(self, key: str) -> bool:

@@ -46,8 +46,8 @@ class Setting:
                 self.angles.add(index)
         # where loops bind the coordinates, only poses of the mechanism are admissible
         self._poses = [
-            {k: real(float(v)) for k, v in model.numbers(sample).items()}
-            for sample in (model.samples if model.loops else ())
+            {k: real(float(v)) for k, v in model.samples.numbers(sample).items()}
+            for sample in (model.samples.points if model.loops else ())
         ]
         self.answers: tuple[Ratio, ...] | None = None
         if answer is not None:

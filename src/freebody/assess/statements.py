@@ -306,5 +306,5 @@ class _OptionReader:
         g, m = self.model.geometry, self.model
         parts = [m.field.element(Displacement(a, b, axis).value(g)) for axis in (RIGHT, UP)]
         # at every instant, so that each coefficient of the motion vanishes
-        open_ = [p for p in parts if not m.vanishes(p)]
+        open_ = [p for p in parts if not m.samples.vanishes(p)]
         return [c for p in open_ for c in motion_coefficients(p, self.claim.is_parameter)]

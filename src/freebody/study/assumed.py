@@ -35,7 +35,7 @@ def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
     model = setup.model
     names = {c.index: c.name for c in (*model.coordinates, *model.dependent)}
     meanings = [(symbol, f"what {row} keeps") for row, symbol in model.constants.items()]
-    meanings += [(symbol, f"what {names[k]} is") for k, symbol in model.start_symbols.items() if k in names]
+    meanings += [(symbol, f"what {names[k]} is") for k, symbol in model.samples.start_symbols.items() if k in names]
     used = set[str]().union(*(_symbols(answer) for answer in answers))
     for symbol, meaning in meanings:
         name = to_python(tidy(symbol))
@@ -61,7 +61,7 @@ def _symbols(answer: Answer) -> set[str]:
 
 def _number(setup: Setup, symbol: Ratio) -> float:
     draw = setup.draws[0]
-    numbers = setup.model.numbers(draw.sample(draw.start()), draw.sample())
+    numbers = setup.model.samples.numbers(draw.sample(draw.start()), draw.sample())
     return float(setup.model.field.evaluate(symbol, numbers))
 
 

@@ -29,8 +29,9 @@ from freebody.questions.energy import Energy
 from freebody.questions.momentum import AngularMomentum, Momentum, is_among, point_about
 from freebody.questions.vectors import Group, components_of, cross, dot, place
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 Wrench = tuple[Ratio, ...]  # force, then moment about the mass centre: three in the plane, six in space
@@ -94,7 +95,7 @@ class RateBalance:
         """p = sum of m v . dv/du"""
         k = self.model.coordinates.index(c)
         total = self.field.zero
-        for name, partials in self.model.partial_velocities.items():
+        for name, partials in self.model.kinematics.partial_velocities.items():
             for momentum, slope in zip(self._momentum_of(name), partials[k], strict=True):
                 total = total + momentum * slope
         return self.field.lowest_terms(total)
@@ -146,7 +147,7 @@ class RateBalance:
             return m.field.lowest_terms(principle.total(m.field.zero))
         rate = m.in_independent_speeds(m.rate(self.value))
         if rate.generators() & set(m.accelerations):
-            rate = m.in_independent_speeds(m.field.substitute(rate, m.solved_accelerations))
+            rate = m.in_independent_speeds(m.field.substitute(rate, m.dynamics.solved_accelerations))
         return m.field.lowest_terms(rate)
 
     def by_principle(self) -> RatePrinciple | None:
@@ -225,11 +226,11 @@ class RateBalance:
         c = self._coordinate(q.coordinate)
         m, k = self.model, self.model.coordinates.index(c)
         force = change = self.field.zero
-        for name, wrench in m.load_wrenches.items():
-            for w, slope in zip(wrench, m.partial_velocities[name][k], strict=True):
+        for name, wrench in m.loads.wrenches.items():
+            for w, slope in zip(wrench, m.kinematics.partial_velocities[name][k], strict=True):
                 force = force + w * slope
-        for name, partials in m.partial_velocities.items():
-            turning = map(self._in_speeds, m.turning_momentum(name))
+        for name, partials in m.kinematics.partial_velocities.items():
+            turning = map(self._in_speeds, m.dynamics.turning_momentum(name))
             for momentum, slope, gyroscopic in zip(self._momentum_of(name), partials[k], turning, strict=True):
                 # along turning axes dT/dq is not the momentum times the rate of dv/du alone
                 change = change + momentum * self._in_speeds(m.rate(slope)) - gyroscopic * slope
@@ -238,7 +239,7 @@ class RateBalance:
 
     def _momentum_of(self, body: str) -> tuple[Ratio, ...]:
         """Along the slots of a body, in independent speeds."""
-        return self.model.momentum(body, tuple(map(self._in_speeds, self.model.velocities[body])))
+        return self.model.dynamics.momentum(body, tuple(map(self._in_speeds, self.model.kinematics.velocities[body])))
 
     # -- what acts ----------------------------------------------------------------------------
     def _in_speeds(self, x: Ratio) -> Ratio:
@@ -286,7 +287,7 @@ class RateBalance:
                 center = place(self.system, self.state, self.system.bodies[body].mass_center)
                 moment = (m + x for m, x in zip(push[n:], cross(center, push[:n]), strict=True))
                 total = tuple(a + b for a, b in zip(total, (*push[:n], *moment), strict=True))
-        return not all(self.model.vanishes(part) for part in total)
+        return not all(self.model.samples.vanishes(part) for part in total)
 
 
 def _merged(parts: Iterable[tuple[str, Ratio]], zero: Ratio) -> tuple[tuple[str, Ratio], ...]:

@@ -190,7 +190,7 @@ class Judge:
     def finding(self, quantity: Quantity, name: str = "quantity") -> ConservationFinding:
         """The rate of a quantity and the cases in which it vanishes."""
         f = self.model.field
-        if all(f.element(i).is_zero() for inertia in self.model.inertias.values() for i in inertia):
+        if all(f.element(i).is_zero() for inertia in self.model.dynamics.inertias.values() for i in inertia):
             raise CannotAnswer("nothing with mass moves here. Give the bodies masses or inertias")
         balance = RateBalance(quantity, self.system, self.setup.state, name)
         try:
@@ -202,7 +202,7 @@ class Judge:
                 raise IsVector from None
             return self._by_simulation(balance, str(error))
         principle, notes = self._principle(balance)
-        if self.model.vanishes(rate):
+        if self.model.samples.vanishes(rate):
             return ConservationFinding(balance, (VanishingCase((), {}),), True, principle, notes)
         coefficients = motion_coefficients(rate, self.is_parameter)
         cases = cases_where_zero(coefficients, self.may_vanish)
@@ -297,10 +297,10 @@ class Judge:
         if principle is None:
             return None, ()
         total = self.model.in_independent_speeds(principle.total(self.model.field.zero))
-        if not self.model.vanishes(total - balance.rate):
+        if not self.model.samples.vanishes(total - balance.rate):
             # Where something moves without inertia its equation of motion binds the state, as 0 = Q: the rates agree
             # along motions only, and these are not determined.
-            _ = self.model.solved_accelerations
+            _ = self.model.dynamics.solved_accelerations
             raise RoutesDisagree(
                 f"the rate of {balance.name} by its principle is not the one by differentiation. "
                 "No answer is shown. This is a defect of freebody; please report the model"

@@ -185,7 +185,7 @@ class SimulatedRun:
 def _in_case(setup: Setup, draw: Draw, case: VanishingCase) -> Draw:
     """A draw whose numbers obey the equalities of a case."""
     model, system = setup.model, setup.system
-    numbers = model.numbers(draw.sample())
+    numbers = model.samples.numbers(draw.sample())
     values = dict(draw.values)
     forms: dict[str, Expr] = {}
     orders: dict[str, int] = {}

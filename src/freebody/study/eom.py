@@ -14,7 +14,6 @@ from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
@@ -82,7 +81,7 @@ def equations_of_motion(system: System) -> Equations:
     if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
         # nothing counts from the start; without loops no numbers are needed either, but where nothing can be assembled
         with suppress(ZeroDivisionError):
-            model = symbolic_model(system, [])
+            model = SymbolicModel(system, [])
             if not model.loops and not model.redundant:
                 return _equations(system, model)
     return _equations(system, Setup(system, 2).model)
@@ -92,18 +91,18 @@ def _equations(system: System, model: SymbolicModel) -> Equations:
     state = SymbolicState(model)
     rows = [row.measure for row in system.held if isinstance(row.measure, NonholonomicForm)]
     velocity = [tidy(model.field.lowest_terms(state.raw_rate(measure))) for measure in rows]
-    forcing = [model.field.lowest_terms(model.in_independent_speeds(f)) for f in model.forcing]
+    forcing = [model.field.lowest_terms(model.in_independent_speeds(f)) for f in model.dynamics.forcing]
     return Equations(
         system,
         tuple(c.name for c in model.coordinates),
         tuple(c.name for c in model.dependent),
-        _symmetric(model.mass_matrix),
-        tuple(map(tidy, forcing if system.space else model.forcing)),
+        _symmetric(model.dynamics.mass_matrix),
+        tuple(map(tidy, forcing if system.space else model.dynamics.forcing)),
         tuple(tidy(primitive_part(e.value)) for e in model.loops),
         {c.name: tidy(model.dependent_speed(c)) for c in model.dependent},
         tuple(e for e in velocity if e != number(0)),
         tuple(model.redundant),
-        model.singular_poses,
+        model.bodies.singular_poses,
     )
 
 

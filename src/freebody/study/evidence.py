@@ -102,7 +102,7 @@ def _shown(values: tuple[float, ...]) -> str:
 
 def element_at(setup: Setup, x: Ratio | tuple[Ratio, ...], draw: Draw, snapshot: Snapshot) -> tuple[float, ...]:
     """A closed form in numbers at a snapshot."""
-    numbers = setup.model.numbers(draw.sample(snapshot), draw.sample())
+    numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
     parts = x if isinstance(x, tuple) else (x,)
     try:
         return tuple(float(setup.model.field.evaluate(p, numbers)) for p in parts)

@@ -49,7 +49,7 @@ class ExactPose:
         if len(model.coordinates) != 1:
             raise CannotAnswer("formulas of centres and ratios need exactly one freedom")
         told = {c.index: start.values[c.index] for c in model.coordinates if c.index in start.values}
-        self._numbers = model.numbers(self.setup.draws[0].sample())
+        self._numbers = model.samples.numbers(self.setup.draws[0].sample())
         self._state = SymbolicState(model, told)
         loops = [model.field.follow(loop.value, told).numerator() for loop in model.loops]
         angles = _LoopAngles(self, loops).solved()

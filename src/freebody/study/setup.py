@@ -18,7 +18,6 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion, StartState, start_state
-from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.order import in_one_order
 from freebody.system.system import System
@@ -55,7 +54,7 @@ class Setup:
         starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
         try:
-            model = symbolic_model(self.system, [*starts, *general])
+            model = SymbolicModel(self.system, [*starts, *general])
             if self.system.space:
                 self._check_freedoms(model)
         except CannotAnswer as error:
@@ -129,17 +128,17 @@ class Setup:
 
     def is_on_branch(self, draw: Draw, snapshot: Snapshot) -> bool:
         """True where everything that the formulas take to be positive is."""
-        if not self.model.assumed:
+        if not self.model.samples.assumed:
             return True
-        numbers = self.model.numbers(draw.sample(snapshot))
-        return all(self.model.field.evaluate(x, numbers) > 0 for x in self.model.assumed)
+        numbers = self.model.samples.numbers(draw.sample(snapshot))
+        return all(self.model.field.evaluate(x, numbers) > 0 for x in self.model.samples.assumed)
 
     def holding(self, state: SymbolicState, *, with_contacts: bool = True) -> list[Condition]:
         """Conditions without which the model itself is not true: what is taken to be positive is, ideal strings
         pull, contacts push. In the order of the names of connections, so that none in the file changes what is said."""
         found: list[Condition] = []
-        for x in self.model.assumed:
-            found += _open(state.here(self.model.elimination.express(x)), ">", "as at the start")
+        for x in self.model.samples.assumed:
+            found += _open(state.here(self.model.express(x)), ">", "as at the start")
         for row in sorted(self.system.held, key=lambda row: row.name):
             if row.unilateral and with_contacts:
                 what = {"tension": "stays taut", "normal force": "keeps touching"}.get(row.reaction, "holds")

@@ -462,9 +462,9 @@ class _Solver:
             raise CannotAnswer(f"there are {len(found.squares)} natural frequencies; ask for natural frequencies")
         is_period = q.what == "period"
         if is_period:
-            element: Elements = 2 * f.pi * f.sqrt(1 / found.squares[0], self.model.is_negative)
+            element: Elements = 2 * f.pi * f.sqrt(1 / found.squares[0], self.model.samples.is_negative)
         else:
-            roots = [f.sqrt(s, self.model.is_negative) for s in found.squares]
+            roots = [f.sqrt(s, self.model.samples.is_negative) for s in found.squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
         evidence = proof.small_oscillations(
             self.setup, self.question.text, element, found.equilibrium, period=is_period

@@ -91,7 +91,7 @@ class RestEquations:
     def loads(self) -> dict[Slot, Ratio]:
         """Forces and moments of the loads, at rest."""
         order = ("x", "y", "angle")
-        wrenches = self.state.model.load_wrenches
+        wrenches = self.state.model.loads.wrenches
         return {slot: self.here(wrenches[slot[0]][order.index(slot[1])]) for slot in self.slots}
 
     def here(self, x: Ratio) -> Ratio:

@@ -18,7 +18,8 @@ from itertools import combinations
 from freebody.errors import CannotAnswer
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _MOST_TERMS = 400  # of an angle's cosine
@@ -137,7 +138,7 @@ class Closure:
 
     def _side(self, x: Ratio) -> int:
         """The sign of an element that is the branch on which the loop is assembled."""
-        signs = {v > 0 for v in self.model.at_samples(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
+        signs = {v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
         if len(signs) != 1:
             raise CannotAnswer("which way the loop is assembled depends on the parameter values")
         return 1 if signs.pop() else -1

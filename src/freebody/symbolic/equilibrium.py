@@ -20,11 +20,12 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import StartState
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
 from freebody.tolerances import ROUND_OFF
 
@@ -80,7 +81,7 @@ def small_oscillations(model: SymbolicModel, start: StartState) -> ClosedFormOsc
     for base, exponent in factors:
         if index in base.generators():
             roots += _polynomial_roots(model, base.coefficients(index)) * exponent
-    ordered = sorted(roots, key=lambda r: (model.at_samples(r) or [0.0])[0])
+    ordered = sorted(roots, key=lambda r: (model.samples.at_starts(r) or [0.0])[0])
     return ClosedFormOscillations(tuple(ordered), rest, tuple(notes))
 
 
@@ -93,8 +94,11 @@ def linearised(model: SymbolicModel, at: dict[int, Ratio]) -> tuple[list[list[Ra
     f = model.field
     n = len(model.coordinates)
     still = at | {c.speed: f.zero for c in model.coordinates}
-    M = [[f.follow(model.mass_matrix[j][k], still) for k in range(n)] for j in range(n)]
-    K = [[-f.follow(f.derivative(model.forcing[j], c.index), still) for c in model.coordinates] for j in range(n)]
+    M = [[f.follow(model.dynamics.mass_matrix[j][k], still) for k in range(n)] for j in range(n)]
+    K = [
+        [-f.follow(f.derivative(model.dynamics.forcing[j], c.index), still) for c in model.coordinates]
+        for j in range(n)
+    ]
     return M, K
 
 
@@ -116,7 +120,7 @@ def _polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     if len(c) == 2:
         return [-c[0] / c[1]]
     if len(c) == 3:
-        root = model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.is_negative)
+        root = model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
         return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
     raise CannotAnswer(
         f"the frequencies are roots of a polynomial of degree {len(c) - 1} in the squared frequency, which does not "
@@ -129,10 +133,10 @@ def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: b
     coordinate at a time. With `stable_first` a stable one is preferred to an unstable start."""
     f = model.field
     rest = {c.speed: f.zero for c in model.coordinates} | {f.index(f.time): f.zero}
-    forces = [f.follow(F, rest) for F in model.forcing]
+    forces = [f.follow(F, rest) for F in model.dynamics.forcing]
     at_start = {c.index: start.of(c.index) for c in model.coordinates}
     first: ClosedFormRest | None = None
-    if all(model.vanishes(f.follow(F, at_start)) for F in forces):
+    if all(model.samples.vanishes(f.follow(F, at_start)) for F in forces):
         first = _judged(model, at_start)
         if first is not None and (first.is_stable is not False or not stable_first):
             return first
@@ -168,7 +172,7 @@ _HOLDS = {"tension": "stays taut", "normal force": "keeps touching"}
 
 def _at_first(model: SymbolicModel, c: Condition) -> bool:
     """Whether a condition holds at the first sample, as far as that can be told; parameters alone decide."""
-    values = model.at_samples(c.element)
+    values = model.samples.at_starts(c.element)
     if not values or values[0] != values[0]:
         return decide(c.element, c.relation) is not False
     return values[0] > -ROUND_OFF if c.relation == ">=" else values[0] != 0 if c.relation == "!=" else values[0] > 0
@@ -178,7 +182,7 @@ def _with_stability(model: SymbolicModel, at: dict[int, Ratio], conditions: tupl
     """By the leading minors of the stiffness."""
     _M, K = linearised(model, at)
     n = len(K)
-    if not all(model.vanishes(K[j][k] - K[k][j]) for j in range(n) for k in range(j)):
+    if not all(model.samples.vanishes(K[j][k] - K[k][j]) for j in range(n) for k in range(j)):
         return ClosedFormRest(at, conditions, (), None)  # forces without a potential
     needed: list[Condition] = []
     verdict: bool | None = True
@@ -201,15 +205,15 @@ def _is_gyroscopic(model: SymbolicModel, at: dict[int, Ratio]) -> bool:
     """Forces that are linear in the speeds and do no work can hold what the stiffness pushes away."""
     f, n = model.field, len(model.coordinates)
     still = at | {c.speed: f.zero for c in model.coordinates}
-    G = [[f.follow(f.partial(F, c.speed), still) for c in model.coordinates] for F in model.forcing]
-    return not all(model.vanishes(G[j][k] - G[k][j]) for j in range(n) for k in range(j))
+    G = [[f.follow(f.partial(F, c.speed), still) for c in model.coordinates] for F in model.dynamics.forcing]
+    return not all(model.samples.vanishes(G[j][k] - G[k][j]) for j in range(n) for k in range(j))
 
 
 def _of_high_order(model: SymbolicModel, at: dict[int, Ratio]) -> bool | None:
     """Where the stiffness vanishes, by the first derivative of the force that does not: one of odd order must pull
     back, one of even order pushes away on one side."""
     f, c = model.field, model.coordinates[0]
-    force = f.follow(model.forcing[0], {c.speed: f.zero})
+    force = f.follow(model.dynamics.forcing[0], {c.speed: f.zero})
     for order in range(1, _MOST_DERIVATIVES):
         force = f.derivative(force, c.index)
         sign = sign_given(f.follow(force, at))
@@ -224,7 +228,7 @@ def _of_high_order(model: SymbolicModel, at: dict[int, Ratio]) -> bool | None:
 def _distance(model: SymbolicModel, a: dict[int, Ratio], b: dict[int, Ratio]) -> float:
     total = 0.0
     for k, value in a.items():
-        values = model.at_samples(value - b[k])
+        values = model.samples.at_starts(value - b[k])
         total += abs(values[0]) if values else 0.0
     return total
 
@@ -232,7 +236,7 @@ def _distance(model: SymbolicModel, a: dict[int, Ratio], b: dict[int, Ratio]) ->
 def _zeros(model: SymbolicModel, forces: list[Ratio], left: list[Coordinate]) -> list[dict[int, Ratio]]:
     """All common zeros found by solving for one coordinate after the other."""
     if not left:
-        return [{}] if all(model.vanishes(F) for F in forces) else []
+        return [{}] if all(model.samples.vanishes(F) for F in forces) else []
     found: list[dict[int, Ratio]] = []
     for F in forces:
         present = model.field.ingredients(F)

@@ -106,10 +106,10 @@ class Oscillation(MotionLaw):
 
     @property
     def w(self) -> Ratio:
-        return self.model.field.sqrt(self.square, self.model.is_negative)
+        return self.model.field.sqrt(self.square, self.model.samples.is_negative)
 
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
-        w, f = self.w, functions(self.model.field, self.model.is_negative)
+        w, f = self.w, functions(self.model.field, self.model.samples.is_negative)
         c, s = f["cos"](w * t), f["sin"](w * t)
         x0 = self.q0 - self.center
         return self.center + x0 * c + self.u0 / w * s, self.u0 * c - x0 * w * s
@@ -133,7 +133,7 @@ class Oscillation(MotionLaw):
     def _turns(self, a: Ratio, b: Ratio, y: Ratio) -> tuple[list[_Turn], list[_Need]]:
         """Angles tau in (-pi, 3 pi/2) with a cos(tau) + b sin(tau) = y, each with d/dtau there and a key."""
         field = self.model.field
-        f = functions(field, self.model.is_negative)
+        f = functions(field, self.model.samples.is_negative)
         pi, zero, real = field.pi, field.zero, a * a + b * b - y * y
         if sign_of(real) is Sign.NEGATIVE:  # out of reach
             return [], [(real, ">")]
@@ -151,7 +151,7 @@ class Oscillation(MotionLaw):
             slope = (b * (1 - tangent * tangent) - 2 * a * tangent) / (1 + tangent * tangent)
             return [(2 * f["atan"](tangent), slope, tangent), (pi, -b, None)], []
         # (y + a) T^2 - 2 b T + (y - a) = 0 with T = tan(tau/2), and the slope is plus or minus the root
-        root = field.sqrt(real, self.model.is_negative)
+        root = field.sqrt(real, self.model.samples.is_negative)
         tangents = [(sign, (b - sign * root) / (y + a)) for sign in (1, -1)]
         return [(2 * f["atan"](tangent), sign * root, tangent) for sign, tangent in tangents], _unless_zero(real, ">=")
 
@@ -169,10 +169,10 @@ class Growth(MotionLaw):
 
     @property
     def k(self) -> Ratio:
-        return self.model.field.sqrt(self.square, self.model.is_negative)
+        return self.model.field.sqrt(self.square, self.model.samples.is_negative)
 
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
-        k, f = self.k, functions(self.model.field, self.model.is_negative)
+        k, f = self.k, functions(self.model.field, self.model.samples.is_negative)
         c, s = f["cosh"](k * t), f["sinh"](k * t)
         x0 = self.q0 - self.center
         return self.center + x0 * c + self.u0 / k * s, self.u0 * c + x0 * k * s
@@ -191,7 +191,7 @@ class Growth(MotionLaw):
         """tau with a cosh(tau) + b sinh(tau) = y, each with d/dtau there and a key; E = exp(tau) is a root of
         (a + b) E^2 - 2 y E + (a - b) = 0."""
         field = self.model.field
-        log = functions(field, self.model.is_negative)["log"]
+        log = functions(field, self.model.samples.is_negative)["log"]
         if (a + b).is_zero():  # it comes to rest at the centre, but only after all time
             if y.is_zero():
                 return [], []
@@ -200,15 +200,15 @@ class Growth(MotionLaw):
             ratio = y / a
             if sign_of(ratio - 1) is Sign.NEGATIVE:
                 return [], [(ratio - 1, ">")]
-            root = field.sqrt(ratio * ratio - 1, self.model.is_negative)
+            root = field.sqrt(ratio * ratio - 1, self.model.samples.is_negative)
             return [(log(ratio + root), a * root, ratio - 1)], []
         if a.is_zero():  # from the centre
             ratio = y / b
-            root = field.sqrt(ratio * ratio + 1, self.model.is_negative)
+            root = field.sqrt(ratio * ratio + 1, self.model.samples.is_negative)
             return [(log(ratio + root), b * root, ratio)], []
         if sign_of(y * y - a * a + b * b) is Sign.NEGATIVE:
             return [], [(y * y - a * a + b * b, ">=")]
-        root = field.sqrt(y * y - a * a + b * b, self.model.is_negative)
+        root = field.sqrt(y * y - a * a + b * b, self.model.samples.is_negative)
         growths = [(sign, (y + sign * root) / (a + b)) for sign in (1, -1)]
         found: list[_Turn] = [
             (log(growth), sign * root, growth - 1) for sign, growth in growths if not growth.is_zero()
@@ -228,7 +228,7 @@ class Decay(MotionLaw):
         return self.u0 - self.end
 
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
-        grown = functions(self.model.field, self.model.is_negative)["exp"](self.gamma * t)
+        grown = functions(self.model.field, self.model.samples.is_negative)["exp"](self.gamma * t)
         over = self.u0 - self.end
         return self.q0 + self.end * t + over * (grown - 1) / self.gamma, self.end + over * grown
 
@@ -236,14 +236,14 @@ class Decay(MotionLaw):
         if not self.end.is_zero() or self.u0.is_zero():
             return None  # the time stands in a sum of itself and an exponential
         grown = 1 + self.gamma * (value - self.q0) / self.u0
-        log = functions(self.model.field, self.model.is_negative)["log"]
+        log = functions(self.model.field, self.model.samples.is_negative)["log"]
         return [LawInstant(log(grown) / self.gamma, value, self.u0 * grown, (value - self.q0) / self.u0)], [
             (grown, ">")
         ]
 
     def rates(self, value: Ratio) -> Instants:
         grown = (self.end - value) / (self.end - self.u0)
-        log = functions(self.model.field, self.model.is_negative)["log"]
+        log = functions(self.model.field, self.model.samples.is_negative)["log"]
         time = log(grown) / self.gamma
         place = self.q0 + (value - self.u0 + self.gamma * self.end * time) / self.gamma
         return [LawInstant(time, place, value, (grown - 1) / self.gamma)], [(grown, ">")]
@@ -252,8 +252,8 @@ class Decay(MotionLaw):
 def first(model: SymbolicModel, instants: Sequence[LawInstant]) -> FirstInstant | None:
     """The instant that comes first after the start at every sample, as many periods later as that needs; None where
     none comes at any. Raises CannotAnswer where that depends on the parameter values."""
-    times = [model.at_samples(i.time) for i in instants]
-    periods = [[inf] if i.period is None else model.at_samples(i.period) for i in instants]
+    times = [model.samples.at_starts(i.time) for i in instants]
+    periods = [[inf] if i.period is None else model.samples.at_starts(i.period) for i in instants]
     picks: set[tuple[int, int] | None] = set()
     for s in range(len(times[0]) if times else 0):
         found: list[tuple[float, int, int]] = []
@@ -287,12 +287,12 @@ def _order(model: SymbolicModel, chosen: LawInstant, n: int, others: Sequence[La
     for key in (other.key for other in others):
         if key is None:
             continue
-        if all(not v > 0 for v in model.at_samples(key)):
+        if all(not v > 0 for v in model.samples.at_starts(key)):
             needs.append((-key, ">="))
             if n and own is not None:
                 needs.append((key - own, ">"))
         elif own is not None:
-            is_later = all(not v <= 0 for v in model.at_samples(key - own))
+            is_later = all(not v <= 0 for v in model.samples.at_starts(key - own))
             needs.append((key - own, ">") if is_later else (key * (key - own), ">="))
     return needs
 

@@ -27,10 +27,11 @@ from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.laws import Decay, Growth, LawInstant, MotionLaw, Oscillation, UniformLaw, first
 from freebody.symbolic.linear import RHS, Row, solve
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath
 from freebody.symbolic.zeros import solve_linear
 
@@ -85,15 +86,15 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     for c in model.coordinates:
         q = scalar(known[c.name]) if c.name in known else _start_of(model, c, known)
         values[c.index] = q
-    values |= model.start_speeds(known_rates, values) or {}
+    values |= model.start_speeds.together(known_rates, values)
     for c in sorted(model.coordinates, key=lambda c: c.name not in known_rates):
         if c.speed not in values:
             u = scalar(known_rates[c.name]) if c.name in known_rates else None
             values[c.speed] = u if u is not None else _start_speed(model, c, known_rates, values)
     for c in model.dependent:
-        given = scalar(known[c.name]) if c.name in known else model.given_start(c)
+        given = scalar(known[c.name]) if c.name in known else model.start.of_coordinate(c)
         if given is None:
-            given = model.recognised_start(c)
+            given = model.start.recognised(c)
         if given is not None:
             values[c.index] = given
     values[f.index(f.time)] = f.zero
@@ -130,7 +131,7 @@ def rates_by_velocities(
     speeds = [c.speed for c in model.coordinates]
     at_start = {k: x for k, x in start.items() if k not in speeds}
     rows: list[Row] = []
-    for rate, wanted in model.wanted_rates(known_rates):
+    for rate, wanted in model.start_speeds.wanted_rates(known_rates):
         rows.append(_row_of(f.follow(model.in_independent_speeds(rate) - wanted, at_start), speeds))
     solved = solve(f, rows, speeds, Ratio.is_zero)
     is_driven = any(row.target is not None and free_symbols(row.target) for row in model.system.held)
@@ -155,8 +156,10 @@ def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int,
     rows, multipliers = list(given), [-2 - k for k in range(len(given))]
     for k, c in enumerate(model.coordinates):
         total = f.zero
-        for name, velocity in model.velocities.items():
-            for p, slope in zip(model.momentum(name, velocity), model.partial_velocities[name][k], strict=True):
+        for name, velocity in model.kinematics.velocities.items():
+            for p, slope in zip(
+                model.dynamics.momentum(name, velocity), model.kinematics.partial_velocities[name][k], strict=True
+            ):
                 if not slope.is_zero() and not p.is_zero():
                     total = total + p * slope
         row = _row_of(f.follow(model.in_independent_speeds(total), at_start), speeds)
@@ -204,7 +207,7 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
         velocities[body.name, "angle"] = f.zero if start.angular_velocity is None else scalar(start.angular_velocity)
     for name, pose in model.poses.items():
         poses.setdefault(name, pose)
-    there = FieldGeometry(f, model.parameters, poses, straight_tangent(f, model.is_negative))
+    there = FieldGeometry(f, model.parameters, poses, straight_tangent(f, model.samples.is_negative))
     values: dict[int, Ratio] = {f.index(f.time): f.zero}
     everything = (*model.coordinates, *model.dependent)
     measures = {c.index: model.measure_of(c) for c in everything}
@@ -233,13 +236,13 @@ def _start_of(model: SymbolicModel, c: Coordinate, known: dict[str, Expr]) -> Ra
         solved = solve_linear(value - model.geometry.scalar(expr), c.index)
         if solved is not None and not (f.ingredients(solved) & {k.index for k in model.coordinates}):
             return solved
-    given = model.given_start(c)
+    given = model.start.of_coordinate(c)
     if given is not None:
         return given
-    numbers = model.start_numbers(c.index)
+    numbers = model.samples.start_numbers(c.index)
     if all(abs(v) < 1e-9 for v in numbers):
         return f.zero
-    return model.start_parameter(c, numbers)
+    return model.samples.start_parameter(c, numbers)
 
 
 def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], values: dict[int, Ratio]) -> Ratio:
@@ -250,7 +253,7 @@ def _start_speed(model: SymbolicModel, c: Coordinate, known: dict[str, Expr], va
         solved = solve_linear(rate - model.geometry.scalar(expr), c.speed)
         if solved is not None and not (f.ingredients(solved) & {k.speed for k in model.coordinates}):
             return solved
-    given = model.given_start_speed(c, values)
+    given = model.start_speeds.of_coordinate(c, values)
     return f.zero if given is None else given
 
 
@@ -261,7 +264,7 @@ class SmoothMotion:
         self.model = model
         self.start = start
         self.field = model.field
-        self._sqrt = functions(model.field, model.is_negative)["sqrt"]
+        self._sqrt = functions(model.field, model.samples.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
     def reach(self, event: QuestionEvent) -> Reached:
@@ -303,7 +306,7 @@ class SmoothMotion:
             return False
         now = {k: x for k, x in self.start.values.items() if k != f.index(f.time)}
         try:
-            accelerations = [model.in_independent_speeds(a) for a in model.solved_accelerations.values()]
+            accelerations = [model.in_independent_speeds(a) for a in model.dynamics.solved_accelerations.values()]
             for a in accelerations:
                 for g in a.generators():
                     kind, (name, argument) = f.generators[g].kind, f.arguments.get(g, ("", f.one))
@@ -323,7 +326,7 @@ class SmoothMotion:
     # -- laws of motion -----------------------------------------------------------------------
     def _acceleration(self, c: Coordinate) -> Ratio:
         k = self.model.coordinates.index(c)
-        return self.field.lowest_terms(self.model.solved_accelerations[self.model.accelerations[k]])
+        return self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
 
     def law_of(self, c: Coordinate) -> MotionLaw | None:
         """How a coordinate moves by itself, where that is one of the laws that have closed forms."""
@@ -436,7 +439,7 @@ class SmoothMotion:
         square = u0 * u0 + 2 * a * distance
         root = self._sqrt(square)
         plus, minus = (-u0 + root) / a, (-u0 - root) / a
-        values = zip(self.model.at_samples(plus), self.model.at_samples(minus), strict=True)
+        values = zip(self.model.samples.at_starts(plus), self.model.samples.at_starts(minus), strict=True)
         # samples where the place is out of reach have no root at all
         pairs = [(p, m) for p, m in values if not math.isnan(p)]
         picks = {_first_positive(p, m) for p, m in pairs} or {None}
@@ -452,14 +455,14 @@ class SmoothMotion:
         chosen, other = (plus, minus) if pick == 0 else (minus, plus)
         shown = to_text(tidy(other))
         needs = [(square, ">=")]
-        if all(v < 0 for v in self.model.at_samples(other)):
+        if all(v < 0 for v in self.model.samples.at_starts(other)):
             words = f"rejected root: t = {shown} is negative, a time before the start"
             needs.append((distance / a, ">"))
         else:
             words = f"other root: t = {shown} is later, when {name} passes again on the way back"
             needs.append((chosen, ">"))
         if not sign_of(a).is_strict:  # it decides which root is the larger one
-            rises = all(v > 0 for v in self.model.at_samples(a))
+            rises = all(v > 0 for v in self.model.samples.at_starts(a))
             needs.append((a if rises else -a, ">"))
         note = Stated(words, to_python(tidy(other)))
         return _Passage(chosen, root if pick == 0 else -root, [note], needs)
@@ -530,7 +533,7 @@ class SmoothMotion:
             names = ", ".join(d.name for d in self.model.dependent)
             raise CannotAnswer(f"{names} follow from {c.name} only through the closed loop")
         values = {c.index: at}
-        M, M0 = (self.field.follow(self.model.mass_matrix[0][0], v) for v in (values, self.start.values))
+        M, M0 = (self.field.follow(self.model.dynamics.mass_matrix[0][0], v) for v in (values, self.start.values))
         V, V0 = (self._potential(v) for v in (values, self.start.values))
         u0 = self.start.of(c.speed)
         return (M0 * u0 * u0 + 2 * (V0 - V)) / M

@@ -66,7 +66,7 @@ class SymbolicState:
         m = self.model
         second = m.rate(self.raw_rate(measure))
         if second.generators() & set(m.accelerations):
-            second = m.field.substitute(second, m.solved_accelerations)
+            second = m.field.substitute(second, m.dynamics.solved_accelerations)
         if m.system.space:
             second = m.field.lowest_terms(m.in_independent_speeds(second))
         return self.here(second)
@@ -74,31 +74,31 @@ class SymbolicState:
     def gradient(self, measure: Measure | NonholonomicForm, body: str) -> tuple[Ratio, ...]:
         slopes, pose = self.model.gradient(measure), self.model.geometry.pose(body)
         zero = self.model.field.zero
-        along = tuple(slopes.get((body, slot), zero) for slot in self.model.slots)
+        along = tuple(slopes.get((body, slot), zero) for slot in self.model.bodies.slots)
         if isinstance(pose, SpatialPose):  # a moment along the body's axes, by its components on the ground
             moment = pose.turn(Vector(*along[3:]))
             along = (*along[:3], moment.x, moment.y, zero if moment.z is None else moment.z)
         return tuple(map(self.here, along))
 
     def multiplier(self, row: ConstraintRow) -> Ratio:
-        return self.here(self.model.multiplier(row))
+        return self.here(self.model.reactions.multiplier(row))
 
     def law(self, push: AppliedLoad) -> Ratio:
-        return self.here(self.model.law(push))
+        return self.here(self.model.loads.law(push))
 
     def potential(self, push: AppliedLoad) -> Ratio:
         """-integral of the law over its measure, for laws that are polynomials in it."""
         field = self.model.field
         coefficients = law_polynomial(push)
         assert not isinstance(push.measure, NonholonomicForm)
-        value = self.model.value_of(push.measure) - self.model.start_constant(push)
+        value = self.model.value_of(push.measure) - self.model.loads.start_constant(push)
         total = field.zero
         for k, coefficient in enumerate(coefficients):
             total = total - self.scalar(coefficient) * value ** (k + 1) / (k + 1)
         return self.here(total)
 
     def sqrt(self, x: Any) -> Ratio:
-        return self.model.field.sqrt(x, self.model.is_turned)
+        return self.model.field.sqrt(x, self.model.samples.is_turned)
 
 
 def law_polynomial(push: AppliedLoad) -> list[Expr]:

@@ -12,8 +12,9 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
 
 Need = tuple[Ratio, str]
@@ -40,7 +41,7 @@ class EnergyPath:
         """The speed when a place is reached first after the start, and what that needs, as formulas and in words."""
         distance = self.field.lowest_terms(at - self.q0)
         way, needs = self._way
-        speed = self.field.sqrt(self.field.lowest_terms(self._square_at(at)), self.model.is_negative)
+        speed = self.field.sqrt(self.field.lowest_terms(self._square_at(at)), self.model.samples.is_negative)
         side = 0 if distance.is_zero() else self._side(distance)
         if side == way:
             if not sign_of(distance).is_strict:
@@ -89,7 +90,7 @@ class EnergyPath:
         sign = sign_of(x)
         if sign.is_strict:
             return 1 if sign is Sign.POSITIVE else -1
-        ways = {(v > 0) - (v < 0) for v in self.model.at_samples(x)}
+        ways = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(x)}
         if len(ways) != 1 or 0 in ways:
             raise CannotAnswer(f"which way {self.c.name} goes depends on the parameter values")
         return ways.pop()
@@ -166,7 +167,7 @@ class EnergyPath:
             if math.isnan(p) or math.isnan(q) or not all(self._numbers(x)[s] > -_NEAR for x, _r in needs):
                 continue  # it does not get there with these numbers
             steps = [p + (q - p) * (k + 0.5) / _N_STEPS for k in range(_N_STEPS)]
-            heights = [self.model.at_start_with(self.square, s, {self.c.index: v}) for v in steps]
+            heights = [self.model.samples.at_start_with(self.square, s, {self.c.index: v}) for v in steps]
             if not all(h > 0 for h in heights):
                 raise CannotAnswer(f"whether {self.c.name} gets there depends on more than could be told in formulas")
             near = 2 * abs(q - p) / _N_STEPS
@@ -179,7 +180,7 @@ class EnergyPath:
         return self.field.follow(self.square, {self.c.index: place})
 
     def _numbers(self, x: Ratio) -> list[float]:
-        return self.model.at_samples(x)
+        return self.model.samples.at_starts(x)
 
 
 def _real(place: Ratio) -> list[Need]:

@@ -49,7 +49,7 @@ def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) 
     for measure in (*rows, *measures):
         yield from _of_measure(model, measure)
     for push in model.system.pushes if with_loads else ():
-        for x, relation in model.law_needs(push):
+        for x, relation in model.loads.needs(push):
             yield x, relation, f"law of {push.load}"
         if not isinstance(push.measure, NonholonomicForm):
             yield from _of_measure(model, push.measure)

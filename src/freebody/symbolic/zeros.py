@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.unknowns import Coordinate
 
 
 def solve_linear(x: Ratio, index: int) -> Ratio | None:
@@ -43,7 +44,7 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[R
     parts = base.coefficients(c.index)
     if len(parts) != 3 or any(c.index in f.ingredients(part) for part in parts):
         return []
-    root = f.sqrt(parts[1] * parts[1] - 4 * parts[0] * parts[2], model.is_negative)
+    root = f.sqrt(parts[1] * parts[1] - 4 * parts[0] * parts[2], model.samples.is_negative)
     return [(-parts[1] - root) / (2 * parts[2]), (-parts[1] + root) / (2 * parts[2])]
 
 
@@ -74,7 +75,7 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     if len(in_sin) > 2 or {cos, sin} & a.generators():
         return []
     b, r = (in_sin[1] if len(in_sin) == 2 else f.zero), in_sin[0]
-    pi, fn = f.pi, functions(f, model.is_negative)
+    pi, fn = f.pi, functions(f, model.samples.is_negative)
     if r.is_zero():
         if a.is_zero():
             return [f.zero, pi]

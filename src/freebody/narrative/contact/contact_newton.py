@@ -45,7 +45,7 @@ class ContactNewton(Newton):
     @cached_property
     def planner(self) -> Planner:
         world = list(self.glossary.worlds("always"))[-1]
-        numbers = self.model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+        numbers = self.model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
         return ContactPlanner(self.table, numbers, self.merged)
 
     def asked(self, quantity: Quantity) -> tuple[Ratio, ...]:

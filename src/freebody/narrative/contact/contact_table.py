@@ -55,7 +55,7 @@ class ContactTable(PrincipleTable):
     def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
         """Every load of the model; frictions are none."""
         return [
-            (p, self.model.law(p), self.model.gradient(p.measure))
+            (p, self.model.loads.law(p), self.model.gradient(p.measure))
             for p in self.system.pushes
             if p.load in self.system.loads
         ]
@@ -90,12 +90,12 @@ def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
     if not rub.load:
         return "", False
     model = phase.model
-    pressing = [name for name in rub.load if not model.multiplier(phase.rows[name]).is_zero()]
+    pressing = [name for name in rub.load if not model.reactions.multiplier(phase.rows[name]).is_zero()]
     if len(pressing) > 1:
         raise CannotAnswer(f"the friction of {rub.row.connection} is proportional to a resultant of two components")
     name = (pressing or list(rub.load))[0]
     row = phase.rows[name]
-    return name, not row.unilateral and model.is_negative(row.sign * model.multiplier(row))
+    return name, not row.unilateral and model.samples.is_negative(row.sign * model.reactions.multiplier(row))
 
 
 class ContactState(FormalState):

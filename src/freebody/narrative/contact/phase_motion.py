@@ -17,10 +17,10 @@ from freebody.narrative.questions.state import kinetic_of
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
 from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 KINETIC, POTENTIAL = Symbol("T_kin"), Symbol("V")
 Part = Literal["kinetic", "potential"]

@@ -19,8 +19,8 @@ from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.words import summary
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
 from freebody.symbolic.phases.course import UniformMotion
+from freebody.symbolic.unknowns import Coordinate
 
 Values = dict[int, tuple[Ratio, int]]
 
@@ -129,7 +129,7 @@ def _needed(way: PhaseSequence, leg: PhaseSegment) -> tuple[set[str], set[str]]:
             used |= {
                 g
                 for a in f.ingredients(part) & set(model.accelerations)
-                for g in f.ingredients(model.solved_accelerations[a])
+                for g in f.ingredients(model.dynamics.solved_accelerations[a])
             }
     moving = {c.name for c in model.coordinates if used & {c.index, c.speed} and _moves(leg, c)}
     places = {c.name for c in model.coordinates if c.index in used and c.name in moving}

@@ -49,7 +49,7 @@ class RestNewton(Newton):
 
     def equations(self) -> Plan:
         draw = self.setup.draws[-1]
-        numbers = self.model.numbers(draw.sample(draw.start()), draw.sample())
+        numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         return RestPlanner(self.table, numbers, self.failure, self.asked_rows).equations()
 
     # -- writing ------------------------------------------------------------------------------

@@ -59,7 +59,7 @@ class RestTable(PrincipleTable):
 
     @cached_property
     def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
-        return [(p, self.here(self.model.law(p)), self.gradient(p.measure)) for p in self.system.pushes]
+        return [(p, self.here(self.model.loads.law(p)), self.gradient(p.measure)) for p in self.system.pushes]
 
     def position(self, body: str) -> Pair:
         x, y = super().position(body)

@@ -113,7 +113,7 @@ class World(Mapping[str, Any]):
     def generators(self) -> dict[str, float]:
         """Values of what the symbolic route made symbols of (start values, hidden coordinates), by name."""
         model = self.glossary.setup.model
-        numbers = model.numbers(self.draw.sample(self.snapshot), self.draw.sample())
+        numbers = model.samples.numbers(self.draw.sample(self.snapshot), self.draw.sample())
         found: dict[str, float] = {}
         for index, generator in model.field.generators.items():
             if index in numbers and isinstance(generator.display, (Symbol, Call)):
@@ -192,8 +192,8 @@ class Glossary:
         for row, value in model.constants.items():
             found[shown_name(value)] = Sentence("symbol.start_of_row", {"row": row})
         for c in (*model.coordinates, *model.dependent):
-            if c.index in model.start_symbols:
-                found[shown_name(model.start_symbols[c.index])] = Sentence("symbol.start_of", {"name": c.name})
+            if c.index in model.samples.start_symbols:
+                found[shown_name(model.samples.start_symbols[c.index])] = Sentence("symbol.start_of", {"name": c.name})
         return found
 
     # -- numbers ------------------------------------------------------------------------------

@@ -7,7 +7,6 @@ if ...": a factor 0 leaves a part out, -1 gives it the wrong sign.
 
 from __future__ import annotations
 
-import copy
 from dataclasses import dataclass, replace
 from functools import singledispatchmethod
 from typing import Any, cast
@@ -28,17 +27,6 @@ from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
 Elements = tuple[Ratio, ...]
-_DYNAMICS = (
-    "velocities",
-    "partial_velocities",
-    "body_accelerations",
-    "inertias",
-    "mass_matrix",
-    "forcing",
-    "load_wrenches",
-    "solved_accelerations",
-    "_multipliers",
-)
 
 
 @dataclass(frozen=True)
@@ -64,10 +52,6 @@ class Marked:
         self.factors: dict[MarkedFactor, int] = {}  # with their generators
         self._names: dict[str, Ratio] = {}
         model = setup.model
-        self.model: SymbolicModel = copy.copy(model)
-        for name in _DYNAMICS:
-            self.model.__dict__.pop(name, None)
-        self.model.assumed = list(model.assumed)
         self.bias = self._factor("bias")
         self.start = self._factor("start")
         self.event = self._factor("event")
@@ -75,11 +59,9 @@ class Marked:
         bodies = {name: body if body.fixed else self._body(body) for name, body in system.bodies.items()}
         pushes = tuple(self._push(p) for p in system.pushes)
         self.system: System = replace(system, bodies=bodies, pushes=pushes)
-        self.model.system = self.system
-        self.model.geometry = copy.copy(model.geometry)
-        self.model.geometry.names = {**model.geometry.names, **self._names}
-        self.model.velocities = {name: self._velocity(name, v) for name, v in model.velocities.items()}
-        self.model.body_accelerations = {name: self._accelerations(name) for name in model.velocities}
+        velocities = {name: self._velocity(name, v) for name, v in model.kinematics.velocities.items()}
+        accelerations = {name: self._accelerations(v) for name, v in velocities.items()}
+        self.model: SymbolicModel = model.with_bodies(self.system, self._names, velocities, accelerations)
 
     def _factor(self, what: str, of: str = "") -> Ratio:
         factor = MarkedFactor(what, of)
@@ -116,12 +98,12 @@ class Marked:
         speed, turning = self._names[f"@speed {body}"], self._names[f"@turning {body}"]
         return v[0] * speed, v[1] * speed, v[2] * turning
 
-    def _accelerations(self, body: str) -> Elements:
+    def _accelerations(self, velocity: Elements) -> Elements:
         """With the factor of the terms without accelerations."""
-        model = self.model
+        model = self.setup.model
         still = dict.fromkeys(model.accelerations, model.field.zero)
         found: list[Ratio] = []
-        for v in model.velocities[body]:
+        for v in velocity:
             a = model.rate(v)
             bias = model.field.substitute(a, still)
             found.append(a if bias.is_zero() else a - bias + self.bias * bias)
@@ -141,7 +123,7 @@ class Marked:
             if reached.coordinate is None:
                 raise CannotAnswer("the event involves several coordinates")
             k = model.coordinates.index(reached.coordinate)
-            is_uniform = model.solved_accelerations[model.accelerations[k]].is_constant()
+            is_uniform = model.dynamics.solved_accelerations[model.accelerations[k]].is_constant()
             if q.is_of_event:
                 if reached.time is None:
                     raise CannotAnswer(reached.why_no_time)
@@ -159,7 +141,7 @@ class Marked:
     @_form.register(SmallOscillations)
     def _frequencies(self, q: SmallOscillations, question: Question, start: StartState) -> Elements:
         model = self.model
-        roots = [model.field.sqrt(s, model.is_negative) for s in small_oscillations(model, start).squares]
+        roots = [model.field.sqrt(s, model.samples.is_negative) for s in small_oscillations(model, start).squares]
         if q.what == "period":
             return (self._plain(2 * model.field.pi / roots[0]),)
         return tuple(map(self._plain, roots))

@@ -65,8 +65,11 @@ class BodyEquations:
 
     def _row(self, body: str, slot: str) -> Row:
         model, f = self.model, self.field
-        k = model.slots.index(slot)
-        rest = model.inertia_force(body, model.body_accelerations[body])[k] - model.load_wrenches[body][k]
+        k = model.bodies.slots.index(slot)
+        rest = (
+            model.dynamics.inertia_force(body, model.kinematics.body_accelerations[body])[k]
+            - model.loads.wrenches[body][k]
+        )
         row: Row = {}
         for a in model.accelerations:
             slope = f.partial(rest, a)
@@ -134,7 +137,7 @@ class BodyEquations:
             if body == m.body and slot in m.slots and index in changed:
                 changed[index] = changed[index] * m.factor
             rows.append(changed)
-        solved = solve(self.field, rows, self.columns, self.model.vanishes)
+        solved = solve(self.field, rows, self.columns, self.model.samples.vanishes)
         if solved.free or solved.contradictory:
             raise CannotAnswer("the equations do not tell")
         values = {column: row.get(RHS, self.field.zero) for column, row in solved.pivots.items()}

@@ -140,7 +140,7 @@ class WrongOptions:
         for k, draw in list(enumerate(setup.draws))[1 : 1 + _N_MOTIONS]:
             for later in range(2 if self.up_to_constant else 1):
                 sample = draw.sample(draw.anywhere(SEED + k + 50 * later, 0.37 + 0.2 * later, 0.3))
-                values = self.model.numbers(sample, draw.sample())
+                values = self.model.samples.numbers(sample, draw.sample())
                 found.append(self._faster(values) if later else self.model.field.complete(values))
         if not found:
             raise CannotAnswer("there are no random motions")

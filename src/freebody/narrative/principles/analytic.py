@@ -22,8 +22,9 @@ from freebody.questions.loads import Power
 from freebody.questions.motion import rates_of
 from freebody.study.gruebler import is_driven
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 
 def by_lagrange(context: Context, script: Script, asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
@@ -123,8 +124,8 @@ def generalized_force(model: SymbolicModel, c: Coordinate) -> Ratio:
     f = model.field
     k = model.coordinates.index(c)
     total = f.zero
-    for body, wrench in model.load_wrenches.items():
-        for part, slope in zip(wrench, model.partial_velocities[body][k], strict=True):
+    for body, wrench in model.loads.wrenches.items():
+        for part, slope in zip(wrench, model.kinematics.partial_velocities[body][k], strict=True):
             total = total + part * slope
     return f.lowest_terms(total)
 
@@ -196,13 +197,13 @@ def _force_reader(context: Context, c: Coordinate) -> Callable[[World], float]:
 
     def read(world: World) -> float:
         total = 0.0
-        numbers = model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+        numbers = model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
         k = model.coordinates.index(c)
         for push in model.system.pushes:
             law = world.snapshot.law(push)
             for body in [b.name for b in model.system.moving]:
                 slopes = world.snapshot.gradient(push.measure, body)
-                for slope, part in zip(slopes, model.partial_velocities[body][k], strict=False):
+                for slope, part in zip(slopes, model.kinematics.partial_velocities[body][k], strict=False):
                     total += law * slope * float(model.field.evaluate(part, numbers))
         return total
 

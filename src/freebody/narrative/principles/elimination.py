@@ -83,7 +83,7 @@ class Solver:
         return simple, len(entry.num), len(row.entries)
 
     def _without_zeros(self, row: EliminationRow) -> EliminationRow:
-        kept = {u: x for u, x in row.entries.items() if not self.model.vanishes(x)}
+        kept = {u: x for u, x in row.entries.items() if not self.model.samples.vanishes(x)}
         return EliminationRow(kept, row.rest, row.number)
 
     # -- steps --------------------------------------------------------------------------------

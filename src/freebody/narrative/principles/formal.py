@@ -36,7 +36,7 @@ class FormalState(SymbolicState):
 
     def sqrt(self, x: Any) -> Ratio:
         """The root of a square has the sign that it has with the reactions and accelerations of the solution."""
-        return self.model.field.sqrt(x, lambda base: self.model.is_turned(self._solved(base)), is_kept=True)
+        return self.model.field.sqrt(x, lambda base: self.model.samples.is_turned(self._solved(base)), is_kept=True)
 
     def _solved(self, x: Ratio) -> Ratio:
         """An element with reactions and accelerations replaced by what they are, where that is unique."""
@@ -46,7 +46,7 @@ class FormalState(SymbolicState):
             reaction = self.table.reactions.get(row.name)
             if reaction is not None and m.field.index(reaction) in used:
                 with suppress(CannotAnswer):
-                    values[m.field.index(reaction)] = row.sign * m.multiplier(row)
+                    values[m.field.index(reaction)] = row.sign * m.reactions.multiplier(row)
         if used & set(m.accelerations):
-            values |= m.solved_accelerations
+            values |= m.dynamics.solved_accelerations
         return m.field.lowest_terms(m.field.follow(x, values)) if values else x

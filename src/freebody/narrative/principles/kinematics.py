@@ -7,7 +7,7 @@ in the coordinates, which the derivation states as a line before it is used.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -88,14 +88,14 @@ class Kinematics:
             self._own[body] = found
         return self._own[body]
 
-    def _rates(self, order: Order) -> dict[str, tuple[Ratio, ...]]:
-        return self.model.velocities if order == 1 else self.model.body_accelerations
+    def _rates(self, order: Order) -> Mapping[str, tuple[Ratio, ...]]:
+        return self.model.kinematics.velocities if order == 1 else self.model.kinematics.body_accelerations
 
     # -- turning ------------------------------------------------------------------------------
     def turning(self, body: str, order: Order) -> Term | None:
         """Angular velocity or acceleration of a body; None where it does not turn."""
         explicit = self._rates(order)[body][2]
-        if self.model.vanishes(explicit):
+        if self.model.samples.vanishes(explicit):
             return None
         for own in self.own(body):
             if own.x.is_zero() and own.y.is_zero() and (own.angle * own.angle - 1).is_zero():
@@ -118,7 +118,7 @@ class Kinematics:
         length one."""
         x, y, _w = self._rates(order)[body]
         explicit = vector[0] * x + vector[1] * y
-        if self.model.vanishes(explicit):
+        if self.model.samples.vanishes(explicit):
             return []
         for own in self.own(body):
             # (x, y) = c (own.x, own.y) along the measure, whose rate is own . v
@@ -137,7 +137,7 @@ class Kinematics:
                 return [across]
         found: list[Term] = []
         for component, axis, direction, part in ((vector[0], "x", RIGHT, x), (vector[1], "y", UP, y)):
-            if component.is_zero() or self.model.vanishes(part):
+            if component.is_zero() or self.model.samples.vanishes(part):
                 continue
             same = next((o for o in self.own(body) if o.angle.is_zero() and _is_axis(o, axis)), None)
             if same is not None:
@@ -151,7 +151,7 @@ class Kinematics:
         """A symbol for the component along a slanted direction, the same for both senses of it; None where its length
         is a root."""
         f = self.model.field
-        size = f.sqrt(f.lowest_terms(vector[0] * vector[0] + vector[1] * vector[1]), self.model.is_negative)
+        size = f.sqrt(f.lowest_terms(vector[0] * vector[0] + vector[1] * vector[1]), self.model.samples.is_negative)
         if any(f.generators[g].kind == "root" for g in size.generators()) or size.is_zero():
             return None
         unit = f.lowest_terms(vector[0] / size), f.lowest_terms(vector[1] / size)
@@ -169,7 +169,7 @@ class Kinematics:
         model, center = self.model, self.table.system.bodies[body].mass_center
 
         def read(world: World) -> float:
-            numbers = model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+            numbers = model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
             along = [float(model.field.evaluate(u, numbers)) for u in unit]
             x, y = place(self.table.system, world.snapshot, center, order)
             return float(along[0] * x + along[1] * y)
@@ -183,7 +183,7 @@ class Kinematics:
         x, y, _w = self._rates(order)[body]
         for own in self.own(body):
             is_unit = (own.x * own.x + own.y * own.y - 1).is_zero()
-            if own.angle.is_zero() and is_unit and self.model.vanishes(own.x * y - own.y * x):
+            if own.angle.is_zero() and is_unit and self.model.samples.vanishes(own.x * y - own.y * x):
                 return own, (own.x, own.y)
         return None
 
@@ -219,7 +219,7 @@ class Kinematics:
         """sum of slope * velocity over the bodies of a row, without what is at rest."""
         f, found = self.model.field, list[Term]()
         for body in dict.fromkeys(b for b, _slot in row_slopes):
-            if body not in self.model.velocities:
+            if body not in self.model.kinematics.velocities:
                 continue
             vector = row_slopes.get((body, "x"), f.zero), row_slopes.get((body, "y"), f.zero)
             if not (vector[0].is_zero() and vector[1].is_zero()):

@@ -36,10 +36,10 @@ def motion_equations(context: Context, script: Script, *, why: str = "unclosed.k
     for k, c in enumerate(model.coordinates):
         entries = {
             a: f.lowest_terms(m)
-            for a, m in zip(model.accelerations, model.mass_matrix[k], strict=True)
-            if not model.vanishes(m)
+            for a, m in zip(model.accelerations, model.dynamics.mass_matrix[k], strict=True)
+            if not model.samples.vanishes(m)
         }
-        rest = f.lowest_terms(model.in_independent_speeds(model.forcing[k]))
+        rest = f.lowest_terms(model.in_independent_speeds(model.dynamics.forcing[k]))
         for x in (*entries.values(), rest):
             readable(x)
         terms: list[Expr] = [scaled(x, f.generators[a].display) for a, x in entries.items()]

@@ -76,7 +76,7 @@ class Newton:
     @cached_property
     def planner(self) -> Planner:
         world = list(self.glossary.worlds("always"))[-1]
-        numbers = self.model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+        numbers = self.model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
         return Planner(self.table, numbers, self.merged)
 
     # -- what is asked ------------------------------------------------------------------------
@@ -223,10 +223,10 @@ class Newton:
         velocity = tuple(f.lowest_terms(self.model.in_independent_speeds(self.model.rate(x))) for x in p.centre.place)
         term = f.zero
         for body in p.bodies:
-            m = self.model.inertias[body][0]
-            vx, vy, _w = (self.model.in_independent_speeds(v) for v in self.model.velocities[body])
+            m = self.model.dynamics.inertias[body][0]
+            vx, vy, _w = (self.model.in_independent_speeds(v) for v in self.model.kinematics.velocities[body])
             term = term + m * (velocity[0] * vy - velocity[1] * vx)
-        if self.model.vanishes(term):
+        if self.model.samples.vanishes(term):
             script.say("moving_point.parallel", point=p.centre.words)
         else:
             script.say("moving_point.instant", point=p.centre.words, term=tidy(f.lowest_terms(term)))
@@ -236,7 +236,7 @@ class Newton:
         terms: list[Term] = []
         shown: list[Expr] = []
         for body in p.bodies:
-            mass, _mass, inertia = self.model.inertias[body]
+            mass, _mass, inertia = self.model.dynamics.inertias[body]
             wx, wy = (p.weights.get((body, slot), self.field.zero) for slot in ("x", "y"))
             turning = self.kinematics.turning(body, 2) if (body, "angle") in p.weights else None
             if turning is not None and p.is_clockwise:
@@ -262,10 +262,10 @@ class Newton:
         assert p.centre is None or p.kind == "angular"
         if p.centre is None or not p.centre.is_fixed:
             return False
-        vx, vy, omega = self.model.velocities[body]
+        vx, vy, omega = self.model.kinematics.velocities[body]
         omega = -omega if p.is_clockwise else omega
         # v_G = omega x r with r from the centre: (-r_y, r_x) are the weights
-        return self.model.vanishes(vx - omega * w[0]) and self.model.vanishes(vy - omega * w[1])
+        return self.model.samples.vanishes(vx - omega * w[0]) and self.model.samples.vanishes(vy - omega * w[1])
 
     def _forces(self, p: WritablePrinciple) -> tuple[Expr, Ratio, dict[str, Ratio]]:
         """Loads and reactions on the right: as written, the loads as an element, coefficients of reactions."""
@@ -274,17 +274,17 @@ class Newton:
         rest = f.zero
         for _push, law, slopes in self.table.loads:
             arm = self._weighted(p.weights, slopes)
-            if not self.model.vanishes(arm * law):
+            if not self.model.samples.vanishes(arm * law):
                 rest = rest + arm * law
                 shown.append(tidy(f.lowest_terms(arm * law)))
         coefficients: dict[str, Ratio] = {}
         for row, slopes in self.table.directions.items():
             arm = self._weighted(p.weights, slopes)
-            if not self.model.vanishes(arm):
+            if not self.model.samples.vanishes(arm):
                 same = self.merged.get(row, row)
                 coefficients[same] = f.lowest_terms(coefficients.get(same, f.zero) + arm)
         for row, arm in coefficients.items():
-            if not self.model.vanishes(arm):
+            if not self.model.samples.vanishes(arm):
                 shown.append(scaled(arm, Symbol(self.table.symbols[row].name)))
         return (positive_first(shown) if shown else tidy(f.zero)), rest, coefficients
 
@@ -380,7 +380,9 @@ class Newton:
             self._introduce(script, term)
         held = self.table.rows[row]
         rest = total(terms, self.field.zero)  # what drives it
-        shown = [term.expression for term in terms] + ([] if self.model.vanishes(rest) else [negate(tidy(rest))])
+        shown = [term.expression for term in terms] + (
+            [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
+        )
         signs = signed_terms(tuple(shown))
         left = [e for e, (minus, _x) in zip(shown, signs, strict=True) if not minus]
         right = [negate(e) for e, (minus, _x) in zip(shown, signs, strict=True) if minus]
@@ -425,11 +427,11 @@ class Newton:
         rest = (w.rest or f.zero) - motion
         for a in self.model.accelerations:
             slope = f.partial(motion, a)
-            if not self.model.vanishes(slope):
+            if not self.model.samples.vanishes(slope):
                 entries[a] = f.lowest_terms(slope)
             rest = rest + slope * f.variable(a)
         for row, arm in w.reactions.items():
-            if not self.model.vanishes(arm):
+            if not self.model.samples.vanishes(arm):
                 entries[f.index(self.table.reactions[row])] = f.lowest_terms(-arm)
         row = EliminationRow(entries, f.lowest_terms(rest), w.number)
         plain = all(term.is_plain for term in w.terms)

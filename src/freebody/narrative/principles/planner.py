@@ -87,9 +87,9 @@ class Planner:
         found = np.zeros(self.n)
         for (body, slot), weight in weights.items():
             w = self._number(weight)
-            place = self.model.slots.index(slot)
-            inertia = self._number(self.model.inertias[body][place])
-            for k, partial in enumerate(self.model.partial_velocities[body]):
+            place = self.model.bodies.slots.index(slot)
+            inertia = self._number(self.model.dynamics.inertias[body][place])
+            for k, partial in enumerate(self.model.kinematics.partial_velocities[body]):
                 found[k] += w * inertia * self._number(partial[place])
             for row, slopes in self._slopes.items():
                 if (body, slot) in slopes:

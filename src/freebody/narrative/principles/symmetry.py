@@ -77,7 +77,7 @@ def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:
 
 def _are_alike(table: PrincipleTable, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
     model = table.model
-    if not (model.body_accelerations[first][2] - model.body_accelerations[other][2]).is_zero():
+    if not (model.kinematics.body_accelerations[first][2] - model.kinematics.body_accelerations[other][2]).is_zero():
         return False
     for world in worlds:
         for row, same in rows.items():

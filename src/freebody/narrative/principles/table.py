@@ -87,7 +87,9 @@ class PrincipleTable:
         found: dict[str, dict[Slot, Ratio]] = {}
         for name, row in self.rows.items():
             slopes = self.gradient(row.measure)
-            found[name] = {slot: row.sign * slope for slot, slope in slopes.items() if not self.model.vanishes(slope)}
+            found[name] = {
+                slot: row.sign * slope for slot, slope in slopes.items() if not self.model.samples.vanishes(slope)
+            }
         return found
 
     def acting_on(self, body: str) -> list[str]:
@@ -97,7 +99,7 @@ class PrincipleTable:
     @cached_property
     def loads(self) -> list[tuple[AppliedLoad, Ratio, dict[Slot, Ratio]]]:
         """Every load with its law and its direction."""
-        return [(p, self.model.law(p), self.gradient(p.measure)) for p in self.system.pushes]
+        return [(p, self.model.loads.law(p), self.gradient(p.measure)) for p in self.system.pushes]
 
     # -- geometry -----------------------------------------------------------------------------
     def gradient(self, measure: Measure | NonholonomicForm) -> dict[Slot, Ratio]:
@@ -157,7 +159,7 @@ class PrincipleTable:
         )
         for (row_a, a), (row_b, b) in ordered[:12]:
             determinant = a[0] * b[1] - a[1] * b[0]
-            if self.model.vanishes(determinant):
+            if self.model.samples.vanishes(determinant):
                 continue
             # r x F = m for both lines, about the origin
             x = f.lowest_terms((a[0] * b[2] - b[0] * a[2]) / determinant)
@@ -168,7 +170,7 @@ class PrincipleTable:
         return found
 
     def _is_still(self, place: Pair) -> bool:
-        return all(self.model.vanishes(self.model.rate(x)) for x in place)
+        return all(self.model.samples.vanishes(self.model.rate(x)) for x in place)
 
     def _point_words(self, row_a: str, row_b: str) -> Sentence:
         connection, other = self.rows[row_a].connection, self.rows[row_b].connection

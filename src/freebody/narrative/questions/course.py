@@ -24,10 +24,10 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 TIME = Symbol("t")
 
@@ -56,7 +56,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if c is None:
         raise CannotAnswer("a measure of several coordinates that move independently is told without a derivation")
     k = setup.model.coordinates.index(c)
-    acceleration = setup.model.field.lowest_terms(setup.model.solved_accelerations[setup.model.accelerations[k]])
+    acceleration = setup.model.field.lowest_terms(
+        setup.model.dynamics.solved_accelerations[setup.model.accelerations[k]]
+    )
     script = context.script()
     by_energy = reached.time is None or method == "energy"
     if by_energy and reached.time is not None and question.quantity.is_of_event:
@@ -206,7 +208,7 @@ def _oscillation(way: _EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Rati
 
     f, model, script = beta.field, way.context.setup.model, way.script
     is_bound = sign_of(beta) is Sign.NEGATIVE
-    w = f.sqrt(-beta if is_bound else beta, model.is_negative)
+    w = f.sqrt(-beta if is_bound else beta, model.samples.is_negative)
     wave, other = ("cos", "sin") if is_bound else ("cosh", "sinh")
     angle = multiply(tidy(w), TIME)
     from freebody.narrative.principles.elimination import positive_first
@@ -251,13 +253,13 @@ def _energy(way: _EventWay) -> list[int]:
         # where the place is given its values are put in; where the speed is given the place is found
         put_in: dict[int, Ratio] = {} if event.order == 1 else {c.index: reached.at}
         state = SymbolicState(model, put_in)
-        mass = f.follow(model.mass_matrix[0][0], put_in)
+        mass = f.follow(model.dynamics.mass_matrix[0][0], put_in)
         begin = context.setup.start_instant
         zero = f.zero
         v_end = sum((state.potential(p) for p in model.system.pushes), zero)
         v_start = sum((begin.potential(p) for p in model.system.pushes), zero)
         _q0, u0 = _start(way)
-        m_start = f.follow(model.mass_matrix[0][0], context.setup.start.values)
+        m_start = f.follow(model.dynamics.mass_matrix[0][0], context.setup.start.values)
         t_start = f.lowest_terms(m_start * u0 * u0 / 2)
         left = add(multiply(tidy(f.lowest_terms(mass / 2)), power(u, number(2))), tidy(f.lowest_terms(v_end)))
         right = tidy(f.lowest_terms(t_start + v_start))

@@ -91,7 +91,7 @@ def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]
     setup = context.setup
     state = setup.start_instant if question.at_start else setup.state
     wanted = elements(setup.model.field, question.quantity.value(setup.system, state))
-    if any(not setup.model.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
+    if any(not setup.model.samples.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
         same_answer(found, wanted)
 
 

@@ -19,7 +19,7 @@ from freebody.study.draws import Draw
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
+from freebody.symbolic.unknowns import Coordinate
 
 STEP = 1e-3  # rad, m
 SETTLED = 1e-5  # of a step, that an equilibrium may still move by

@@ -41,7 +41,7 @@ def parts_of_state(context: Context, script: Script, question: Question) -> Answ
 @singledispatch
 def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
     """Lines, and the symbols of the parts whose sum it is: by default the constraints of the bodies that it reads."""
-    bodies = [b for b in q.bodies_in_motion if b in context.setup.model.velocities]
+    bodies = [b for b in q.bodies_in_motion if b in context.setup.model.kinematics.velocities]
     with script.stage("stage.kinematics", "hint.velocities"):
         return [line for b in bodies for line in context.newton.constraints_of(script, b)], []
     return [], []
@@ -103,7 +103,7 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     """T = m v^2/2 + I w^2/2 of one body, and the constraints that its velocity obeys."""
     square, terms = _square(context, body)
     turning = context.newton.kinematics.turning(body, 1) if context.system.bodies[body].turns else None
-    mass, _m, inertia = context.setup.model.inertias[body]
+    mass, _m, inertia = context.setup.model.dynamics.inertias[body]
     parts: list[Expr] = []
     if square is not None and not mass.is_zero():
         parts.append(multiply(tidy(mass / 2), square))
@@ -171,7 +171,7 @@ def _spin(q: AngularMomentum, context: Context, script: Script) -> tuple[list[in
 
 def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBody) -> list[int]:
     system, f = context.system, context.setup.model.field
-    mass, _m, inertia = context.setup.model.inertias[body.name]
+    mass, _m, inertia = context.setup.model.dynamics.inertias[body.name]
     x, y = _velocity(context, body.name)
     turning = context.newton.kinematics.turning(body.name, 1) if body.turns else None
     about, _v = point_about(system, context.setup.state, q)

@@ -206,7 +206,7 @@ class SpatialTelling:
         for body in q.bodies_in_motion:
             if self.context.system.bodies[body].fixed:
                 continue
-            names += [name for name, _axis in self.kinematics.model.turning_axes(body)]
+            names += [name for name, _axis in self.kinematics.bodies.turning_axes(body)]
         lines = self.kinematics.angles.explain(dict.fromkeys(names))
         bound = {c.speed for c in model.dependent} | {c.index for c in model.dependent}
         state = self.context.setup.state

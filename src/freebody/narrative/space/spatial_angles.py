@@ -22,7 +22,7 @@ class Angles:
 
     def __init__(self, frames: Frames) -> None:
         self.frames, self.context, self.script = frames, frames.context, frames.script
-        self.model, self.field = frames.model, frames.field
+        self.model, self.bodies, self.field = frames.model, frames.bodies, frames.field
         self.independent = {c.name for c in self.model.coordinates}
         self.bound = {c.name for c in self.model.dependent}
         self.lines: dict[str, tuple[int, ...]] = {}  # by angle: where its rate is told
@@ -35,7 +35,7 @@ class Angles:
         for name in names:
             if name in self.context.system.measures:
                 continue
-            measure = self.model.tree.angles[name]
+            measure = self.bodies.tree.angles[name]
             for order in (0, 1, 2):
                 symbol = rates_of(name, order)
                 what = Sentence("space.joint_angle", {"name": name})
@@ -60,7 +60,7 @@ class Angles:
 
     def value(self, name: str) -> Ratio:
         """An angle in the coordinates that are left."""
-        return self.frames.express(self.model.angle(name))
+        return self.frames.express(self.bodies.angle(name))
 
     def rate(self, name: str) -> Ratio:
         """Its rate in independent speeds."""
@@ -71,7 +71,7 @@ class Angles:
         if row is None:
             value = readable(self.rate(name))
             return (self.script.line(rates_of(name, 1), tidy(value), why="space.rate_known"),)
-        equation = self.model.raw_equation(row)
+        equation = self.model.equation(row)
         others = [n for n in self._angles_in(equation) if n != name]
         self.introduce([name, *others])
         before = self.explain(others)
@@ -93,8 +93,8 @@ class Angles:
 
     def _tangent(self, equation: Ratio, name: str, place: int) -> int | None:
         """a cos q + b sin q = 0 as tan q = -a/b."""
-        pair = self.field.pair_of(self.field.index(self.model.angle(name)))
-        if pair is None or self.field.index(self.model.angle(name)) in equation.generators():
+        pair = self.field.pair_of(self.field.index(self.bodies.angle(name)))
+        if pair is None or self.field.index(self.bodies.angle(name)) in equation.generators():
             return None
         numerator = equation.numerator()
         in_cos = numerator.coefficients(pair[0])
@@ -112,10 +112,10 @@ class Angles:
         """The held row that binds an angle with the fewest others that are bound as well."""
         best: tuple[tuple[int, int], ConstraintRow] | None = None
         for row in self.context.system.held:
-            if isinstance(row.measure, NonholonomicForm) or row.name in self.model.tree.rows:
+            if isinstance(row.measure, NonholonomicForm) or row.name in self.bodies.tree.rows:
                 continue
             try:
-                equation = self.model.raw_equation(row)
+                equation = self.model.equation(row)
             except (CannotAnswer, ZeroDivisionError):
                 continue
             angles = self._angles_in(equation)
@@ -128,9 +128,9 @@ class Angles:
 
     def _angles_in(self, x: Ratio) -> list[str]:
         inside = self.field.ingredients(x)
-        return [n for n in self.model.tree.angles if self.field.index(self.model.angle(n)) in inside]
+        return [n for n in self.bodies.tree.angles if self.field.index(self.bodies.angle(n)) in inside]
 
     def _only_angles(self, x: Ratio) -> bool:
         """Whether nothing else moves in an equation."""
-        own = {self.field.index(self.model.angle(n)) for n in self.model.tree.angles}
+        own = {self.field.index(self.bodies.angle(n)) for n in self.bodies.tree.angles}
         return all(self.field.generators[g].kind != "coordinate" or g in own for g in self.field.ingredients(x))

@@ -45,11 +45,11 @@ def free_bodies(context: Context, group: Group) -> bool:
 
 def _is_free(context: Context, body: str) -> bool:
     model = context.setup.model
-    turning = model.slots[model.n_places :]
+    turning = model.bodies.slots[model.bodies.n_places :]
     for row in context.system.held:
         if any(owner == body and slot in turning for owner, slot in model.gradient(row.measure)):
             return False
-    return all(x.is_zero() for x in model.inertias[body][6:])
+    return all(x.is_zero() for x in model.dynamics.inertias[body][6:])
 
 
 def by_euler(
@@ -58,9 +58,9 @@ def by_euler(
     """The angular acceleration along the body's own axes, from Euler's equations."""
     model, f = kinematics.model, kinematics.field
     axes = axes_of_body(context, q.body)
-    moments_of_inertia = model.inertias[q.body][3:6]
+    moments_of_inertia = model.dynamics.inertias[q.body][3:6]
     inertia = [tidy(x) for x in moments_of_inertia]
-    moments = [f.lowest_terms(model.in_independent_speeds(x)) for x in model.load_wrenches[q.body][3:]]
+    moments = [f.lowest_terms(model.in_independent_speeds(x)) for x in model.loads.wrenches[q.body][3:]]
     with script.stage("space.euler_stage", "space.euler_hint"):
         w = omega_symbols(context, kinematics, q.body)
         rates = _rates(context, script, w)
@@ -122,7 +122,7 @@ def _rates(context: Context, script: Script, w: Sequence[Symbol]) -> tuple[Expr,
 def start_line(context: Context, script: Script, kinematics: SpatialKinematics, body: str, w: Sequence[Symbol]) -> int:
     """The angular velocity at the start."""
     model, here = kinematics.model, context.setup.start_instant
-    values = tuple(tidy(kinematics.field.lowest_terms(here.here(x))) for x in model.velocities[body][3:])
+    values = tuple(tidy(kinematics.field.lowest_terms(here.here(x))) for x in model.kinematics.velocities[body][3:])
     return script.line(tuple(w), values, why="space.start_turning", args={"body": body}, when="start")
 
 
@@ -147,7 +147,7 @@ def _energy(
         return tuple(OfPoint(b.mass_center, 1).value(context.system, world.snapshot))
 
     v = kinematics.introduce(f"v_{b.name}", "velocity", b.name, axes_of(None), reads, "m/s")
-    mass, inertia = tidy(model.inertias[b.name][0]), [tidy(x) for x in model.inertias[b.name][3:6]]
+    mass, inertia = tidy(model.dynamics.inertias[b.name][0]), [tidy(x) for x in model.dynamics.inertias[b.name][3:6]]
     squares = add(*(power(x, number(2)) for x in v))
     turning = [multiply(i, power(x, number(2))) for i, x in zip(inertia, w, strict=True)]
     symbol = Symbol(fresh(context, f"T_{b.name}", f"T_{b.name}_k"))
@@ -157,7 +157,7 @@ def _energy(
     value = add(multiply(half, mass, squares), multiply(half, add(*turning)))
     line = script.line(symbol, value, why="space.kinetic_formal", args={"body": b.name})
     here, f = context.setup.start_instant, kinematics.field
-    at: tuple[Ratio, ...] = model.velocities[b.name]
+    at: tuple[Ratio, ...] = model.kinematics.velocities[b.name]
     shown = tuple(tidy(f.lowest_terms(here.here(x))) for x in at)
     first = script.line(tuple(v), shown[:3], why="space.start_moving", args={"body": b.name}, when="start")
     second = script.line(tuple(w), shown[3:], why="space.start_turning", args={"body": b.name}, when="start")

@@ -14,7 +14,7 @@ from freebody.narrative.lines.naming import component_names
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.vectors import AXES, Basis, components_of, dot
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.spatial.model import SpatialModel
+from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 
@@ -54,15 +54,15 @@ class Frames:
 
     def __init__(self, context: Context, script: Script) -> None:
         self.context, self.script = context, script
-        model = context.setup.model
-        assert isinstance(model, SpatialModel)
-        self.model: SpatialModel = model
+        self.model = model = context.setup.model
+        assert isinstance(model.bodies, SpatialBodies)
+        self.bodies: SpatialBodies = model.bodies
         self.field = model.field
         self.state: SymbolicState = context.setup.state
 
     def express(self, x: Ratio) -> Ratio:
         """In the coordinates that are left."""
-        return self.field.lowest_terms(self.model.elimination.express(x))
+        return self.field.lowest_terms(self.model.express(x))
 
     def along(self, vector: Sequence[Ratio], axes: Axes) -> Vector:
         """Ground components as components along axes."""

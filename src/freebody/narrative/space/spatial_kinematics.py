@@ -45,8 +45,8 @@ class SpatialKinematics(Frames):
     def turning(self, body: str) -> list[tuple[str, Vector]]:
         """The angles that change between the ground and a body, and their axes by ground components."""
         found: list[tuple[str, Vector]] = []
-        for name, axis in self.model.turning_axes(body):
-            if not self.model.vanishes(self.angles.rate(name)):
+        for name, axis in self.bodies.turning_axes(body):
+            if not self.model.samples.vanishes(self.angles.rate(name)):
                 self.angles.introduce([name])
                 found.append((name, tuple(map(self.express, axis))))
         return found
@@ -173,7 +173,7 @@ class SpatialKinematics(Frames):
 
     def _handy_axes(self, body: RigidBody) -> Axes:
         """The axes of what carries a body: there its velocities are short."""
-        link = next((link for link in self.model.tree.links if link.body == body.name), None)
+        link = next((link for link in self.bodies.tree.links if link.body == body.name), None)
         if link is None or link.parent == GROUND:
             return axes_of(None)
         x, y, z = (Direction(link.parent, e.components) for e in AXES)

@@ -36,7 +36,7 @@ class Momenta:
 
     def omega_of(self, b: RigidBody) -> tuple[int, ...]:
         """The angular velocity of a body that turns and has inertia, along its own axes."""
-        if not b.turns or all(x.is_zero() for x in self.model.inertias[b.name][3:]):
+        if not b.turns or all(x.is_zero() for x in self.model.dynamics.inertias[b.name][3:]):
             return ()
         _symbols, line = self.kinematics.omega(b.name, axes_of_body(self.context, b.name))
         return (line, *self.kinematics.bound(b.name))
@@ -60,10 +60,10 @@ class Momenta:
 
     def _velocity(self, b: RigidBody) -> tuple[int, ...]:
         """The velocity of a mass centre that moves."""
-        if self.model.inertias[b.name][0].is_zero():
+        if self.model.dynamics.inertias[b.name][0].is_zero():
             return ()
-        velocity = [self.model.in_independent_speeds(v) for v in self.model.velocities[b.name][:3]]
-        if all(self.model.vanishes(v) for v in velocity):
+        velocity = [self.model.in_independent_speeds(v) for v in self.model.kinematics.velocities[b.name][:3]]
+        if all(self.model.samples.vanishes(v) for v in velocity):
             return ()
         if b.center != b.mass_center:
             return (self.kinematics.place(b.mass_center, f"{b.name}.G"),)
@@ -124,8 +124,8 @@ class Momenta:
 
     def _own_spin(self, b: RigidBody, uses: tuple[int, ...]) -> int:
         axes = axes_of_body(self.context, b.name)
-        velocity = tuple(self.model.in_independent_speeds(v) for v in self.model.velocities[b.name])
-        H = self.model.momentum(b.name, velocity)[3:]
+        velocity = tuple(self.model.in_independent_speeds(v) for v in self.model.kinematics.velocities[b.name])
+        H = self.model.dynamics.momentum(b.name, velocity)[3:]
         q = AngularMomentum(b.name, None)
 
         def reads(world: World) -> Sequence[float]:

@@ -64,7 +64,7 @@ class SpatialNewton:
     def _plan(self, unknowns: Sequence[int]) -> Plan:
         """Principles for each unknown on its own, put together."""
         world = list(self.context.glossary.worlds("always"))[-1]
-        numbers = self.model.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+        numbers = self.model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
         planner = SpatialPlanner(self.table, numbers)
         rows = {self.field.index(r): row for row, r in self.table.reactions.items()}
         found: list[tuple[WritablePrinciple, tuple[str, ...], tuple[str, ...]]] = []
@@ -91,7 +91,7 @@ class SpatialNewton:
         """What closed loops and rolling say of the velocities, where the motion of the bodies contains it."""
         bound = {c.speed for c in self.model.dependent}
         for body in bodies:
-            if any(self.field.ingredients(v) & bound for v in self.model.velocities[body]):
+            if any(self.field.ingredients(v) & bound for v in self.model.kinematics.velocities[body]):
                 more = self.kinematics.velocities_bound()
                 self.lines[body] = tuple(dict.fromkeys((*self.lines[body], *more)))
 
@@ -99,13 +99,13 @@ class SpatialNewton:
     def _motion(self, b: RigidBody, plan: Plan) -> tuple[int, ...]:
         """Where its mass centre is and how its angular momentum changes, as far as the principles need it."""
         slots = {slot for p in plan.principles for body, slot in p.weights if body == b.name}
-        inertia = self.model.inertias[b.name]
+        inertia = self.model.dynamics.inertias[b.name]
         lines: list[int] = []
         turns = any(slot not in ("x", "y", "z") for slot in slots) and any(not x.is_zero() for x in inertia[3:])
-        if turns and not all(self.model.vanishes(w) for w in self.model.velocities[b.name][3:]):
+        if turns and not all(self.model.samples.vanishes(w) for w in self.model.kinematics.velocities[b.name][3:]):
             lines += self._turning(b)
         moves = slots & {"x", "y", "z"} and not inertia[0].is_zero()
-        if moves and not all(self.model.vanishes(v) for v in self.model.velocities[b.name][:3]):
+        if moves and not all(self.model.samples.vanishes(v) for v in self.model.kinematics.velocities[b.name][:3]):
             lines.append(self.kinematics.place(b.mass_center, f"{b.name}.G" if b.center != b.mass_center else b.name))
         return tuple(lines)
 
@@ -116,12 +116,14 @@ class SpatialNewton:
         bound = self.kinematics.bound(b.name)
         uses = (line, *bound)
         m = self.model
-        velocity = tuple(m.in_independent_speeds(v) for v in m.velocities[b.name])
-        H = m.momentum(b.name, velocity)[3:]
+        velocity = tuple(m.in_independent_speeds(v) for v in m.kinematics.velocities[b.name])
+        H = m.dynamics.momentum(b.name, velocity)[3:]
         symbols = self.kinematics.introduce(f"H_{b.name}", "spin", b.name, axes, self._read_spin(b), "kg m^2/s")
         args: dict[str, Argument] = {"body": b.name, "line": line}
         found = [script.line(symbols, self.kinematics.shown(H), why="space.spin_is", args=args, uses=uses)]
-        rate = m.inertia_force(b.name, tuple(map(m.in_independent_speeds, m.body_accelerations[b.name])))[3:]
+        rate = m.dynamics.inertia_force(
+            b.name, tuple(map(m.in_independent_speeds, m.kinematics.body_accelerations[b.name]))
+        )[3:]
         shown = self.kinematics.shown(tuple(map(m.in_independent_speeds, rate)))
         if sum(map(n_operations, shown)) <= MOST_OPERATIONS:
             reads = _spin_rate(self.context, b)
@@ -171,9 +173,9 @@ class SpatialNewton:
     def _rate(self, body: str, weights: Mapping[Slot, Ratio]) -> Ratio:
         """What a body's momentum contributes."""
         m, f = self.model, self.field
-        changing = m.inertia_force(body, tuple(m.body_accelerations[body]))
+        changing = m.dynamics.inertia_force(body, tuple(m.kinematics.body_accelerations[body]))
         total = f.zero
-        for slot, change in zip(m.slots, changing, strict=True):
+        for slot, change in zip(m.bodies.slots, changing, strict=True):
             if (body, slot) in weights:
                 total = total + weights[body, slot] * change
         return f.lowest_terms(m.in_independent_speeds(total))
@@ -189,13 +191,13 @@ class SpatialNewton:
             by_load[push.load] = by_load.get(push.load, f.zero) + law * arm
         for value in by_load.values():
             x = f.lowest_terms(self.model.in_independent_speeds(value))
-            if not self.model.vanishes(x):
+            if not self.model.samples.vanishes(x):
                 rest = rest + x
                 shown.append(tidy(x))
         reactions: dict[str, Ratio] = {}
         for row, slopes in self.table.directions.items():
             arm = f.lowest_terms(self._weighted(p.weights, slopes))
-            if not self.model.vanishes(arm):
+            if not self.model.samples.vanishes(arm):
                 reactions[row] = arm
                 shown.append(scaled(arm, Symbol(self.table.symbols[row].name)))
         return shown, f.lowest_terms(rest), reactions
@@ -214,7 +216,7 @@ class SpatialNewton:
         known = rest - motion
         for a in self.model.accelerations:
             slope = f.partial(motion, a)
-            if not self.model.vanishes(slope):
+            if not self.model.samples.vanishes(slope):
                 entries[a] = f.lowest_terms(slope)
             known = known + slope * f.variable(a)
         for row, arm in reactions.items():

@@ -27,7 +27,7 @@ from freebody.narrative.space.spatial_frames import Vector
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.spatial.model import SpatialModel
+from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.tolerances import ROUND_OFF
 
 MOST_TOGETHER = 4  # bodies that are put together in every possible way
@@ -62,7 +62,7 @@ class SpatialTable(PrincipleTable):
     def __init__(self, kinematics: SpatialKinematics) -> None:
         super().__init__(kinematics.model)
         self.kinematics = kinematics
-        self.space: SpatialModel = kinematics.model
+        self.bodies: SpatialBodies = kinematics.bodies
         self.field = kinematics.field
         self.state = kinematics.state
         self._points: dict[Point, Vector] = {}
@@ -86,7 +86,7 @@ class SpatialTable(PrincipleTable):
             vector = tuple(f.one if i == k else f.zero for i in range(3))
             found.append(_Direction(vector, Sentence("space.along_ground", {"axis": f"@{axis}"})))
         for body in bodies:
-            for name, axis in self.space.turning_axes(body):
+            for name, axis in self.bodies.turning_axes(body):
                 vector = tuple(map(self.kinematics.express, axis))
                 found.append(_Direction(vector, Sentence("space.along_joint", {"name": Symbol(name)})))
         for body in bodies:
@@ -129,7 +129,7 @@ class SpatialTable(PrincipleTable):
 
     def _place(self, point: Point, words: Sentence, center_of: str = "") -> _Place:
         place = self._coordinates(point)
-        is_fixed = all(self.model.vanishes(self.model.rate(x)) for x in place)
+        is_fixed = all(self.model.samples.vanishes(self.model.rate(x)) for x in place)
         return _Place(place, words, is_fixed, center_of)
 
     def _coordinates(self, point: Point) -> Vector:
@@ -169,7 +169,7 @@ class SpatialTable(PrincipleTable):
             parts = [*turned]
             if self.system.bodies[body].turns:
                 parts += [f.element(dot(d.vector, a)) for a in self._axes(body)]
-            for slot, w in zip(self.model.slots, parts, strict=False):
+            for slot, w in zip(self.model.bodies.slots, parts, strict=False):
                 weights[body, slot] = f.lowest_terms(f.element(w))
         centre = MomentCentre((place.place[0], place.place[1]), place.words, place.is_fixed, place.mass_center_of)
         aim = Aim((d.vector[0], d.vector[1]), d.words, "")
@@ -183,8 +183,8 @@ class SpatialPlanner(Planner):
         super().__init__(table, numbers)
         self._changes = {
             body.name: [
-                [self._number(x) for x in self.model.momentum(body.name, partial)]
-                for partial in self.model.partial_velocities[body.name]
+                [self._number(x) for x in self.model.dynamics.momentum(body.name, partial)]
+                for partial in self.model.kinematics.partial_velocities[body.name]
             ]
             for body in table.system.moving
         }
@@ -197,7 +197,7 @@ class SpatialPlanner(Planner):
     def row_of(self, weights: Mapping[Slot, Ratio]) -> Array:
         found = np.zeros(self.n)
         for (body, slot), weight in weights.items():
-            w, place = self._number(weight), self.model.slots.index(slot)
+            w, place = self._number(weight), self.model.bodies.slots.index(slot)
             for k, change in enumerate(self._changes[body]):
                 found[k] += w * change[place]
             for row, slopes in self._slopes.items():

@@ -23,8 +23,8 @@ from freebody.study.steady.round_turn import FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 N_POSES = 24  # round the turn, from which the numeric route looks for the extremes
 STEPS = (math.tau / 24, 0.03, 0.003)  # of parabolas through three poses, ever closer to the extreme

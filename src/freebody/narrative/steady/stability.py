@@ -39,7 +39,7 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
     model = context.setup.model
     k = "xyz".index(q.axis)
     i, j = (k + 1) % 3, (k + 2) % 3
-    tensor = model.inertias[q.body][3:]
+    tensor = model.dynamics.inertias[q.body][3:]
     if not tensor[_PRODUCTS[frozenset((i, j))]].is_zero():
         raise CannotAnswer(
             "the axes across the spin are no principal axes; the answer is that of the general equations"

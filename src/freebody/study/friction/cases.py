@@ -159,7 +159,7 @@ class Ends:
                 if value is None or not _agree(value, edge.value):
                     continue
                 at_end = self.equations.reactions(here.failure, at)
-                if not all(self.model.vanishes(r) for r in at_end.residuals):
+                if not all(self.model.samples.vanishes(r) for r in at_end.residuals):
                     continue
                 conditions, is_complete = self._conditions(here, at_end, at, sign)
                 return FailureCase(here.failure, here.words, element, conditions, is_complete)
@@ -186,7 +186,7 @@ class Ends:
                 yield {k: self.field.lowest_terms(x) for k, x in at.items()}
 
     def number(self, x: Ratio, draw: Draw) -> float | None:
-        numbers = self.model.numbers(draw.sample(draw.start()), draw.sample())
+        numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
         try:
             return float(self.field.evaluate(x, numbers))
         except (KeyError, ValueError, ArithmeticError):

@@ -214,7 +214,7 @@ class _Road:
         model, c = course.model, course.coordinate
         self.model, self.c = model, c
         self.start, self.speed = course.start.of(c.index), course.start.of(c.speed)
-        self.push = model.field.follow(model.solved_accelerations[model.accelerations[0]], course.start.values)
+        self.push = model.field.follow(model.dynamics.solved_accelerations[model.accelerations[0]], course.start.values)
         self.q0, self.u0, self.a0 = (sets.evaluate(model, x) for x in (self.start, self.speed, self.push))
         self.way = np.sign(np.where(self.u0 != 0.0, self.u0, self.a0))
         self.too_near = np.zeros(sets.n, dtype=bool)  # sets at which a place cannot be told from the start in numbers

@@ -78,7 +78,7 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
         if piece.is_home:
             exact: Any = _home_numbers(tree, piece, int(k))
         else:
-            numbers = phase.model.numbers(draw.sample(now), draw.sample(begin))
+            numbers = phase.model.samples.numbers(draw.sample(now), draw.sample(begin))
             parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
             exact = tuple(float(phase.model.field.evaluate(p, numbers)) for p in parts)
         witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, now))

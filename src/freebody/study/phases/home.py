@@ -57,8 +57,8 @@ class Home:
     def _admissible(self, touching: frozenset[str]) -> Any:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
         found = np.ones(self.sets.n, dtype=bool)
-        state, express = self.home.start_instant, self.home.model.elimination.express
-        needed = [(state.here(express(x)), ">", "as at the start") for x in self.home.model.assumed]
+        state, express = self.home.start_instant, self.home.model.express
+        needed = [(state.here(express(x)), ">", "as at the start") for x in self.home.model.samples.assumed]
         for bound in self.system.bounds:
             if bound.name not in touching and not bound.within:
                 needed.append((self._gap(bound), ">=", f"{bound.row.connection} is open at the start"))
@@ -95,7 +95,7 @@ class Home:
         """An element of the parameters in the field that all phases share. Raises CannotAnswer where it contains a
         start value that follows from the assembly only: that is a symbol of its phase alone."""
         model = self.home.model
-        own = {phase.model.field.index(symbol): k for k, symbol in phase.model.start_symbols.items()}
+        own = {phase.model.field.index(symbol): k for k, symbol in phase.model.samples.start_symbols.items()}
         inside = phase.model.field.ingredients(x)
         inside |= {own[symbol] for symbol in inside & own.keys()}
         for c in (*phase.model.coordinates, *phase.model.dependent):
@@ -149,7 +149,7 @@ class Home:
 
         starts: dict[str, Start] = {}
         for body in phase.system.moving:
-            pose, (vx, vy, w) = model.poses[body.name], model.velocities[body.name]
+            pose, (vx, vy, w) = model.poses[body.name], model.kinematics.velocities[body.name]
             assert isinstance(pose, Pose)
             name = body.default_point
             px, py = (model.geometry.scalar(e) for e in body.points[name])

@@ -152,7 +152,7 @@ class ClosedFormCollision:
         model, f = self.model, self.model.field
         speeds: dict[int, Ratio] = {}
         for c, a in zip(model.coordinates, model.accelerations, strict=True):
-            change = self._total(model.solved_accelerations[a], impulses)
+            change = self._total(model.dynamics.solved_accelerations[a], impulses)
             speeds[c.speed] = f.lowest_terms(self.start.of(c.speed) + change)
         conditions = list(checks)
         for bound in self.hits:
@@ -175,7 +175,7 @@ class ClosedFormCollision:
         for name in sorted({*self.kept, *loads}):
             if name not in rows:
                 continue
-            push = rows[name].sign * self._total(self.model.multiplier(rows[name]), impulses)
+            push = rows[name].sign * self._total(self.model.reactions.multiplier(rows[name]), impulses)
             if push.is_zero():
                 continue
             if name in loads:

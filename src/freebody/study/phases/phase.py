@@ -19,10 +19,10 @@ from freebody.numeric.reference import Reference
 from freebody.study.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import StartState, start_from_bodies, start_state
 from freebody.symbolic.phases.course import ClosedFormMotion, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
-from freebody.symbolic.spatial.model import symbolic_model
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
@@ -75,7 +75,7 @@ class Given(Setup):
             raise CannotAnswer("the phase cannot be assembled at its start")
         starts = [d.sample() for d in self.draws]
         general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
-        self._made = symbolic_model(system, [*starts, *general])
+        self._made = SymbolicModel(system, [*starts, *general])
 
 
 class Phase:
@@ -94,7 +94,7 @@ class Phase:
             # any number will do for the loads while they are symbols: they move nothing at an instant
             unknown = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
             trial = Given(replace(system, parameters=unknown), [{**v, **dict.fromkeys(loads, 1.0)} for v in values])
-            solved = solve_loads(trial.model, loads, named_rows(trial.system), trial.model.is_negative)
+            solved = solve_loads(trial.model, loads, named_rows(trial.system), trial.model.samples.is_negative)
             system = with_loads(system, trial.model, solved)
             determinant = solved.determinant
             setup = Given(system, values)
@@ -133,7 +133,7 @@ class Phase:
             for other in sticking:
                 its = model.gradient(self.rubs[other].row.measure)
                 is_kept = other != name and other not in model.redundant and own.keys() == its.keys()
-                if is_kept and all(model.vanishes(own[k] - its[k]) for k in own):
+                if is_kept and all(model.samples.vanishes(own[k] - its[k]) for k in own):
                     found.setdefault(other, []).append(name)
                     break
             else:
@@ -182,13 +182,13 @@ class Phase:
     def normal(self, bound: UnilateralConstraint | ConstraintRow) -> Ratio:
         """The reaction of a closed bound; not negative while it is closed."""
         row = bound.row if isinstance(bound, UnilateralConstraint) else bound
-        return row.sign * self.model.multiplier(self.rows[row.name])
+        return row.sign * self.model.reactions.multiplier(self.rows[row.name])
 
     def load(self, rub: DryFriction) -> Ratio:
         """What multiplies the coefficient of a friction; 1 where the coefficient is a force itself."""
         if not rub.load:
             return self.model.field.one
-        return resultant(self.model, rub, self.rows, self.model.is_negative)
+        return resultant(self.model, rub, self.rows, self.model.samples.is_negative)
 
     def coefficient(self, rub: DryFriction, direction: int, *, at_rest: bool) -> Ratio:
         g = self.model.geometry
@@ -206,7 +206,7 @@ class Phase:
         if rub.name in self.dropped:
             raise CannotAnswer(f"only the sum of the friction forces of {rub.row.connection} is determined")
         if state == 0:
-            return self.model.multiplier(self.rows[rub.name])
+            return self.model.reactions.multiplier(self.rows[rub.name])
         return -state * self.coefficient(rub, state, at_rest=False) * self.load(rub)
 
     # -- what the phase lives on --------------------------------------------------------------

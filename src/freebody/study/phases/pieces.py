@@ -286,7 +286,7 @@ def _watches(
         left = left[~(np.abs(numbers) > _NONE)]
         if not len(left):
             return
-        x = phase.model.field.substitute(phase.model.rate(x), phase.model.solved_accelerations)
+        x = phase.model.field.substitute(phase.model.rate(x), phase.model.dynamics.solved_accelerations)
 
 
 # -- the value there --------------------------------------------------------------------------

@@ -273,7 +273,7 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
     equations: list[tuple[Expr, Expr]] = []
     for c, a in zip(model.coordinates, model.accelerations, strict=True):
         second = Call("rate", Call("rate", Symbol(c.name)))
-        x = model.solved_accelerations[a]
+        x = model.dynamics.solved_accelerations[a]
         equations.append((second, readable(x if course is None else course.plain(x))))
     motion: list[tuple[Expr, Expr]] = []
     if isinstance(course, UniformMotion):

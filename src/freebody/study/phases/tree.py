@@ -391,7 +391,7 @@ class PhaseTree(Home):
             gap = phase.gap(phase.base_row(name))
             rate = here(model.in_independent_speeds(model.rate(gap)))
             if rate.is_zero():
-                second = model.field.substitute(model.rate(model.rate(gap)), model.solved_accelerations)
+                second = model.field.substitute(model.rate(model.rate(gap)), model.dynamics.solved_accelerations)
                 yield here(second), ">", f"{name.partition('.')[0]} opens"
             else:
                 yield rate, ">", f"{name.partition('.')[0]} opens"

@@ -21,9 +21,10 @@ from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 
 def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
@@ -128,7 +129,7 @@ class ExtremaSearch:
 
     def _at_first(self, x: Ratio) -> float:
         """At the first sample, the model's own numbers where it has them: what is taken from it becomes a condition."""
-        values = self.turning.model.at_samples(x)
+        values = self.turning.model.samples.at_starts(x)
         if not values or math.isnan(values[0]):
             raise CannotAnswer(f"{to_text(tidy(x))} is not real at the model's own values")
         return values[0]
@@ -149,8 +150,8 @@ class ExtremaSearch:
     def must_go_round(self, setup: Setup) -> None:
         """What the formulas take to be positive, as it is at the start, must be so all round."""
         model = setup.model
-        for assumed in model.assumed:
-            x = explicit(model, setup.state.here(model.elimination.express(assumed)))
+        for assumed in model.samples.assumed:
+            x = explicit(model, setup.state.here(model.express(assumed)))
             if self.turning.occurs_in(x):
                 why = "the formula is that of one branch only, which a turn leaves"
                 self._keep_sign(self.turning.norm(x), why, "as at the start", may_touch=False)

@@ -30,7 +30,7 @@ def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:
     plain: dict[int, Ratio] = {}
     for index in sorted(x.generators()):
         if f.generators[index].kind == "root" and f.generators[index].made_of:
-            root = f.sqrt(f.radicand(index), model.is_negative)
+            root = f.sqrt(f.radicand(index), model.samples.is_negative)
             if index not in root.generators():
                 plain[index] = root
     return f.lowest_terms(f.substitute(x, plain)) if plain else x

@@ -17,7 +17,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.stability import Linear
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import Coordinate
+from freebody.symbolic.unknowns import Coordinate
 
 _TOLERANCE = 1e-5
 _FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition

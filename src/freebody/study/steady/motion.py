@@ -9,7 +9,6 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 
 from __future__ import annotations
 
-import copy
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, cast
@@ -25,9 +24,10 @@ from freebody.study.steady.finding import SteadyFinding, odd_part, without_squar
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.linear import RHS, Row, solve
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
 from freebody.tolerances import ROUND_OFF
 
@@ -56,7 +56,7 @@ class Steady:
     def needed(self) -> set[int]:
         """Coordinates on which the equations depend, and those on which the speeds of these depend."""
         m = self.model
-        entries = [x for row in m.mass_matrix for x in row] + self.forces
+        entries = [x for row in m.dynamics.mass_matrix for x in row] + self.forces
         needed = {g for x in entries for g in m.field.ingredients(x)}
         todo = [c for c in m.dependent if c.index in needed]
         for c in todo:
@@ -67,7 +67,7 @@ class Steady:
     @cached_property
     def forces(self) -> list[Ratio]:
         m = self.model
-        return [without_square_roots(m, m.in_independent_speeds(x)) for x in m.forcing]
+        return [without_square_roots(m, m.in_independent_speeds(x)) for x in m.dynamics.forcing]
 
     @cached_property
     def still(self) -> dict[int, Ratio]:
@@ -81,11 +81,11 @@ class Steady:
         m, f = self.model, self.model.field
         found: list[Ratio] = []
         for d in m.dependent:
-            if d.index in self.needed and not m.vanishes(f.substitute(m.dependent_speed(d), self.still)):
+            if d.index in self.needed and not m.samples.vanishes(f.substitute(m.dependent_speed(d), self.still)):
                 raise CannotAnswer(f"the equations of motion depend on {d.name}, which moves on: nothing is steady")
         for force in self.forces:
             x = f.lowest_terms(f.substitute(force, self.still))
-            if m.vanishes(x):
+            if m.samples.vanishes(x):
                 continue
             if any(f.generators[g].kind == "time" for g in f.ingredients(x)):
                 raise CannotAnswer("the forces depend on time, so that no motion is steady")
@@ -108,7 +108,9 @@ class Steady:
         f = self.model.field
         if len(self.equations) != 1:
             return []
-        forces = [x for x in (f.substitute(force, self.still) for force in self.forces) if not self.model.vanishes(x)]
+        forces = [
+            x for x in (f.substitute(force, self.still) for force in self.forces) if not self.model.samples.vanishes(x)
+        ]
         factors = [base for base, _e in f.factor(forces[0].num)[1] if not base.is_constant()]
         speeds = {c.speed for c in self.cyclic}
         if all(not f.ingredients(base) & speeds for base in factors):
@@ -143,7 +145,7 @@ class Steady:
             elif len(c) == 2:
                 found.roots.append(f.lowest_terms(-c[0] / c[1]))
             elif len(c) == 3 and c[1].is_zero():
-                found.roots.append(f.lowest_terms(f.sqrt(-c[0] / c[2], self.model.is_negative)))
+                found.roots.append(f.lowest_terms(f.sqrt(-c[0] / c[2], self.model.samples.is_negative)))
                 found.notes.append("in either sense: the opposite rate is steady, too")
             elif len(c) == 3:
                 found.roots += self._both_roots(c)
@@ -155,9 +157,9 @@ class Steady:
 
     def _both_roots(self, c: list[Ratio]) -> list[Ratio]:
         """Of c_0 + c_1 x + c_2 x^2, the smaller first."""
-        root = self.model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], self.model.is_negative)
+        root = self.model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], self.model.samples.is_negative)
         both = [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
-        signs = [v for v in self.model.at_samples(c[2]) if v == v]
+        signs = [v for v in self.model.samples.at_starts(c[2]) if v == v]
         return both[::-1] if signs and signs[0] < 0 else both
 
     def _linear(self, speed: int, name: str) -> Solutions:
@@ -176,7 +178,7 @@ class Steady:
                 if not slope.is_zero():
                     row[column], rest = slope, rest - slope * f.variable(column)
             rows.append(row if rest.is_zero() else {**row, RHS: -rest})
-        done = solve(f, rows, columns, self.model.vanishes, in_order=True)
+        done = solve(f, rows, columns, self.model.samples.vanishes, in_order=True)
         if done.contradictory:
             raise CannotAnswer("no rates make this pose steady: " + "; ".join(self.texts()))
         if speed not in done.pivots:
@@ -196,16 +198,16 @@ class Steady:
             raise CannotAnswer(f"steady motion leaves {c.name} open")
         if len(self.equations) != 1:
             raise CannotAnswer(f"{c.name} follows from {len(self.equations)} equations: " + "; ".join(self.texts()))
-        assumed = list(self.model.assumed)
+        assumed = list(self.model.samples.assumed)
         roots = zeros_of(self.model, self.equations[0], c)
-        self.model.assumed = assumed  # signs of roots do not matter, since both are among the zeros
+        self.model.samples.assumed = assumed  # signs of roots do not matter, since both are among the zeros
         if not roots or len(roots) > MOST_ROOTS:
             raise CannotAnswer(f"the condition of steady motion has no closed form for {c.name}: {self.texts()[0]}")
         return self._on_one_side(Solutions(c.index, roots), c)
 
     def _on_one_side(self, solutions: Solutions, c: Coordinate) -> Solutions:
         """Of two opposite values, the one with the sign that the coordinate has at the start."""
-        numbers = self.model.start_numbers(c.index)
+        numbers = self.model.samples.start_numbers(c.index)
         is_negative = bool(numbers) and numbers[0] < 0
         kept: list[Ratio] = []
         for x in solutions.roots:
@@ -238,10 +240,7 @@ class Steady:
     @cached_property
     def state(self) -> SymbolicState:
         """A general instant of a steady motion: without accelerations."""
-        even = copy.copy(self.model)
-        even.__dict__.pop("_multipliers", None)
-        even.__dict__["solved_accelerations"] = dict.fromkeys(even.accelerations, even.field.zero)
-        return SymbolicState(even, self.still)
+        return SymbolicState(self.model.without_accelerations(), self.still)
 
 
 @dataclass
@@ -333,7 +332,7 @@ def _starts_steadily(setup: Setup, steady: Steady) -> bool:
     """Whether the start of the first draw is a steady motion: what the equations contain does not change there."""
     draw = setup.draws[0]
     snapshot = draw.start()
-    numbers = setup.model.numbers(draw.sample(snapshot), draw.sample())
+    numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
     f = setup.model.field
     try:
         still = all(abs(float(numbers[c.speed])) < _AT_REST for c in steady.others)

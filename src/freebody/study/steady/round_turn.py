@@ -17,7 +17,7 @@ from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, No
 from freebody.study.setup import Setup
 from freebody.study.steady.turning import Extremum
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.model import Coordinate
+from freebody.symbolic.unknowns import Coordinate
 
 N_POSES = 24
 _NEARLY_HALF = math.pi - 1e-6  # angles count from the start, by less than half a turn to either side

@@ -58,8 +58,8 @@ def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Steady
 
 def _check_moments(model: SymbolicModel, body: str) -> None:
     """Nothing may turn the body about its mass centre."""
-    turning = model.slots[model.n_places :]
-    if any(not x.is_zero() for x in model.load_wrenches[body][model.n_places :]):
+    turning = model.bodies.slots[model.bodies.n_places :]
+    if any(not x.is_zero() for x in model.loads.wrenches[body][model.bodies.n_places :]):
         raise CannotAnswer(f"loads have a moment about the mass centre of {body}; ask for stability of steady motion")
     for row in model.system.held:
         if any(owner == body and slot in turning for owner, slot in model.gradient(row.measure)):
@@ -70,7 +70,7 @@ def _check_moments(model: SymbolicModel, body: str) -> None:
 
 
 def _exponent_squared(model: SymbolicModel, body: str, k: int, rate: Ratio) -> Ratio:
-    f, tensor = model.field, model.inertias[body][3:]
+    f, tensor = model.field, model.dynamics.inertias[body][3:]
     i, j = (k + 1) % 3, (k + 2) % 3
     if any(not tensor[_PRODUCTS[frozenset((k, other))]].is_zero() for other in (i, j)):
         raise CannotAnswer(f"{body}.{_AXES[k]} is no principal axis: {body} does not spin about it steadily")
@@ -91,7 +91,7 @@ def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, sq
     for draw in setup.draws:
         for value in _SPINS:
             slopes = slopes_beside(draw, body, k, value)
-            numbers = setup.model.numbers(draw.sample()) | {rate: value}
+            numbers = setup.model.samples.numbers(draw.sample()) | {rate: value}
             scale = value * value
             exact = setup.model.field.evaluate(square, numbers) / scale
             witness.compare(draw, (exact, 0.0), (-np.linalg.det(slopes) / scale, np.trace(slopes) / value))

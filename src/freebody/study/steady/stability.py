@@ -54,7 +54,7 @@ class Linear:
         for k, force in enumerate(self.steady.forces):
             row: list[Ratio] = []
             for j, c in enumerate(m.coordinates):
-                entry = self.here(m.mass_matrix[k][j]) * s - self.here(f.partial(force, c.speed))
+                entry = self.here(m.dynamics.mass_matrix[k][j]) * s - self.here(f.partial(force, c.speed))
                 if c in self.steady.others:
                     entry = entry * s - self.here(f.derivative(force, c.index))
                 row.append(entry)
@@ -204,7 +204,7 @@ def _check_rest(setup: Setup, steady: Steady) -> None:
 
 def _unbalanced(linear: Linear) -> list[Ratio]:
     """Forces that are left over in the steady motion."""
-    return [x for force in linear.steady.forces if not linear.steady.model.vanishes(x := linear.here(force))]
+    return [x for force in linear.steady.forces if not linear.steady.model.samples.vanishes(x := linear.here(force))]
 
 
 def _solved_for(linear: Linear, speed: int) -> Linear | None:
@@ -219,7 +219,7 @@ def _solved_for(linear: Linear, speed: int) -> Linear | None:
         if len(c) == 2 and not c[0].is_zero():
             value = -c[0] / c[1]
         if len(c) == 3 and c[1].is_zero():
-            value = f.sqrt(-c[0] / c[2], model.is_negative)
+            value = f.sqrt(-c[0] / c[2], model.samples.is_negative)
         if value is not None:
             found = Linear(linear.steady, linear.place, linear.rates | {speed: value})
             return None if _unbalanced(found) else found

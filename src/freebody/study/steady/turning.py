@@ -25,9 +25,10 @@ from freebody.language.notation import Stated, compared, joined, reworded, to_te
 from freebody.study.steady.finding import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import sine_form, tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _DEEPEST = 14  # halvings of a sixteenth of a turn
@@ -108,9 +109,9 @@ class TurningAngle:
         arcs: dict[int, Ratio] = {}
         for index in x.generators() & self.field.known_pairs.keys():
             cos, sin = self.field.known_pairs[index]
-            if all(v > 0 for v in self.model.at_samples(cos)):
+            if all(v > 0 for v in self.model.samples.at_starts(cos)):
                 sign = -1 if sign_of(sin) is Sign.NEGATIVE else 1
-                arcs[index] = sign * functions(self.field, self.model.is_negative)["asin"](sign * sin)
+                arcs[index] = sign * functions(self.field, self.model.samples.is_negative)["asin"](sign * sin)
         return self.field.substitute(x, arcs)
 
     # -- zeros --------------------------------------------------------------------------------
@@ -162,7 +163,7 @@ class TurningAngle:
         value = self.at(base, place)
         if value.is_zero() or any(sign_of(x) in (Sign.NEGATIVE,) for x in place.must_be_positive):
             return value.is_zero()
-        numbers = [v for v in self.model.at_samples(value) if not math.isnan(v)]
+        numbers = [v for v in self.model.samples.at_starts(value) if not math.isnan(v)]
         return bool(numbers) and all(abs(v) < ROUND_OFF for v in numbers)
 
     def _in_sine(self, base: Ratio) -> list[TurnPose] | None:
@@ -225,9 +226,9 @@ class TurningAngle:
     # -- proofs -------------------------------------------------------------------------------
     def _prove_no_zero(self, base: Ratio) -> None:
         """Raises CannotAnswer unless the factor keeps its sign round the turn at all samples."""
-        shown, starts = to_text(tidy(base)), [s for s in self.model.samples if s.is_start]
+        shown, starts = to_text(tidy(base)), [s for s in self.model.samples.points if s.is_start]
         for sample in starts:
-            if not self._keeps_its_sign(base, self.model.numbers(sample)):
+            if not self._keeps_its_sign(base, self.model.samples.numbers(sample)):
                 raise CannotAnswer(f"where {shown} = 0 has no closed form")
         words = (
             f"{shown} does not vanish on the way: shown in ball arithmetic for {len(starts)} sets of parameter values"

@@ -17,9 +17,10 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
-from freebody.symbolic.model import Coordinate, SymbolicModel
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion, StartState
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
@@ -76,7 +77,7 @@ class UniformMotion(ClosedFormMotion):
         """By the generator of the speed."""
         m = self.model
         found = zip(m.coordinates, m.accelerations, strict=True)
-        return {c.speed: self.plain(m.solved_accelerations[a]) for c, a in found}
+        return {c.speed: self.plain(m.dynamics.solved_accelerations[a]) for c, a in found}
 
     def values(self, time: Ratio) -> dict[int, Ratio]:
         """Coordinates and speeds at a time."""
@@ -172,7 +173,7 @@ class EnergyMotion(ClosedFormMotion):
             )  # its cosine is made of nested roots: no form to go on from
         square = f.lowest_terms(f.follow(self.square, {c.index: value}))
         return CourseZero(
-            self._time_to(value), {c.index: value, c.speed: way * f.sqrt(square, self.model.is_negative)}, value
+            self._time_to(value), {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}, value
         )
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
@@ -208,7 +209,7 @@ class EnergyMotion(ClosedFormMotion):
         if sign_of(gamma) is not Sign.NEGATIVE:
             return None
         center = -beta / (2 * gamma)
-        known = functions(f, self.model.is_negative)
+        known = functions(f, self.model.samples.is_negative)
         return known["acos"](f.lowest_terms((value - center) / (self.start.of(c.index) - center))) / known["sqrt"](
             -gamma
         )
@@ -235,16 +236,16 @@ def quadratic_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
     """Of c[0] + c[1] x + c[2] x^2."""
     f = model.field
     if c[1].is_zero():
-        root = f.sqrt(-c[0] / c[2], model.is_negative)
+        root = f.sqrt(-c[0] / c[2], model.samples.is_negative)
         return [root, -root]
-    root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.is_negative)
+    root = f.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
     return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
 
 
 def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     """The motion of a model in closed form. Raises CannotAnswer where there is none."""
     f = model.field
-    resting = [c for c in model.dependent if model.vanishes(model.dependent_speed(c))]
+    resting = [c for c in model.dependent if model.samples.vanishes(model.dependent_speed(c))]
     unknown = [c.name for c in resting if c.index not in start.values]
     if unknown:
         raise CannotAnswer(f"{', '.join(unknown)} at the start has no closed form: a loop decides it")
@@ -253,7 +254,9 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     if moving:
         raise CannotAnswer(f"{', '.join(moving)} follow from the others only through a closed loop")
     still |= {c.speed: f.zero for c in model.dependent}
-    accelerations = [f.lowest_terms(f.follow(model.solved_accelerations[a], still)) for a in model.accelerations]
+    accelerations = [
+        f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], still)) for a in model.accelerations
+    ]
     if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
         return UniformMotion(model, start, still)
     if len(model.coordinates) == 1:

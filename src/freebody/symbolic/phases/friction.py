@@ -39,7 +39,7 @@ def resultant(
     model: SymbolicModel, rub: DryFriction, rows: Mapping[str, ConstraintRow], is_negative: IsNegative
 ) -> Ratio:
     """The load of a friction: the size of the multipliers that it names. A bound's is its own, since it cannot pull."""
-    parts = [(rows[name], model.multiplier(rows[name])) for name in rub.load]
+    parts = [(rows[name], model.reactions.multiplier(rows[name])) for name in rub.load]
     parts = [(row, x) for row, x in parts if not x.is_zero()]
     if not parts:
         return model.field.zero
@@ -75,7 +75,7 @@ def solve_loads(
         row[RHS] = f.lowest_terms(rest)
         equations.append({k: v for k, v in row.items() if k == RHS or not v.is_zero()})
     determinant = _determinant([[row.get(c, f.zero) for c in columns] for row in equations], f.one)
-    solved = solve(f, equations, list(columns), model.vanishes)
+    solved = solve(f, equations, list(columns), model.samples.vanishes)
     if solved.free or solved.contradictory:
         raise CannotAnswer("the friction forces that slide here are not determined")
     values = {name: f.lowest_terms(solved.pivots[column].get(RHS, f.zero)) for column, name in columns.items()}

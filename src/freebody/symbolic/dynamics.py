@@ -1,0 +1,126 @@
+"""The equations of motion, M(q) du/dt = F(q, u, t).
+
+With V the velocity of a mass centre and S = dV/du, d'Alembert's principle in Kane's form:
+
+    sum_i S_i^T (m_i A_i) + S_w,i^T I_i alpha_i = sum over loads of law * d(rate of its measure)/du.
+
+Source: Kane & Levinson, Dynamics: Theory and Applications (1985), ch. 6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.symbolic.bodies import Bodies, Parts
+from freebody.symbolic.configuration import Configuration
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.kinematics import Kinematics
+from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.loads import Loads
+from freebody.symbolic.samples import Samples
+from freebody.symbolic.speeds import Speeds
+from freebody.system.system import System
+
+
+class Dynamics:
+    """Inertia and forces of a system, each part when it is first asked for."""
+
+    def __init__(
+        self,
+        system: System,
+        bodies: Bodies,
+        configuration: Configuration,
+        speeds: Speeds,
+        kinematics: Kinematics,
+        loads: Loads,
+        samples: Samples,
+        solved_accelerations: Mapping[int, Ratio] | None = None,
+    ) -> None:
+        """solved_accelerations: taken instead of those that follow from the forces."""
+        self._system, self._bodies, self._configuration = system, bodies, configuration
+        self._speeds, self._kinematics, self._loads = speeds, kinematics, loads
+        self._samples = samples
+        self.field = bodies.field
+        if solved_accelerations is not None:
+            self.solved_accelerations = solved_accelerations
+
+    # -- momentum of the bodies ---------------------------------------------------------------
+    @cached_property
+    def inertias(self) -> dict[str, Parts]:
+        """The entries of the mass matrix of every body: in the plane along its slots; in space the mass three times,
+        then the tensor (xx, yy, zz, xy, xz, yz)."""
+        scalar = self._configuration.geometry.scalar
+        return {b.name: self._bodies.inertia(b, scalar) for b in self._system.moving}
+
+    def momentum(self, body: str, velocity: Parts) -> Parts:
+        """The mass matrix of a body times a velocity of its, along its slots."""
+        return self._bodies.momentum(self.inertias[body], velocity)
+
+    def turning_momentum(self, body: str) -> Parts:
+        """What the rate of a body's momentum has beside mass times acceleration: nothing in the plane, omega x I omega
+        in space."""
+        return self._bodies.turning_momentum(self.inertias[body], self._kinematics.velocities[body])
+
+    def inertia_force(self, body: str, acceleration: Sequence[Ratio]) -> Parts:
+        """The rate of a body's momentum, along its slots."""
+        changing = self.momentum(body, tuple(acceleration))
+        return tuple(p + q for p, q in zip(changing, self.turning_momentum(body), strict=True))
+
+    # -- equations of motion ------------------------------------------------------------------
+    @cached_property
+    def mass_matrix(self) -> list[list[Ratio]]:
+        n = len(self._speeds.coordinates)
+        f = self.field
+        M = [[f.zero] * n for _ in range(n)]
+        for name, partials in self._kinematics.partial_velocities.items():
+            momenta = [self.momentum(name, partial) for partial in partials]
+            for slot in range(len(self._bodies.slots)):
+                for j in range(n):
+                    weighted = momenta[j][slot]
+                    if weighted.is_zero():
+                        continue
+                    for k in range(j, n):
+                        if not partials[k][slot].is_zero():
+                            M[j][k] = f.lowest_terms(M[j][k] + weighted * partials[k][slot])
+        for j in range(n):
+            for k in range(j):
+                M[j][k] = M[k][j]
+        return M
+
+    @cached_property
+    def forcing(self) -> list[Ratio]:
+        """F of M du/dt = F: generalized forces of the loads minus the velocity terms of the inertia."""
+        f = self.field
+        still = dict.fromkeys(self._speeds.accelerations, f.zero)
+        forces = [f.zero for _ in self._speeds.coordinates]
+        for name, wrench in self._loads.wrenches.items():
+            bias = [f.substitute(a, still) for a in self._kinematics.body_accelerations[name]]
+            push = [w - p for w, p in zip(wrench, self.inertia_force(name, bias), strict=True)]
+            for k, partial in enumerate(self._kinematics.partial_velocities[name]):
+                for p, s in zip(push, partial, strict=True):
+                    if not s.is_zero() and not p.is_zero():
+                        forces[k] = f.lowest_terms(forces[k] + p * s)
+        return forces
+
+    @cached_property
+    def solved_accelerations(self) -> Mapping[int, Ratio]:
+        """du/dt in coordinates, speeds and time, by acceleration generator."""
+        accelerations = self._speeds.accelerations
+        rows: list[Row] = []
+        for line, force in zip(self.mass_matrix, self.forcing, strict=True):
+            row: Row = {a: m for a, m in zip(accelerations, line, strict=True) if not m.is_zero()}
+            if not force.is_zero():
+                row[RHS] = force
+            rows.append(row)
+        solved = solve(self.field, rows, accelerations, self._samples.vanishes)
+        if solved.free:
+            names = ", ".join(
+                c.name for c, a in zip(self._speeds.coordinates, accelerations, strict=True) if a in solved.free
+            )
+            raise CannotAnswer(
+                f"nothing with mass moves with {names}, so its acceleration is not determined. Give the body "
+                "a mass or an inertia, or connect it"
+            )
+        return {a: solved.pivots[a].get(RHS, self.field.zero) for a in accelerations}

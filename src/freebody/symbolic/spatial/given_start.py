@@ -1,0 +1,69 @@
+"""What the start of a model in space says about its coordinates: places and rotations that are given to its bodies."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.measures.geometry import GROUND, SpatialPose, Vector
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.geometry import FieldGeometry, straight_tangent
+from freebody.symbolic.given_start import GivenStart
+from freebody.symbolic.samples import Samples
+from freebody.symbolic.spatial.bodies import SpatialBodies
+from freebody.symbolic.unknowns import Coordinate
+
+
+class SpatialGivenStart(GivenStart):
+    """The start values of a model in space; those of incremental rows stay symbols."""
+
+    bodies: SpatialBodies
+
+    def __init__(self, bodies: SpatialBodies, samples: Samples) -> None:
+        super().__init__(bodies, samples)
+        self._scalar = self._geometry({}).scalar
+
+    def of_coordinate(self, c: Coordinate) -> Ratio | None:
+        measure = self.unknowns.measures.get(c.index)
+        if measure is None:
+            return None
+        poses = {name: self._pose(name) for name in measure.bodies() if name != GROUND}
+        known = {name: pose for name, pose in poses.items() if pose is not None}
+        if len(known) < len(poses):
+            return None
+        there = self._geometry(known)
+        with suppress(CannotAnswer, ZeroDivisionError):
+            value = measure.value(there)
+            return None if self.unknowns.inside(value) else value  # of a place nobody gave
+        return None
+
+    def _geometry(self, poses: dict[str, SpatialPose[Ratio]]) -> FieldGeometry:
+        tangent = straight_tangent(self.field, self.samples.is_negative)
+        return self.bodies.geometry(poses, tangent, None, self.samples.is_negative)
+
+    def _pose(self, name: str) -> SpatialPose[Ratio] | None:
+        """Where a body is at the start, if its rotation is known; a place that is not given is one of its own."""
+        body, scalar = self.system.bodies[name], self._scalar
+        known = self.bodies.poses[name]
+        assert isinstance(known, SpatialPose)
+        if body.fixed:
+            return known
+        if body.turns and body.start.turned is None:
+            return None
+        x, y, z = self.bodies.known_rotation(body.start.turned or (), scalar)
+        axes = Vector(*x), Vector(*y), Vector(*z)
+        if body.start.at is None:
+            return SpatialPose(known.center, axes)
+        point, place = body.start.at
+        arm = SpatialPose(known.center, axes).turn(Vector(*map(scalar, body.points[point])))
+        return SpatialPose(Vector(*map(scalar, place)) - arm, axes)
+
+    def of_measure(self, measure: Measure, name: str) -> Ratio | None:
+        return None
+
+    def places(self) -> dict[int, Ratio]:
+        return {}
+
+    def is_placed(self, measure: Measure) -> bool:
+        return False

@@ -1,0 +1,106 @@
+"""Lines and roots in space: the distances that rods hold are roots, and a line may turn with a sum of named angles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from freebody.measures.geometry import Vector
+from freebody.symbolic.bodies import Change
+from freebody.symbolic.elimination import RowEquation
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.functions import known_angle
+from freebody.symbolic.lines import AngleBy, Lines
+from freebody.symbolic.samples import Samples
+from freebody.symbolic.unknowns import POSITION, TANGENT_LENGTH, Unknowns
+from freebody.tolerances import ROUND_OFF
+
+_MOST_TERMS = 24  # of cosine and sine of an angle by which a closed loop is solved; longer ones stay equations
+
+
+class SpatialLines(Lines):
+    """Lines in the plane of x and y, and roots, of a model in space."""
+
+    def __init__(self, unknowns: Unknowns, samples: Samples) -> None:
+        super().__init__(unknowns, samples)
+        self._roots: dict[Any, tuple[Ratio, Ratio]] = {}  # what is under each, and its value
+
+    def tangent(self, v: Vector[Ratio], offset: Ratio) -> tuple[Ratio, Ratio]:
+        if offset.is_zero():
+            square = v.x * v.x + v.y * v.y
+            if not v.x.generators() & v.y.generators() & self._positions():
+                length = self.field.sqrt(square, self.samples.is_negative if self.samples.points else None)
+                angle = self._sum_of_angles(v.y, v.x, length)
+                if angle is not None:
+                    return length, angle
+        return super().tangent(v, offset)
+
+    def _positions(self) -> set[int]:
+        return {index for index, u in self.unknowns.found.items() if u.rank[0] == POSITION}
+
+    def _sum_of_angles(self, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:
+        """The angle of (x, y) where it is a sum of angles: turned back by one of them the vector becomes shorter to
+        write."""
+        f = self.field
+        known = known_angle(f, y, x, length)
+        if known is not None:
+            return known
+        size = len(f.terms(x.num)) + len(f.terms(y.num))
+        for cos, sin in f.pairs(x.generators() | y.generators()):
+            for sign in (1, -1):
+                c, s = f.variable(cos), sign * f.variable(sin)
+                u, w = x * c + y * s, y * c - x * s
+                if len(f.terms(u.num)) + len(f.terms(w.num)) < size:
+                    rest = self._sum_of_angles(w, u, length)
+                    if rest is not None:
+                        return sign * f.angles[cos] + rest
+        return None
+
+    # -- roots --------------------------------------------------------------------------------
+    def unknown_root(self) -> Change | None:
+        return self._root
+
+    def _root(self, x: Ratio) -> Ratio:
+        """An unknown l with l^2 = x, as one more equation."""
+        key = x.key()
+        if key not in self._roots:
+
+            def size(values: Mapping[int, Any], fn: Any) -> Any:
+                return fn.sqrt(self.field.evaluate(x, values, fn))
+
+            k = len(self._roots)
+            length = self.unknowns.new(f"length_{self._label or k}", (TANGENT_LENGTH, -k), compute=size)
+            self._roots[key] = x, length
+            self.add(key, [RowEquation(f"length {k}", length * length - x)])
+        self.take_up(key)
+        return self._roots[key][1]
+
+    def known_root(self, express: Change) -> Change | None:
+        """What is under the roots of the held measures has their values."""
+        roots = {express(x).key(): express(length) for x, length in self._roots.values()}
+
+        def root(x: Ratio) -> Ratio:
+            return roots.get(x.key()) or self.field.sqrt(x, self.samples.is_negative)
+
+        return root
+
+    # -- closed loops -------------------------------------------------------------------------
+    def angle_by(self) -> AngleBy | None:
+        return self._angle
+
+    def _angle(self, index: int, a: Ratio, b: Ratio, d: Ratio) -> Ratio | None:
+        """With r^2 = a^2 + b^2 and w = b cos q - a sin q = +-sqrt(r^2 - d^2):
+
+        cos q = (b w - a d)/r^2,    sin q = -(a w + b d)/r^2."""
+        f, at_starts = self.field, self.samples.at_starts
+        own = f.pair_of(index)
+        assert own is not None
+        square = f.lowest_terms(a * a + b * b)
+        signs = {v > 0 for v in at_starts(b * f.variable(own[0]) - a * f.variable(own[1]))}
+        if len(signs) != 1 or any(abs(v) < ROUND_OFF for v in at_starts(square)):
+            return None
+        w = f.sqrt(f.lowest_terms(square - d * d)) * (1 if signs.pop() else -1)
+        pair = (b / w, -a / w) if d.is_zero() else ((b * w - a * d) / square, -(a * w + b * d) / square)
+        c, s = map(f.lowest_terms, pair)
+        n_terms = sum(len(f.terms(part)) for x in (c, s) for part in (x.num, x.denominator().num))
+        return f.angle_with(c, s) if n_terms <= _MOST_TERMS else None
