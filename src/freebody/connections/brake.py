@@ -14,6 +14,7 @@ from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_friction
 from freebody.model.glyphs import Glyph
+from freebody.model.phrases import measure_of
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -65,14 +66,14 @@ connections: {rail: {slider: {body: block, along: right}}, it: {dry_friction: {m
 """
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
-        measure = names.measure(self.measure, "measure")
+        measure = measure_of(names, self.measure, "measure")
         if measure is None:
             return [], []
         dimension = TORQUE if measure.dimension == DIMENSIONLESS else FORCE
         return [], [_rub(names, connection, "friction", measure, self.force, dimension, "force")]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measure = names.measure(self.measure)
+        measure = measure_of(names, self.measure)
         force = self.force.get("static", "") if isinstance(self.force, dict) else self.force
         for body in list(measure.bodies())[:1] if measure is not None else ():
             yield glyphs.Equation(names.known(body).center, f"friction force <= {force}")

@@ -20,6 +20,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
+from freebody.connections.string_node import StringNode
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
@@ -31,7 +32,6 @@ from freebody.model.friction import Friction, read_friction
 from freebody.model.phrases import direction_angle
 
 if TYPE_CHECKING:
-    from freebody.connections.string import StringNode
     from freebody.model.names import Names
 
 _NO_WRAP = 1e-9

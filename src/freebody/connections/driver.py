@@ -10,6 +10,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, TIME
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
+from freebody.model.phrases import measure_of
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ parameters: {w: 2 rad/s}
 """
 
     def rows(self, names: Names) -> list[ConstraintRow]:
-        measure = names.measure(self.measure, "measure")
+        measure = measure_of(names, self.measure, "measure")
         if measure is None:
             return []
         target = names.formula(self.follows, measure.dimension, "follows", extra={"t": TIME})
@@ -38,6 +39,6 @@ parameters: {w: 2 rad/s}
         return [ConstraintRow("drive", what.get(measure.dimension, "driving force"), measure, target)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measure = names.measure(self.measure)
+        measure = measure_of(names, self.measure)
         for body in list(measure.bodies())[:1] if measure is not None else ():
             yield glyphs.Equation(names.known(body).center, f"{as_written(self.measure)} = {self.follows}")

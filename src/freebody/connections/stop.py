@@ -15,6 +15,7 @@ from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.friction import read_restitution
 from freebody.model.glyphs import Glyph
+from freebody.model.phrases import measure_of
 from freebody.model.spec import Formula
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
 """
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
-        measure = names.measure(self.measure, "measure")
+        measure = measure_of(names, self.measure, "measure")
         if self.min is None and self.max is None:
             names.problem("a stop needs min or max")
         if measure is None:
@@ -57,7 +58,7 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
         return found, []
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        measure = names.measure(self.measure)
+        measure = measure_of(names, self.measure)
         for key, side in (("min", 1), ("max", -1)):
             value = getattr(self, key)
             if value is None or measure is None:

@@ -18,6 +18,7 @@ from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
 from freebody.connections.standing import is_parallel, number_of, place_of, quietly, stands_at
+from freebody.connections.string_node import StringNode
 from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -35,7 +36,7 @@ from freebody.model.spec import Formula, Heading
 from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
-    from freebody.model.names import Names
+    from freebody.model.names import Joining, Names
 
 _NODE = re.compile(
     r"(?:(?P<way>over|under|around) )?(?P<wound>wound on )?(?P<what>[A-Za-z_]\w*(?:\.\w+)?)"
@@ -43,30 +44,6 @@ _NODE = re.compile(
     r"(?: at (?P<side>left|right|top|bottom))?(?: (?P<turn>clockwise|counterclockwise))?"
 )
 _SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}
-
-
-@dataclass(frozen=True)
-class StringNode:
-    """A place on the string's way: an end, a pulley it runs over or under, or a drum it is wound on."""
-
-    point: Point
-    radius: Expr
-    way: str  # "end", "over", "under", "around", "drum"
-    side: str | None
-    turn: str | None
-    hangs: bool
-    is_put: bool  # it would hang, but for its place, which the model gives
-    guide: Direction | None
-    place: tuple[float, float] | None
-
-    @property
-    def body(self) -> str:
-        return self.point.body
-
-    @property
-    def called(self) -> tuple[str, ...]:
-        """Names by which people ask for the tension there: the body, the point where it is one of several."""
-        return tuple(dict.fromkeys((str(self.point), self.body)))
 
 
 @dataclass(frozen=True)
@@ -506,7 +483,7 @@ def _sections(
     return sections
 
 
-def _keeps_flat(names: Names, connection: Connection) -> bool:
+def _keeps_flat(names: Names, connection: Joining) -> bool:
     """Whether a connection only makes a body of space one of the plane."""
     return isinstance(connection, Planar) and connection.keeps_flat(names)
 

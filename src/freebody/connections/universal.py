@@ -14,7 +14,8 @@ from freebody.measures.turn import Alignment
 from freebody.model import glyphs
 from freebody.model.elements import Attitude, ConstraintRow, Rotation
 from freebody.model.glyphs import Glyph
-from freebody.model.rotations import UNIT, angles_of, dot
+from freebody.model.named_angles import angles_of
+from freebody.model.rotations import UNIT, dot
 from freebody.model.spec import Heading
 
 if TYPE_CHECKING:

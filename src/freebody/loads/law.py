@@ -29,6 +29,7 @@ from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Glyph
+from freebody.model.phrases import measure_of
 from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
 
@@ -61,7 +62,7 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
 """
 
     def pushes(self, names: Names) -> list[AppliedLoad]:
-        measure = names.measure(self.measure, "measure")
+        measure = measure_of(names, self.measure, "measure")
         if measure is None:
             return []
         dimension = TORQUE if measure.dimension == DIMENSIONLESS else FORCE

@@ -12,7 +12,7 @@ import re
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, Protocol, cast
 
 from freebody.errors import ExpressionError, InputError, Problem, UnitError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, negate, number
@@ -20,12 +20,9 @@ from freebody.language.parser import parse
 from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
-from freebody.model.elements import AppliedLoad, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
+from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
-
-if TYPE_CHECKING:
-    from freebody.connections.base import Connection
 
 ZERO = number(0)
 PI = Symbol("pi")
@@ -49,6 +46,26 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     return f" There is: {shown}."
 
 
+class Joining(Protocol):
+    """What the description asks of connections while it is read."""
+
+    def rows(self, names: Names) -> list[ConstraintRow]:
+        """The measures that it holds."""
+        ...
+
+    def attitude(self, names: Names) -> Attitude | None:
+        """In space: how one of its bodies is turned from the other."""
+        ...
+
+    def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
+        """How far along a direction of the ground it keeps a point of one of its bodies."""
+        ...
+
+    def mentions(self, names: Names) -> set[str]:
+        """Names of the bodies that it joins."""
+        ...
+
+
 class Names:
     """The names of one model in the making."""
 
@@ -59,13 +76,13 @@ class Names:
         self.problems: list[Problem] = []
         self.assumptions: list[str] = []
         self._path: tuple[str | int, ...] = ()
-        self.connections: dict[str, Connection] = {}
+        self.connections: Mapping[str, Joining] = {}
         self.broken: set[str] = set()  # parameters and measures that could not be read
         self.held: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.pushes: list[AppliedLoad] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
-        self.laying: list[Connection] = []  # strings whose way is being found, which place nothing yet
+        self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.space = False
         self.up: Components = (ZERO, ONE)
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
@@ -360,14 +377,6 @@ class Names:
     def length_or(self, spec: Spec, field: str, fallback: Expr | None = None) -> Expr | None:
         value = getattr(spec, field)
         return fallback if value is None else self.positive(spec, field, LENGTH)
-
-    def measure(self, name: Any, *path: str | int) -> Measure | None:
-        """A named measure, or a phrase that states one."""
-        from freebody.model.phrases import read_measure
-
-        if isinstance(name, str) and name.strip() in self.measures:
-            return self.measures[name.strip()]
-        return read_measure(self, name, *path)
 
 
 def quantity_expression(quantity: Any) -> Expr:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
@@ -21,10 +21,8 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
 from freebody.measures.turn import Alignment, Turn
+from freebody.model.names import Names
 from freebody.model.rotations import perpendiculars
-
-if TYPE_CHECKING:
-    from freebody.model.names import Names
 
 Path = tuple[str | int, ...]
 Found = dict[str, str | None]
@@ -201,6 +199,13 @@ def phrase_text(value: Any) -> str | None:
         if len(items) == 1 and items[0][1] is None and isinstance(items[0][0], str):
             return " ".join(items[0][0].split())
     return None
+
+
+def measure_of(names: Names, name: Any, *path: str | int) -> Measure | None:
+    """A named measure, or a phrase that states one."""
+    if isinstance(name, str) and name.strip() in names.measures:
+        return names.measures[name.strip()]
+    return read_measure(names, name, *path)
 
 
 def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:

@@ -18,7 +18,7 @@ from freebody.language.plain_text import plain
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
-from freebody.model.phrases import PHRASES, phrase_text, read_measure
+from freebody.model.phrases import PHRASES, measure_of, phrase_text, read_measure
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.course import Counted, Transition, When, as_condition, read_transition
 from freebody.questions.motion import OfMeasure
@@ -93,7 +93,7 @@ def _event(names: Names, text: str, path: Path) -> QuestionEvent | None:
         if inner and what not in names.measures:
             order, what = 1, inner[1].strip()
             break
-    measure = names.measure(what, *path)
+    measure = measure_of(names, what, *path)
     if measure is None:
         return None
     dimension = measure.dimension / TIME**order

@@ -9,6 +9,7 @@ from freebody.language.expression import Symbol
 from freebody.language.sentences import Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
+from freebody.model.phrases import measure_of
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 
 if TYPE_CHECKING:
@@ -91,5 +92,5 @@ def _period(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked("equilibrium of MEASURE", r"equilibrium(?: value)? of (?P<of>.+)", rank=25)
 def _equilibrium(names: Names, found: Found, path: Path) -> Quantity | None:
-    measure = names.measure(found["of"], *path)
+    measure = measure_of(names, found["of"], *path)
     return None if measure is None else Equilibrium(measure, str(found["of"]))

@@ -50,9 +50,10 @@ from freebody.model.elements import (
     Start,
     UnilateralConstraint,
 )
+from freebody.model.named_angles import angles_of
 from freebody.model.names import Names, did_you_mean, placeholder
 from freebody.model.phrases import read_measure
-from freebody.model.rotations import UNIT, angles_of, columns_of, product
+from freebody.model.rotations import UNIT, columns_of, product
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
 from freebody.questions.reading import read_questions

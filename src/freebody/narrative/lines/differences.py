@@ -6,14 +6,12 @@ theirs.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import Any
 
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, rate_key
 from freebody.present.report.blocks import Derivative, Difference, Side
-
-if TYPE_CHECKING:
-    from freebody.narrative.lines.glossary import World
 
 STEP = 1e-4
 
@@ -21,10 +19,18 @@ Shifts = Mapping[str, float]
 Function = Callable[[Shifts], float]
 
 
+class SymbolValues(Mapping[str, Any]):
+    """Symbols in numbers, and the formulas that some of them stand for."""
+
+    @property
+    @abstractmethod
+    def formulas(self) -> Mapping[str, Expr]: ...
+
+
 class _Shifted(Mapping[str, float]):
     """A world with some symbols changed by a little."""
 
-    def __init__(self, world: World, shifts: Shifts, along: float) -> None:
+    def __init__(self, world: SymbolValues, shifts: Shifts, along: float) -> None:
         self.world, self.shifts, self.along = world, shifts, along
 
     def __getitem__(self, name: str) -> float:
@@ -52,12 +58,12 @@ class _Shifted(Mapping[str, float]):
         return len(self.world)
 
 
-def value_of(side: Side, world: World) -> float:
+def value_of(side: Side, world: SymbolValues) -> float:
     """A derivative, or a difference of such."""
     return _value(side, world, {}, 0.0)
 
 
-def _value(side: Side, world: World, shifts: Shifts, along: float) -> float:
+def _value(side: Side, world: SymbolValues, shifts: Shifts, along: float) -> float:
     match side:
         case Difference(first, second):
             return _value(first, world, shifts, along) - _value(second, world, shifts, along)
@@ -74,6 +80,6 @@ def _value(side: Side, world: World, shifts: Shifts, along: float) -> float:
             return float(evaluate(_formula(side, world), _Shifted(world, shifts, along), FLOAT_FUNCTIONS))
 
 
-def _formula(side: Expr, world: World) -> Expr:
+def _formula(side: Expr, world: SymbolValues) -> Expr:
     """What a symbol was found to be."""
-    return world.glossary.formulas.get(side.name, side) if isinstance(side, Symbol) else side
+    return world.formulas.get(side.name, side) if isinstance(side, Symbol) else side

@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
 from freebody.measures.base import Measure
+from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.narrative.lines.script import Sentence, When
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
@@ -39,7 +39,7 @@ class Meaning:
     unit: str = ""
 
 
-class World(Mapping[str, Any]):
+class World(SymbolValues):
     """All symbols in numbers for one draw of the parameters at one instant."""
 
     def __init__(self, glossary: Glossary, draw: Draw, snapshot: Snapshot, origin: Snapshot | None = None) -> None:
@@ -50,11 +50,13 @@ class World(Mapping[str, Any]):
         self.is_integrated = False  # at the end of a motion in numbers
         self._known: dict[str, float] = {}
 
+    @property
+    def formulas(self) -> Mapping[str, Expr]:
+        return self.glossary.formulas
+
     def of(self, side: Side) -> tuple[float, ...]:
         """The value of a side of a formula; as many numbers as it has components."""
         if isinstance(side, (Derivative, Difference)):
-            from freebody.narrative.lines.differences import value_of
-
             return (value_of(side, self),)
         parts = side if isinstance(side, tuple) else (side,)
         return tuple(float(evaluate(part, self, FLOAT_FUNCTIONS)) for part in parts)

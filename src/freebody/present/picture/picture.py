@@ -2,38 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 
-import numpy as np
-
 from freebody.errors import InputError
-from freebody.present.figures import Array
 from freebody.present.files import write_whole
-from freebody.present.picture.shapes import Shape, Word
+from freebody.present.picture.content import PictureContent
 
 FORMATS = (".svg", ".png", ".pdf", ".tex")
-MARGIN = 6.0  # [points]
 
 
-@dataclass(frozen=True)
-class Picture:
-    """Shapes and words in the order in which they are drawn, in points. title, description: in words, for those who
-    cannot see it."""
-
-    title: str
-    description: str
-    shapes: tuple[Shape, ...]
-    words: tuple[Word, ...]
-
-    @cached_property
-    def corners(self) -> tuple[Array, Array]:
-        """(2,), (2,) [points] lower left and upper right, with a margin."""
-        ends = [shape.points for shape in self.shapes]
-        ends += [np.array((word.at - word.half, word.at + word.half)) for word in self.words]
-        every = np.concatenate(ends or [np.zeros((1, 2))])
-        return every.min(axis=0) - MARGIN, every.max(axis=0) + MARGIN
+class Picture(PictureContent):
+    """A picture that writes itself."""
 
     def svg(self, *, dark: bool | None = None) -> str:
         """An SVG element of its own, whose colours follow a dark page unless `dark` says which to take."""

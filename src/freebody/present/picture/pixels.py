@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from freebody.language.plain_text import plain, shortened
+from freebody.present.picture.content import PictureContent
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.theme import THEMES, Theme
-
-if TYPE_CHECKING:
-    from freebody.present.picture.picture import Picture
 
 _DPI = 200
 _SPECIAL = {c: f"\\{c}" for c in "#$%&_{}"} | {" ": r"\ ", "\u2009": r"\,"}
@@ -22,7 +20,7 @@ _PER_INCH = 72.0
 _MOST = 500  # characters of a title in the data of a file
 
 
-def rendered(picture: Picture, kind: str, *, dark: bool = False) -> bytes:
+def rendered(picture: PictureContent, kind: str, *, dark: bool = False) -> bytes:
     """kind: png, pdf, or another one that Matplotlib writes."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure

@@ -7,18 +7,15 @@ from __future__ import annotations
 import hashlib
 import html
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freebody.language.plain_text import plain
 from freebody.present.figures import Array
+from freebody.present.picture.content import PictureContent
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.theme import THEMES
-
-if TYPE_CHECKING:
-    from freebody.present.picture.picture import Picture
 
 SANS = "'Source Sans 3','Segoe UI','Helvetica Neue',Arial,sans-serif"
 SERIF = "'STIX Two Text','Latin Modern Roman','Times New Roman',Times,serif"
@@ -26,13 +23,13 @@ _HALO = 2.6
 _LIGHT, _DARK = THEMES["light"], THEMES["dark"]
 
 
-def svg(picture: Picture, *, dark: bool | None = None) -> str:
+def svg(picture: PictureContent, *, dark: bool | None = None) -> str:
     """dark: on light paper, on dark paper, or None: on that of the page."""
     return _Writer(picture, dark).text()
 
 
 class _Writer:
-    def __init__(self, picture: Picture, dark: bool | None) -> None:
+    def __init__(self, picture: PictureContent, dark: bool | None) -> None:
         self.picture, self.dark = picture, dark
         self.low, self.high = picture.corners
         self.inks: dict[Ink, str] = {}

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from freebody.language.plain_text import plain
+from freebody.present.picture.content import PictureContent
 from freebody.present.picture.label import Label
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.theme import THEMES
-
-if TYPE_CHECKING:
-    from freebody.present.picture.picture import Picture
 
 _LIGHT = THEMES["light"]
 _ESCAPED = {c: f"\\{c}" for c in "#$%&_{}"} | {
@@ -21,7 +18,7 @@ _ESCAPED = {c: f"\\{c}" for c in "#$%&_{}"} | {
 }
 
 
-def tikz(picture: Picture) -> str:
+def tikz(picture: PictureContent) -> str:
     """The picture on light paper."""
     colors: dict[str, str] = {}
     lines = [_path(shape, colors) for shape in picture.shapes if shape.scheme != "dark"]

@@ -14,8 +14,9 @@ from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, ONE, ZERO, Components
 from freebody.model.elements import Attitude, Rotation
+from freebody.model.named_angles import angles_of
 from freebody.model.names import Names
-from freebody.model.rotations import UNIT, Columns, angles_of, rotation, transposed
+from freebody.model.rotations import UNIT, Columns, rotation, transposed
 from freebody.system.order import in_one_order
 from freebody.system.system import System
 
