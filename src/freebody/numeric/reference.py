@@ -35,8 +35,9 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import N_STARTS, assembled, start_pose, start_velocities
 from freebody.numeric.trajectory import ReferenceTrajectory, integrate
+from freebody.system.description import merged
 from freebody.system.parts import cut_out
-from freebody.system.system import System, merged
+from freebody.system.system import System
 
 
 class Reference:

@@ -57,7 +57,7 @@ from freebody.model.rotations import UNIT, columns_of, product
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
 from freebody.questions.reading import read_questions
-from freebody.system.system import System
+from freebody.system.description import SystemDescription
 from freebody.system.unspecified import Unspecified
 
 SECTIONS = (
@@ -120,7 +120,7 @@ class Reader:
         stem = Path(self.file).stem if self.file else ""
         return plain(str(self.data.get("title") or stem)).strip() or "untitled"
 
-    def system(self) -> System:
+    def system(self) -> SystemDescription:
         self._sections()
         self._space()
         self._parameters()
@@ -143,7 +143,7 @@ class Reader:
             located = [self.document.locate(p) for p in self.names.problems]
             located.sort(key=lambda p: (p.line or 0, p.column or 0))
             raise ModelError(located, self.file)
-        return System(
+        return SystemDescription(
             title=self._title(),
             about=plain(str(self.data.get("about") or "")).strip(),
             parameters=self.names.parameters,

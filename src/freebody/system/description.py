@@ -1,0 +1,181 @@
+"""What a model means: bodies, held measures, pushed measures, and what follows from them by looking."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from freebody.connections.base import Connection
+from freebody.connections.contact import OutlinePair
+from freebody.language.document import Document
+from freebody.language.expression import Expr
+from freebody.language.units import Dimension
+from freebody.loads.base import Load
+from freebody.measures.base import Measure
+from freebody.measures.geometry import ONE, ZERO, Components, Direction, Point
+from freebody.measures.turned import points_in
+from freebody.model.elements import (
+    AppliedLoad,
+    Attitude,
+    ConstraintRow,
+    DryFriction,
+    Parameter,
+    RigidBody,
+    UnilateralConstraint,
+)
+from freebody.model.glyphs import Shown
+from freebody.model.names import Names
+from freebody.model.rotations import Columns
+from freebody.questions.reading import Question
+
+
+@dataclass(frozen=True, repr=False)
+class SystemDescription:
+    """The meaning of a model. All fields are read-only."""
+
+    title: str
+    about: str
+    parameters: Mapping[str, Parameter]
+    bodies: Mapping[str, RigidBody]
+    held: tuple[ConstraintRow, ...]
+    pushes: tuple[AppliedLoad, ...]
+    measures: Mapping[str, Measure]
+    offered: tuple[tuple[str, Measure], ...]
+    start: Mapping[str, Expr]  # of named measures
+    start_rates: Mapping[str, Expr]
+    questions: tuple[Question, ...]
+    connections: Mapping[str, Connection]
+    loads: Mapping[str, Load]
+    assumptions: tuple[str, ...]
+    document: Document = field(repr=False)
+    file: str | None = None
+    # dimensions that the model leaves open: the parameter of each, and where it would stand in the document
+    unspecified: Mapping[str, tuple[str | int, ...]] = field(default_factory=dict[str, tuple[str | int, ...]])
+    mode: str | None = None  # the assembly mode at the start, by name
+    contacts: tuple[OutlinePair, ...] = ()  # outlines that may touch
+    limits: tuple[UnilateralConstraint, ...] = ()  # bounds other than contacts: stops
+    brakes: tuple[DryFriction, ...] = ()  # dry friction other than that of contacts
+    space: bool = False  # three dimensions
+    up: Components = (ZERO, ONE)  # the vertical, for pictures and heights
+    attitudes: tuple[Attitude, ...] = ()  # how joints of space let bodies turn
+    frames: Mapping[str, tuple[str, Columns]] = field(default_factory=dict[str, tuple[str, Columns]])  # axes on bodies
+    names: Names = field(default_factory=Names, repr=False)  # what the words of the model mean
+
+    @property
+    def moving(self) -> tuple[RigidBody, ...]:
+        """The bodies that are not fixed."""
+        return tuple(b for b in self.bodies.values() if not b.fixed)
+
+    @cached_property
+    def bounds(self) -> tuple[UnilateralConstraint, ...]:
+        """All one-sided measures: stops, and every place where two outlines can touch."""
+        return self._sites[0]
+
+    @cached_property
+    def rubs(self) -> tuple[DryFriction, ...]:
+        """All dry friction, in joints and in contacts."""
+        return self._sites[1]
+
+    @property
+    def rows(self) -> tuple[ConstraintRow, ...]:
+        """The rows whose multipliers a motion has: what is held, what is bounded, what rubs."""
+        return self._rows
+
+    @cached_property
+    def _rows(self) -> tuple[ConstraintRow, ...]:
+        return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
+
+    @cached_property
+    def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
+        """What connections and loads look like, in the order of the model."""
+        joined = [(name, it, False) for name, it in self.connections.items()]
+        pushed = [(name, it, True) for name, it in self.loads.items()]
+        return tuple(
+            Shown(name, glyph, is_load) for name, it, is_load in (*joined, *pushed) for glyph in it.glyphs(self.names)
+        )
+
+    @cached_property
+    def _sites(self) -> tuple[tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
+        bounds, rubs = list(self.limits), list(self.brakes)
+        for pair in self.contacts:
+            more_bounds, more_rubs = pair.elements()
+            bounds += more_bounds
+            rubs += more_rubs
+        return tuple(bounds), tuple(rubs)
+
+    # -- what belongs together ----------------------------------------------------------------
+    @cached_property
+    def groups(self) -> tuple[frozenset[str], ...]:
+        """The moving bodies in groups of those that belong together, because a connection, a load, a contact or a given
+        start value joins them; the ground and fixed bodies join nothing, since they do not move."""
+        return merged([frozenset({b.name}) for b in self.moving], self._ties())
+
+    def _ties(self) -> Iterator[set[str]]:
+        """Bodies that a connection, load, contact, attitude, frame or start value joins."""
+        of_connection: dict[str, set[str]] = {}
+        connection_of = {row.name: row.connection for row in self.rows}
+        for row in self.rows:
+            of_connection.setdefault(row.connection, set()).update(self.ends_of(row))
+        yield from of_connection.values()
+        for bound in self.bounds:
+            yield set(bound.row.measure.bodies()).union(*(span.measure.bodies() for span in bound.within))
+        for rub in self.rubs:
+            yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
+            loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
+            yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
+        for push in self.pushes:
+            yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
+        for attitude in self.attitudes:
+            yield {attitude.first, attitude.second}
+        for body in self.bodies.values():
+            yield {body.name, body.frame}
+        for name in (*self.start, *self.start_rates):
+            yield set(self.measures[name].bodies())
+
+    def ends_of(self, row: ConstraintRow) -> set[str]:
+        """The bodies between which a row is; of its ends, some are called by lines."""
+        return {*row.measure.bodies(), *(end for end in row.ends if end in self.bodies)}
+
+    @cached_property
+    def touched(self) -> frozenset[Point]:
+        """The points at which something is held, bounded, pushed or measured."""
+        measures = [row.measure for row in self.rows] + [push.measure for push in self.pushes]
+        return frozenset(point for measure in (*measures, *self.measures.values()) for point in points_in(measure))
+
+    @property
+    def has_values(self) -> bool:
+        """True if every parameter has a number."""
+        return all(p.value is not None or p.form is not None for p in self.parameters.values())
+
+    def dimensions(self) -> dict[str, Dimension]:
+        """Dimension of every parameter and named measure."""
+        known = {p.name: p.dimension for p in self.parameters.values()}
+        return known | {n: m.dimension for n, m in self.measures.items()}
+
+    def __repr__(self) -> str:
+        """Its title and size; `to_yaml` has all of it."""
+        size = f"{len(self.moving)} moving bodies, {len(self.connections)} connections, {len(self.loads)} loads"
+        return f"<System {self.title!r}: {size}>"
+
+    def __eq__(self, other: object) -> bool:
+        """Equal systems mean the same, however they were written."""
+        return isinstance(other, SystemDescription) and self._meaning() == other._meaning()
+
+    def __hash__(self) -> int:
+        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.held, self.pushes))
+
+    def _meaning(self) -> tuple[object, ...]:
+        described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
+        bounded = (self.contacts, self.limits, self.brakes)
+        return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
+
+
+def merged(groups: Iterable[frozenset[str]], ties: Iterable[set[str]]) -> tuple[frozenset[str], ...]:
+    """Groups of bodies, those made one that a tie joins. ties: sets of bodies, of which some may be in no group."""
+    found = list(groups)
+    for tie in ties:
+        touched = [group for group in found if group & tie]
+        if len(touched) > 1:
+            found = [group for group in found if not group & tie] + [frozenset[str]().union(*touched)]
+    return tuple(found)
