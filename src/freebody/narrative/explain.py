@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,14 +13,16 @@ from freebody.model.names import did_you_mean
 from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import METHODS, Context, Derive, Method
+from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.composing import report_of
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
-from freebody.study.solve import Solution, solve
+from freebody.study.solve import solve
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -28,39 +30,12 @@ if TYPE_CHECKING:
     from freebody.present.report.blocks import Report
 
 
-@dataclass(frozen=True)
-class Derivation:
-    """The worked solution of one question; `reason` where there is none. compared: by a second method, which ends in
-    the same result."""
-
-    question: Question
-    answer: Answer
-    stages: tuple[DerivationStage, ...]
-    method: Method = "auto"
-    reason: str = ""
-    compared: tuple[DerivationStage, ...] = ()
-    compared_method: Method = "auto"
-
-
-@dataclass(frozen=True)
-class Explanation:
+class Explanation(WorkedSolutions):
     """All worked solutions of a system, ready to be written in any format."""
-
-    system: System
-    solution: Solution
-    opening: tuple[DerivationStage, ...]
-    derivations: tuple[Derivation, ...]
-    language: str = "en"
-
-    @property
-    def is_complete(self) -> bool:
-        return all(not d.reason for d in self.derivations)
 
     @cached_property
     def report(self) -> Report:
         """The explanation as a report."""
-        from freebody.narrative.telling.composing import report_of
-
         return report_of(self)
 
     def to_html(self) -> str:

@@ -3,53 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 from freebody.errors import FreebodyError, InputError, ModelError
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.sheets.answer_key import KeyEntry, key_of, key_table
+from freebody.narrative.sheets.answer_key import key_table
+from freebody.narrative.sheets.content import SOLUTIONS, SheetContent, Solutions
 from freebody.narrative.sheets.sheet_report import SheetWriter, report_words
-from freebody.narrative.sheets.statement import label_of
 from freebody.narrative.sheets.variants import Variant, as_given, variant_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.progress import busy_with
 from freebody.system.system import System
 
-Solutions = Literal["none", "end", "inline"]
-SOLUTIONS: tuple[Solutions, ...] = ("none", "end", "inline")
-
 MOST_VARIANTS = 1000
 
 
-@dataclass(frozen=True)
-class Sheet:
-    """An exercise sheet in one or more variants, counted from 1."""
-
-    systems: tuple[System, ...]
-    solutions: Solutions
-    variants: int
-    seed: int
-    language: str
-    _made: tuple[tuple[Variant, ...], ...]
-
-    def variant(self, n: int) -> tuple[Variant, ...]:
-        """The exercises of a variant. Raises InputError for one that there is not."""
-        if not 1 <= n <= self.variants:
-            raise InputError(f"there is no variant {n}; there are 1 to {self.variants}")
-        return self._made[n - 1]
-
-    def key(self, variant: int = 1) -> tuple[KeyEntry, ...]:
-        """What is right, question by question."""
-        found: list[KeyEntry] = []
-        for number, exercise in enumerate(self.variant(variant), 1):
-            answers = exercise.solution.answers
-            for k, answer in enumerate(answers, 1):
-                found.append(key_of(answer, label_of(number, k, len(answers))))
-        return tuple(found)
+class Sheet(SheetContent):
+    """An exercise sheet that writes itself."""
 
     def report(self, variant: int = 1) -> Report:
         """The sheet of a variant."""

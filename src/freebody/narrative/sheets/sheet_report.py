@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import fields, is_dataclass, replace
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
+from freebody.narrative.sheets.content import SheetContent
 from freebody.narrative.sheets.statement import ExerciseStatement, title_of
 from freebody.narrative.sheets.variants import Variant
 from freebody.narrative.telling.catalogue import Catalogue
@@ -25,9 +26,6 @@ from freebody.present.report.blocks import (
     equation_numbers,
 )
 
-if TYPE_CHECKING:
-    from freebody.narrative.sheets.sheet import Sheet
-
 _REPORT_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
 
 
@@ -39,7 +37,7 @@ def report_words(catalogue: Catalogue) -> dict[str, str]:
 class SheetWriter:
     """Writes one variant."""
 
-    def __init__(self, sheet: Sheet, variant: int) -> None:
+    def __init__(self, sheet: SheetContent, variant: int) -> None:
         self.sheet = sheet
         self.n = variant
         self.exercises = sheet.variant(variant)

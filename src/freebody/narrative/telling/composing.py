@@ -6,6 +6,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.errors import FreebodyError
+from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.telling.catalogue import Catalogue
@@ -13,13 +14,12 @@ from freebody.narrative.telling.telling import Telling
 from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, Picture, Remark, Report, Section, Text
 
 if TYPE_CHECKING:
-    from freebody.narrative.explain import Derivation, Explanation
     from freebody.system.system import System
 
 _WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
 
 
-def report_of(explanation: Explanation) -> Report:
+def report_of(explanation: WorkedSolutions) -> Report:
     """The report of an explanation, in its language."""
     catalogue = Catalogue(explanation.language)
     system = explanation.system
