@@ -86,6 +86,18 @@ def test_the_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> No
     assert capsys.readouterr().out.strip() == "5*g*sin(alpha)/7"
 
 
+def test_the_tour_is_true_and_names_every_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its blocks run one after the other; each folder of the package is a room, named once as such."""
+    tour = (ROOT / "docs" / "tour.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(ROOT)
+    names: dict[str, object] = {}
+    for code in blocks(tour, "python"):
+        exec(compile(code, "tour.md", "exec"), names)
+    rooms = {path.name for path in (ROOT / "src" / "freebody").iterdir() if (path / "__init__.py").exists()}
+    named = re.findall(r"\*\*`(\w+)/`\*\*", tour)
+    assert sorted(named) == sorted(rooms)
+
+
 def test_every_kind_is_in_the_readme() -> None:
     from freebody.connections.base import Connection
     from freebody.loads.base import Load
