@@ -7,11 +7,9 @@ to its bodies (`start_pose`), and where it is a multiple of a right angle at all
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Pose, Vector
 from freebody.symbolic.bodies import Bodies, coordinates_of
@@ -26,8 +24,9 @@ from freebody.symbolic.unknowns import Coordinate
 class GivenStart(ABC):
     """The start values that a model gives."""
 
-    def __init__(self, bodies: Bodies, samples: Samples) -> None:
-        self.bodies, self.samples = bodies, samples
+    def __init__(self, bodies: Bodies, samples: Samples, absolute: FieldGeometry) -> None:
+        """absolute: the statements of measures over the unknowns, which note what expressions they read."""
+        self.bodies, self.samples, self.absolute = bodies, samples, absolute
         self.system, self.unknowns, self.field = bodies.system, bodies.unknowns, bodies.field
 
     @abstractmethod
@@ -54,11 +53,6 @@ class GivenStart(ABC):
 
 class PlanarGivenStart(GivenStart):
     """The start values of a model in the plane."""
-
-    def __init__(self, bodies: Bodies, samples: Samples, scalar: Callable[[Expr], Ratio]) -> None:
-        """scalar: an expression in the parameters as an element, noted as one that the geometry is made of."""
-        super().__init__(bodies, samples)
-        self.scalar = scalar
 
     def of_coordinate(self, c: Coordinate) -> Ratio | None:
         f, unknowns = self.field, self.unknowns
@@ -110,7 +104,7 @@ class PlanarGivenStart(GivenStart):
 
     def places(self) -> dict[int, Ratio]:
         values: dict[int, Ratio] = {}
-        f, scalar = self.field, self.scalar
+        f, scalar = self.field, self.absolute.scalar
         for body in self.system.moving:
             pose, start = self.bodies.poses[body.name], body.start
             assert isinstance(pose, Pose)

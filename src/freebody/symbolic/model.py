@@ -21,11 +21,13 @@ which every reader needs, and shows the other parts.
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies, Parts, PlanarBodies
+from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.coordinates import CoordinateChoice
 from freebody.symbolic.dynamics import Dynamics
 from freebody.symbolic.elimination import RowEquation
@@ -42,50 +44,51 @@ from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.spatial.given_start import SpatialGivenStart
 from freebody.symbolic.spatial.lines import SpatialLines
 from freebody.symbolic.spatial.start_speeds import SpatialStartSpeeds
+from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.start_speeds import PlanarStartSpeeds, StartSpeeds
 from freebody.symbolic.unknowns import Coordinate, Unknowns
 from freebody.system.order import in_one_order
 from freebody.system.system import System
 
 
+@dataclass(frozen=True)
+class Setting:
+    """Who is asked where plane and space differ."""
+
+    bodies: Callable[[System, Unknowns], Bodies]
+    lines: Callable[[Unknowns, Samples], Lines]
+    start: Callable[[Bodies, Samples, FieldGeometry], GivenStart]
+    start_speeds: Callable[[Bodies, Configuration, Speeds, Kinematics], StartSpeeds]
+
+
+PLANE = Setting(PlanarBodies, Lines, PlanarGivenStart, PlanarStartSpeeds)
+SPACE = Setting(SpatialBodies, SpatialLines, SpatialGivenStart, SpatialStartSpeeds)
+
+
 class SymbolicModel:
     """Everything the symbolic route derives. Raises CannotAnswer where formulas would be too long."""
 
-    bodies: Bodies
-    start: GivenStart
-    start_speeds: StartSpeeds
-
     def __init__(self, system: System, points: Sequence[Sample]) -> None:
         self.system = system = in_one_order(system)
+        setting = SPACE if system.space else PLANE
         n = len(system.moving)
         self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
+        # the unknowns, and what is known of them
         self._unknowns = unknowns = Unknowns(self.field, system)
-        if system.space:
-            bodies = SpatialBodies(system, unknowns)
-            self.samples = Samples(unknowns, bodies, points)
-            lines = SpatialLines(unknowns, self.samples)
-            absolute = self._absolute(bodies, lines)
-            self.start = SpatialGivenStart(bodies, self.samples)
-            start_speeds = SpatialStartSpeeds
-        else:
-            bodies = PlanarBodies(system, unknowns)
-            self.samples = Samples(unknowns, bodies, points)
-            lines = Lines(unknowns, self.samples)
-            absolute = self._absolute(bodies, lines)
-            self.start = PlanarGivenStart(bodies, self.samples, absolute.scalar)
-            start_speeds = PlanarStartSpeeds
-        self.bodies = bodies
-        self._choice = CoordinateChoice(bodies, lines, self.samples, self.start, absolute)
+        self.bodies = bodies = setting.bodies(system, unknowns)
+        self.samples = samples = Samples(unknowns, bodies, points)
+        lines = setting.lines(unknowns, samples)
+        absolute = bodies.geometry(bodies.poses, lines.tangent, lines.unknown_root(), samples.is_negative)
+        self.start = setting.start(bodies, samples, absolute)
+        # the coordinates among them
+        self._choice = CoordinateChoice(bodies, lines, samples, self.start, absolute)
         self.lengths = absolute.scalars  # what the geometry is made of, in parameters
         self._speeds = self._choice.chosen.speeds
         self._configuration = self._choice.chosen.configuration
+        # motion and forces
         self.kinematics = Kinematics(bodies, self._configuration, self._speeds)
         self.loads, self.dynamics, self.reactions = self._forces()
-        self.start_speeds = start_speeds(bodies, self._configuration, self._speeds, self.kinematics)
-
-    def _absolute(self, bodies: Bodies, lines: Lines) -> FieldGeometry:
-        """The statements of measures over the unknowns."""
-        return bodies.geometry(bodies.poses, lines.tangent, lines.unknown_root(), self.samples.is_negative)
+        self.start_speeds = setting.start_speeds(bodies, self._configuration, self._speeds, self.kinematics)
 
     def _forces(self, accelerations: Mapping[int, Ratio] | None = None) -> tuple[Loads, Dynamics, Reactions]:
         """The parts that stand on the motion of the bodies. accelerations: of the coordinates, where they are given."""

@@ -7,6 +7,7 @@ from contextlib import suppress
 from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, SpatialPose, Vector
+from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import FieldGeometry, straight_tangent
 from freebody.symbolic.given_start import GivenStart
@@ -18,10 +19,10 @@ from freebody.symbolic.unknowns import Coordinate
 class SpatialGivenStart(GivenStart):
     """The start values of a model in space; those of incremental rows stay symbols."""
 
-    bodies: SpatialBodies
-
-    def __init__(self, bodies: SpatialBodies, samples: Samples) -> None:
-        super().__init__(bodies, samples)
+    def __init__(self, bodies: Bodies, samples: Samples, absolute: FieldGeometry) -> None:
+        super().__init__(bodies, samples, absolute)
+        assert isinstance(bodies, SpatialBodies)
+        self._known_rotation = bodies.known_rotation
         self._scalar = self._geometry({}).scalar
 
     def of_coordinate(self, c: Coordinate) -> Ratio | None:
@@ -51,7 +52,7 @@ class SpatialGivenStart(GivenStart):
             return known
         if body.turns and body.start.turned is None:
             return None
-        x, y, z = self.bodies.known_rotation(body.start.turned or (), scalar)
+        x, y, z = self._known_rotation(body.start.turned or (), scalar)
         axes = Vector(*x), Vector(*y), Vector(*z)
         if body.start.at is None:
             return SpatialPose(known.center, axes)
