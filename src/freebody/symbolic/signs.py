@@ -10,7 +10,7 @@ from __future__ import annotations
 from enum import Enum
 
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.tidy import Terms, fourier, sine_form, square_variants
+from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
 
 
 class Sign(Enum):
@@ -48,6 +48,14 @@ def sign_of(x: Ratio) -> Sign:
     if x.den is not None:
         result = times(result, _product(field, x.den))
     return result
+
+
+def sign_is_positive(x: Ratio) -> bool:
+    return sign_of(x) is Sign.POSITIVE
+
+
+def sign_is_negative(x: Ratio) -> bool:
+    return sign_of(x) in (Sign.NEGATIVE, Sign.NONPOSITIVE)
 
 
 def times(a: Sign, b: Sign) -> Sign:

@@ -1,8 +1,7 @@
 """The form that people read: factored, collected, angles gathered, shortest of several exact forms.
 
 Every candidate is the same element written differently; the one with the fewest operations wins. Products of
-sines and cosines of different angles are turned into functions of sums and differences (Fourier form):
-c1 c2 + s1 s2 = cos(theta1 - theta2).
+sines and cosines of different angles are turned into functions of sums and differences (`waves`).
 """
 
 from __future__ import annotations
@@ -28,9 +27,9 @@ from freebody.language.expression import (
     power,
 )
 from freebody.symbolic.field import Field, Poly, Ratio, declaration_order, has_lonely_symbol, primitive
+from freebody.symbolic.signs import sign_is_negative, sign_is_positive
+from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
 
-Monomial = tuple[tuple[int, int], ...]
-Terms = dict[Monomial, int]
 # order in which factors of a product are written
 _PLACE = {
     "parameter": 0,
@@ -97,18 +96,6 @@ def _is_root_generator(field: Field, base: Ratio) -> bool:
     (index,) = base.generators()
     generator = field.generators[index]
     return generator.kind == "root" and bool(generator.made_of) and len(field.terms(base.num)) == 1
-
-
-def sign_is_positive(x: Ratio) -> bool:
-    from freebody.symbolic.signs import Sign, sign_of
-
-    return sign_of(x) is Sign.POSITIVE
-
-
-def sign_is_negative(x: Ratio) -> bool:
-    from freebody.symbolic.signs import Sign, sign_of
-
-    return sign_of(x) in (Sign.NEGATIVE, Sign.NONPOSITIVE)
 
 
 def _fraction(top: Expr, bottom: Expr) -> Expr:
@@ -249,38 +236,6 @@ def _sum(field: Field, poly: Poly) -> Expr:
     return best
 
 
-def square_variants(field: Field, terms: Terms) -> list[Terms]:
-    """The polynomial with c^2 for each angle, or with c^2 = 1 - s^2 put in where cosines are squared."""
-    variants = [terms]
-    for c, s in field.pairs(g for m in terms for g, _e in m):
-        if any(dict(m).get(c, 0) >= 2 for m in terms):
-            variants += [sine_form(v, c, s) for v in list(variants)][:4]
-    return variants
-
-
-def sine_form(terms: Mapping[Monomial, int], c: int, s: int) -> Terms:
-    result: Terms = {}
-    for monomial, coefficient in terms.items():
-        exponents = dict(monomial)
-        n, odd = divmod(exponents.pop(c, 0), 2)
-        power_s = exponents.pop(s, 0)
-        binomial = 1
-        for k in range(n + 1):
-            parts = dict(exponents)
-            if odd:
-                parts[c] = 1
-            if power_s + 2 * k:
-                parts[s] = power_s + 2 * k
-            key = tuple(sorted(parts.items()))
-            value = result.get(key, 0) + coefficient * binomial * (-1) ** k
-            if value:
-                result[key] = value
-            else:
-                result.pop(key, None)
-            binomial = binomial * (n - k) // (k + 1)
-    return result
-
-
 def _monomials(field: Field, terms: Mapping[Monomial, int]) -> Expr:
     ordered = sorted(terms.items(), key=lambda item: declaration_order(item[0]))
     content = 0
@@ -399,46 +354,6 @@ def _factored(field: Field, terms: Mapping[Monomial, int]) -> Expr:
         [power(_monomials(field, field.terms(b.num)), number(e)) for _p, b, e in parts],
     )
     return product if n_operations(product) <= n_operations(plain) else plain
-
-
-def fourier(field: Field, trig: Monomial) -> dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction]:
-    """A product of sines and cosines as a sum of sines and cosines of sums of angles, by
-    c = (e + 1/e)/2, s = (e - 1/e)/(2i)."""
-    if trig not in field.waves:
-        field.waves[trig] = _fourier(field, trig)
-    return field.waves[trig]
-
-
-def _fourier(field: Field, trig: Monomial) -> dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction]:
-    waves: dict[tuple[tuple[int, int], ...], tuple[Fraction, Fraction]] = {(): (Fraction(1), Fraction(0))}
-    for g, exponent in trig:
-        is_sine = field.generators[g].kind == "sin"
-        angle = g - 1 if is_sine else g
-        for _ in range(exponent):
-            fresh: dict[tuple[tuple[int, int], ...], tuple[Fraction, Fraction]] = {}
-            for key, (re, im) in waves.items():
-                for step in (1, -1):
-                    k = dict(key)
-                    k[angle] = k.get(angle, 0) + step
-                    new = tuple(sorted((a, n) for a, n in k.items() if n))
-                    if is_sine:  # (re + i im)(step/(2i)) = step (im - i re)/2
-                        add_re, add_im = step * im / 2, -step * re / 2
-                    else:
-                        add_re, add_im = re / 2, im / 2
-                    old = fresh.get(new, (Fraction(0), Fraction(0)))
-                    fresh[new] = old[0] + add_re, old[1] + add_im
-            waves = fresh
-    result: dict[tuple[bool, tuple[tuple[int, int], ...]], Fraction] = {}
-    for key, (re, im) in waves.items():
-        # e^{ik} pairs with e^{-ik}: re cos k - im sin k, from each member of the pair
-        flip = bool(key) and key[0][1] < 0
-        standard = tuple((a, -n) for a, n in key) if flip else key
-        if re:
-            result[False, standard] = result.get((False, standard), Fraction(0)) + re
-        if im:
-            share = im if flip else -im
-            result[True, standard] = result.get((True, standard), Fraction(0)) + share
-    return {k: v for k, v in result.items() if v}
 
 
 def _wave(field: Field, is_sine: bool, frequencies: tuple[tuple[int, int], ...]) -> Expr:

@@ -20,7 +20,8 @@ from freebody.symbolic.existence import FORMAL
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.phases.relations import readable, solved_for
 from freebody.symbolic.signs import Sign
-from freebody.symbolic.tidy import square_variants, tidy
+from freebody.symbolic.tidy import tidy
+from freebody.symbolic.waves import square_variants
 
 NEVER = "for no values of the parameters"
 TAKEN = "as at the start"  # a sign that the formulas take as it is at the first sample

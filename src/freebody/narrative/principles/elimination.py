@@ -15,7 +15,8 @@ from freebody.narrative.lines.script import Script, When
 from freebody.narrative.principles.kinematics import scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.tidy import sign_is_negative, tidy
+from freebody.symbolic.signs import sign_is_negative
+from freebody.symbolic.tidy import tidy
 
 
 @dataclass

@@ -27,8 +27,9 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.tidy import sine_form, tidy
+from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.waves import sine_form
 from freebody.tolerances import ROUND_OFF
 
 _DEEPEST = 14  # halvings of a sixteenth of a turn
