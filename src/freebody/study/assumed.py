@@ -17,7 +17,7 @@ from freebody.numeric.start import wanted_rates
 from freebody.study.answer import Answer
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.motion import rate_not_given
+from freebody.symbolic.start import rate_not_given
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 

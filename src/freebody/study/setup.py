@@ -17,7 +17,8 @@ from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import SmoothMotion, StartState, start_state
+from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.order import in_one_order
 from freebody.system.system import System

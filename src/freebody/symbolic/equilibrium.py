@@ -21,8 +21,8 @@ from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import StartState
 from freebody.symbolic.signs import Sign
+from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

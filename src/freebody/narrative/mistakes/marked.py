@@ -22,7 +22,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.equilibrium import find_equilibrium, small_oscillations
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import SmoothMotion, StartState
+from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 

@@ -25,8 +25,8 @@ from freebody.study.phases.decide import Inequality
 from freebody.study.phases.phase import Given, Placed
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
-from freebody.symbolic.motion import StartState, start_from_bodies, start_state
 from freebody.symbolic.phases.friction import named_rows
+from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System

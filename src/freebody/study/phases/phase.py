@@ -20,9 +20,9 @@ from freebody.study.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import StartState, start_from_bodies, start_state
 from freebody.symbolic.phases.course import ClosedFormMotion, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System

@@ -18,8 +18,9 @@ from freebody.errors import CannotAnswer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.motion import SmoothMotion, StartState
+from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.signs import Sign, sign_of
+from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of
 
