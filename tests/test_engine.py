@@ -22,7 +22,8 @@ from freebody.measures.geometry import Direction, Point
 from freebody.measures.lead import Lead
 from freebody.numeric.engine import tape
 from freebody.numeric.engine.course import NO_TRACKS
-from freebody.numeric.engine.engine import Engine, Observer
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import Observer
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.tapes import Tapes
 from freebody.numeric.reference import Reference

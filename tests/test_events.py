@@ -21,7 +21,8 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Composed
 from freebody.numeric.engine import search
 from freebody.numeric.engine.course import Status, Trajectory
-from freebody.numeric.engine.engine import Engine, EngineWatch
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulate import Simulator
 

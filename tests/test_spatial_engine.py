@@ -25,7 +25,8 @@ from freebody.measures.lead import Lead
 from freebody.measures.turn import Alignment, Turn
 from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status, Trajectory
-from freebody.numeric.engine.engine import Engine, Observer
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import Observer
 from freebody.numeric.engine.implicit import Slopes
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions

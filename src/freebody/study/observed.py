@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.engine.engine import Observer
+from freebody.numeric.engine.evaluator import Observer
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:

@@ -22,7 +22,8 @@ from freebody.numeric.contact.hybrid import Hybrid
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Event, Status, Trajectory
-from freebody.numeric.engine.engine import Engine, EngineWatch
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions

@@ -18,9 +18,10 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm, UnilateralC
 from freebody.model.elements import DryFriction as RubElement
 from freebody.numeric.contact.problem import ContactProblem, FrictionProblemRow
 from freebody.numeric.engine import dynamics, stepping
-from freebody.numeric.engine.engine import Engine, EngineRows, EngineWatch, packed
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import EngineRows, EngineWatch, packed
 from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, Guard
+from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, OF_SHARE, OF_VALUE, ArrayBuilder, Guard
 from freebody.numeric.numbers import Numbers
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
@@ -119,7 +120,7 @@ class Bounded:
         for rub in system.rubs:
             loads = tuple(places[name] for name in rub.load)
             packing.rub(rub, loads, self._load_sign(loads))
-        self.written = packing.written()
+        self.written = ArrayBuilder(packing)
         self.bilateral = tuple(k for k, row in enumerate(system.held) if not (row.unilateral or row.needs))
         grips = {
             bound.name: tuple(

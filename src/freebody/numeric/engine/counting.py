@@ -20,7 +20,7 @@ from freebody.numeric.engine.following import follow
 from freebody.numeric.engine.layout import Floats
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.engine.evaluator import Evaluator
     from freebody.numeric.engine.stepping import SteppedRun
 
 TURN = 0.5  # [rad] of a body, in which bearings are counted on
@@ -30,7 +30,7 @@ BATCH = 128  # steps
 class Counting:
     """The turns of the bearings of an engine along one run."""
 
-    def __init__(self, engine: Engine, run: SteppedRun, *, is_read: bool) -> None:
+    def __init__(self, engine: Evaluator, run: SteppedRun, *, is_read: bool) -> None:
         """is_read: whether the motion depends on the count, so that it is wanted after every step."""
         self.engine, self.run = engine, run
         n_kept = 1 if is_read else BATCH
@@ -87,7 +87,7 @@ class Counting:
         return Tracks(self.engine.turning, np.concatenate(self._times), np.concatenate(self._bearings))
 
 
-def bearings_at(engine: Engine, near: Floats, times: Floats, states: Floats) -> Floats:
+def bearings_at(engine: Evaluator, near: Floats, times: Floats, states: Floats) -> Floats:
     """(n_times, n_measures) bearings at states that follow each other closely, the first counted on from `near`."""
     bearings = np.empty((len(times), len(near)))
     engine.count_from(near)

@@ -23,15 +23,15 @@ from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.search import StepZero
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import EngineWatch
-    from freebody.numeric.engine.motion import RunningMotion
+    from freebody.numeric.engine.evaluator import EngineWatch
+    from freebody.numeric.engine.underway import MotionUnderWay
 
 N_MENDED = 4
 OFF = 1e-4  # by the size of what is watched, that the dense output may be off; more is another count of turns
 PLACES = (0.2113, 0.5437, 0.8771)  # of a step, where what is zero at both ends is looked at
 
 
-def found_in_step(motion: RunningMotion, until: float | None = None) -> bool:
+def found_in_step(motion: MotionUnderWay, until: float | None = None) -> bool:
     """Adds the events of the last step, up to a time in it; True if a terminal one ends the motion there."""
     run = motion.run
     t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
@@ -62,14 +62,14 @@ def found_in_step(motion: RunningMotion, until: float | None = None) -> bool:
     return False
 
 
-def _is_zero_throughout(motion: RunningMotion, k: int, t0: float, h: float) -> bool:
+def _is_zero_throughout(motion: MotionUnderWay, k: int, t0: float, h: float) -> bool:
     """Whether something that is zero at both ends of a step is so within it, in states that hold what is held."""
     y, zero = np.zeros_like(motion.run.states[0]), motion.searches[k].zero
     return all(abs(motion.values_at(s, y, t0 + s * h)[k]) <= zero for s in PLACES)
 
 
 def _mended(
-    motion: RunningMotion, watch: EngineWatch, k: int, zero: StepZero, t0: float, h: float
+    motion: MotionUnderWay, watch: EngineWatch, k: int, zero: StepZero, t0: float, h: float
 ) -> tuple[float, Floats]:
     """The time of an event and the state there. A touch is where the rate is zero."""
     order = watch.order + (zero.kind == "touch")

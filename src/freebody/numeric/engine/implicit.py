@@ -23,8 +23,8 @@ from freebody.numeric.engine.layout import Floats, ModelArrays
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.motion import RunningMotion
+    from freebody.numeric.engine.evaluator import Evaluator
+    from freebody.numeric.engine.underway import MotionUnderWay
 
 _DIFFERENCE = 1e-7
 _MIN_RTOL = 1e-12
@@ -33,7 +33,7 @@ _MIN_RTOL = 1e-12
 class Implicit:
     """Steps of one motion, from its present state."""
 
-    def __init__(self, motion: RunningMotion, step: float = 0.0) -> None:
+    def __init__(self, motion: MotionUnderWay, step: float = 0.0) -> None:
         self._motion, self._engine = motion, motion.engine
         self._slopes = Slopes(self._engine)
         run = motion.run
@@ -141,7 +141,7 @@ class Implicit:
 class Slopes:
     """Derivatives of the slope y' by the state y."""
 
-    def __init__(self, engine: Engine) -> None:
+    def __init__(self, engine: Evaluator) -> None:
         self._engine = engine
         self._laws = [_derivatives(push) for push in engine.pushes]
 

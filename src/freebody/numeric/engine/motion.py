@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,16 +13,19 @@ from freebody.language.expression import free_symbols, has_jump
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.counting import Counting, bearings_at
 from freebody.numeric.engine.course import NO_TRACKS, Event, Status, Trajectory
+from freebody.numeric.engine.evaluator import Evaluator
+from freebody.numeric.engine.events import found_in_step
 from freebody.numeric.engine.implicit import Implicit
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
 from freebody.numeric.engine.tableaus import METHODS
+from freebody.numeric.engine.trouble import diagnosed
+from freebody.numeric.engine.underway import MotionUnderWay
 from freebody.numeric.options import SimulationOptions
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine, EngineWatch
-    from freebody.numeric.engine.search import ProgramSearch
+    pass
 
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
@@ -35,12 +37,12 @@ def stopped(t: float, after: str, seconds: float | None) -> str:
     return f"stopped at t = {t:.6g} s after {after}: {by}"
 
 
-class RunningMotion:
-    """One run under way."""
+class RunningMotion(MotionUnderWay):
+    """One run, from its start to its end."""
 
     def __init__(
         self,
-        engine: Engine,
+        engine: Evaluator,
         y: Floats,
         start: float,
         until: float,
@@ -48,21 +50,17 @@ class RunningMotion:
         first_step: float,
         outputs: Floats,
     ) -> None:
-        self.engine, self.options = engine, options
-        self.is_automatic = options.method == "auto"
-        self.method = "dop853" if self.is_automatic else options.method
-        self.start, self.until = start, until
-        self.tableau = METHODS[self.method]
-        self.run = engine.new_run(y, self.tableau, outputs)
+        is_automatic = options.method == "auto"
+        method = "dop853" if is_automatic else options.method
+        tableau = METHODS[method]
+        super().__init__(engine, tableau, engine.new_run(y, tableau, outputs), until)
+        self.options, self.is_automatic, self.method = options, is_automatic, method
+        self.start = start
         clock = self.run.clock
         clock[stepping.END], clock[stepping.TOLERANCE] = until, options.tolerance
         clock[stepping.LONGEST], clock[stepping.STEP] = options.longest, options.step or first_step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
-        self.searches: list[ProgramSearch] = []  # of what is watched
-        self.notes: list[str] = []
         self.counting: Counting | None = None
-        self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
-        self.happenings: list[Event] = []
         self.implicit: Implicit | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
@@ -82,7 +80,7 @@ class RunningMotion:
         else:
             size = 64
             if self.method == "radau5":
-                self.implicit = Implicit(self, float(clock[stepping.STEP]))
+                self.implicit = self.solver = Implicit(self, float(clock[stepping.STEP]))
             try:
                 while clock[stepping.NOW] < self.until:
                     is_late = time.perf_counter() - began > max_seconds
@@ -119,7 +117,7 @@ class RunningMotion:
                         count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
                         stiff = f"stiff from t = {clock[stepping.NOW]:.6g} s"
                         if self.is_automatic:
-                            self.implicit = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
+                            self.implicit = self.solver = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
                             self.method, note = "dop853, then radau5", f"{stiff}, where the method changed to radau5"
                         else:
                             note = f"{stiff}: radau5 takes fewer steps"
@@ -184,7 +182,7 @@ class RunningMotion:
 
         e, tolerance = self.engine, float(self.run.clock[stepping.TOLERANCE])
         near, self.run.states[stepping.OLD] = e.near(), self.run.states[stepping.Y]
-        for watch, row, value in zip(e.watches, e.watched_rows, self._values(), strict=True):
+        for watch, row, value in zip(e.watches, e.watched_rows, self.values(), strict=True):
             program = e.written.program(row, watch.order)
             search = ProgramSearch(program, watch.value, watch.size, tolerance, near)
             search.begin(value)
@@ -204,97 +202,19 @@ class RunningMotion:
             k += 1
         run.count[stepping.OUTPUTS] = k
 
-    # -- events -------------------------------------------------------------------------------
-    def _values(self) -> list[float]:
-        """What is watched, at the instant looked at last."""
-        return [self.derivatives_of(k)[watch.order] for k, watch in enumerate(self.engine.watches)]
-
-    def derivatives_of(self, k: int) -> tuple[float, float, float]:
-        """Value, rate and second derivative of what is watched, at the instant looked at last, counted from where it is
-        zero."""
-        e, watch, row = self.engine, self.engine.watches[k], self.engine.watched_rows[k]
-        value, rate, bias = (float(e.room.rows[row, c]) for c in (dynamics.VALUE, dynamics.RATE, dynamics.BIAS))
-        if watch.order == 0:
-            value -= watch.value
-        else:
-            rate -= watch.value
-        return value, rate, bias + float(e.gradient_of(row) @ e.room.acceleration)
-
-    def values_at(self, s: float, y: Floats, t: float) -> list[float]:
-        """What is watched at the part s of the last step; y becomes the state there."""
-        e = self.engine
-        stepping.visit(e.layout, e.room, self.run, s, y, t, self._slope, 0)
-        return self._values()
-
-    def step_of(self, h: float) -> Floats | None:
-        """The state after a step of the given length from where the last step began, which is then looked at; None if
-        there is no such step."""
-        e, run = self.engine, self.run
-        if self.implicit is not None:
-            after = self.implicit.state_after(h)
-            return None if after is None else self._seen(after, float(run.clock[stepping.BEFORE]) + h)
-        own = e.new_run(run.states[1], self.tableau, np.zeros(0))
-        own.clock[:] = run.clock
-        stepping.visit(e.layout, e.room, own, -1.0, own.states[0], float(run.clock[stepping.BEFORE]), own.slopes[0], 1)
-        own.clock[stepping.NOW], own.clock[stepping.STEP] = run.clock[stepping.BEFORE], h
-        own.clock[stepping.END], own.clock[stepping.TOLERANCE] = run.clock[stepping.BEFORE] + h, 1e6
-        own.count[stepping.LEFT_OUT], own.count[stepping.IS_CAREFUL] = run.count[stepping.LEFT_OUT], 1
-        near = e.room.measures[:, NEAR].copy()
-        result = stepping.advance(e.layout, e.room, self.tableau, own, 1)
-        e.room.measures[:, NEAR] = near
-        if result not in (stepping.REACHED, stepping.PAUSED) or own.clock[stepping.NOW] < own.clock[stepping.END]:
-            return None
-        return self._seen(own.states[0].copy(), float(own.clock[stepping.NOW]))
-
-    def _seen(self, state: Floats, t: float) -> Floats:
-        stepping.visit(self.engine.layout, self.engine.room, self.run, -1.0, state, t, self._slope, 0)
-        return state
-
-    def say_zero(self, watch: EngineWatch, t: float) -> None:
-        """Notes, once, that something is zero throughout."""
-        if all(h.name != watch.name or h.kind != "zero" for h in self.happenings):
-            self.happenings.append(Event(t, watch.name, "zero"))
-
-    def say_unsearched(self, what: str, part: float) -> None:
-        """Notes that events may have been overlooked in the last step from a part of it on."""
-        begin, end = float(self.run.clock[stepping.BEFORE]), float(self.run.clock[stepping.NOW])
-        t = begin + part * (end - begin)
-        said = (
-            f"{what} was not looked for between t = {t:.9g} s and {end:.9g} s: it happens too often in one step; "
-            "set a shorter longest step (max_step)"
-        )
-        self.notes.append(said)
-
-    def add(self, happening: Event, state: Floats | None) -> None:
-        """Notes an event, and the motion at its instant."""
-        self.happenings.append(happening)
-        if state is not None:
-            self._keep(happening.time, state)
-
-    def _keep(self, t: float, state: Floats) -> None:
-        """The motion at an instant between output times."""
-        e = self.engine
-        self.values_at(-1.0, state, t)
-        n = e.n_coordinates
-        self.extra.append((t, state, self._slope[n : 2 * n].copy(), e.room.multiplier.copy()))
-
     def _look(self) -> bool:
         """Finds the events of the last step; True if a terminal one ends the motion there."""
-        from freebody.numeric.engine.events import found_in_step
-
         violation = None if self.patrol is None else self.patrol.violation()
         if self.engine.watches and found_in_step(self, None if violation is None else violation.time):
             return True
         if violation is None:
             return False
         self.violation = violation
-        self._keep(violation.time, violation.state)
+        self.keep(violation.time, violation.state)
         return True
 
     # -- trouble ------------------------------------------------------------------------------
     def _trouble(self) -> tuple[Status, str]:
-        from freebody.numeric.engine.trouble import diagnosed
-
         return diagnosed(self.engine, self.run)
 
     # -- the result ---------------------------------------------------------------------------
@@ -379,8 +299,3 @@ class RunningMotion:
             elif k == 0 and self.run.count[stepping.REGULARISED] == 0:
                 return unique
         return unique
-
-    @cached_property
-    def _slope(self) -> Floats:
-        """(n_y,) room for a slope."""
-        return np.zeros(self.engine.n_y)

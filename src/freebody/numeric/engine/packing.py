@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, substitute
+from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, number, substitute
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
@@ -26,9 +26,6 @@ from freebody.numeric.engine.cells import cells_of
 from freebody.numeric.engine.laws import linear_law, stored_law
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.numbers import Numbers
-
-if TYPE_CHECKING:
-    from freebody.numeric.engine.writing import ArrayBuilder
 
 Terms = tuple[tuple[int, float], ...]  # (measure, coefficient)
 
@@ -367,19 +364,11 @@ class Packing:
         )
         return {k for part in inner for k in self.pieces_of(part)}
 
-    def written(self) -> ArrayBuilder:
-        """What has been entered, as arrays."""
-        from freebody.numeric.engine.writing import ArrayBuilder
-
-        return ArrayBuilder(self)
-
 
 # -- small things -----------------------------------------------------------------------------
 
 
 def _exact(value: float) -> Expr:
-    from freebody.language.expression import number
-
     return number(value)
 
 

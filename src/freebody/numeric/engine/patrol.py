@@ -29,14 +29,12 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 from freebody.numeric.engine import dynamics, enclosures, stepping
-from freebody.numeric.engine.layout import Floats, floats, ints, pointers
-from freebody.numeric.engine.programs import Program
+from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.search import ProgramSearch
 from freebody.tolerances import RESOLUTION, WATCHED_ZERO
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine
-    from freebody.numeric.engine.motion import RunningMotion
+    from freebody.numeric.engine.underway import MotionUnderWay
 
 _optimize: Any = scipy.optimize
 N_PARTS = 4
@@ -73,31 +71,10 @@ class Violation:
     at_start: bool = False  # where the step began: it fell at once
 
 
-class Programs:
-    """The programs of the guards of a layout that have some, gaps and slip rates, one behind the other."""
-
-    def __init__(self, engine: Engine) -> None:
-        layout, written = engine.layout, engine.written
-        kinds = layout.guard[:, 0]
-        self.guards = np.flatnonzero((kinds == dynamics.GUARD_VALUE) | (kinds == dynamics.GUARD_RATE))
-        self.each: list[Program] = []
-        for g in self.guards.tolist():
-            order = int(kinds[g] == dynamics.GUARD_RATE)
-            program = written.program(int(layout.guard[g, 1]), order, float(layout.guard_factor[g, 0]))
-            self.each.append(program)
-        codes = [program.code for program in self.each]
-        self.inputs = ints(np.unique(np.concatenate([p.inputs for p in self.each])) if codes else [])
-        self.ptr = pointers([code.tolist() for code in codes])
-        self.code = ints(np.concatenate(codes) if codes else [], 2, 3)
-        self.constants = floats(np.concatenate([p.constants for p in self.each]) if codes else [])
-        self.longest = max(map(len, codes), default=1)
-        self.n_turns = np.array([len(program.turns) for program in self.each], dtype=np.intp)
-
-
 class Gaps:
     """Gaps and slip rates along one motion."""
 
-    def __init__(self, motion: RunningMotion, sizes: Floats) -> None:
+    def __init__(self, motion: MotionUnderWay, sizes: Floats) -> None:
         self.programs = motion.engine.guard_programs
         self.guards = self.programs.guards
         n, longest = len(self.guards), self.programs.longest
@@ -161,7 +138,7 @@ class Gaps:
 class GuardMonitor:
     """The guards of one motion."""
 
-    def __init__(self, motion: RunningMotion, guarding: Guarding) -> None:
+    def __init__(self, motion: MotionUnderWay, guarding: Guarding) -> None:
         self.motion, self.guarding = motion, guarding
         self.sizes, self.is_valid, self.lasts = guarding.sizes, guarding.is_valid, guarding.lasts
         n = len(motion.engine.layout.guard)

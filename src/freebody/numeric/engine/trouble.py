@@ -11,7 +11,7 @@ from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status
 
 if TYPE_CHECKING:
-    from freebody.numeric.engine.engine import Engine
+    from freebody.numeric.engine.evaluator import Evaluator
     from freebody.numeric.engine.stepping import SteppedRun
 
 SINGULAR = 1e-3  # a singular value below this part of the largest: the pose is next to a singular one
@@ -19,7 +19,7 @@ ROUND_OFF = 16.0 * stepping.EPSILON  # steps below this part of a time are too s
 SHARE = 0.05  # a row belongs to the combination that vanishes if it has this part in it
 
 
-def diagnosed(engine: Engine, run: SteppedRun) -> tuple[Status, str]:
+def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     """Status and message for a step that became too small."""
     t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
     step, end = float(run.clock[stepping.STEP]), float(run.clock[stepping.END])
@@ -60,7 +60,7 @@ def diagnosed(engine: Engine, run: SteppedRun) -> tuple[Status, str]:
     )
 
 
-def _limit(engine: Engine, y: np.ndarray, slope: np.ndarray, t: float) -> float:  # type: ignore[type-arg]
+def _limit(engine: Evaluator, y: np.ndarray, slope: np.ndarray, t: float) -> float:  # type: ignore[type-arg]
     """When a driver reaches the limit of a mechanism: coordinates go like the root of the time that is left, so speeds
     like v = c (t1 - t)^(-1/2) and accelerations like a = v/(2 (t1 - t)); t1 - t = v.v/(2 v.a)."""
     n = engine.n_coordinates
@@ -70,7 +70,7 @@ def _limit(engine: Engine, y: np.ndarray, slope: np.ndarray, t: float) -> float:
     return t + left if left < 1e-3 * max(t, float(np.abs(v).max(initial=0.0)) ** -1) else t
 
 
-def _dependent(engine: Engine) -> tuple[list[int], float]:
+def _dependent(engine: Evaluator) -> tuple[list[int], float]:
     """The held rows of the combination that is nearest to vanishing, and how near it is."""
     J = engine.jacobian()
     if not len(J) or not np.isfinite(J).all():
@@ -84,7 +84,7 @@ def _dependent(engine: Engine) -> tuple[list[int], float]:
     return [int(i) for i in np.flatnonzero(share > SHARE * share.max())], float(singular[k] / singular[0])
 
 
-def _without_value(engine: Engine, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
+def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.ndarray, t: float) -> str:  # type: ignore[type-arg]
     """The first load or held measure that is not finite in states a little ahead."""
     for h in (0.0, *(float(run.clock[stepping.STEP]) * 10.0**k for k in range(9))):
         ahead = y + h * out

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.numeric.engine.engine import Packed
+from freebody.numeric.engine.evaluator import Packed
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.numbers import Numbers

@@ -1,0 +1,338 @@
+"""A packed system from Python, and its instants."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.measures.base import Measure
+from freebody.model.elements import RATE, VALUE, NonholonomicForm
+from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.border import border_of
+from freebody.numeric.engine.course import Trajectory
+from freebody.numeric.engine.guard_programs import GuardPrograms
+from freebody.numeric.engine.jit import plain
+from freebody.numeric.engine.layout import Floats, ModelArrays, room_for
+from freebody.numeric.engine.measures_planar import BEARING, NEAR
+from freebody.numeric.engine.observing import observe
+from freebody.numeric.engine.packing import Packing
+from freebody.numeric.engine.stepping import SteppedRun
+from freebody.numeric.engine.tableaus import DOP853, Tableau
+from freebody.numeric.engine.tape import play
+from freebody.numeric.engine.writing import ArrayBuilder, Guard
+from freebody.numeric.numbers import Numbers
+
+COMPLIANCE = 1e-5  # of held rows whose multipliers are shared, by the most mobile one
+WITHOUT_LIMIT = 1e30  # times that: of rows that carry nothing
+
+
+@dataclass(frozen=True)
+class EngineWatch:
+    """Something whose zero is an event: a measure (order 0) or its rate (order 1) minus a value."""
+
+    name: str
+    measure: Measure | NonholonomicForm
+    order: int = 0
+    value: float = 0.0
+    direction: int = 0  # 1: rising only, -1: falling only
+    is_terminal: bool = False
+    size: float = 1.0  # what counts as large
+
+
+@dataclass(frozen=True)
+class EngineRows:
+    """What is held of a written system, along what friction slides, and what is guarded."""
+
+    written: ArrayBuilder
+    held: tuple[int, ...]
+    sliding: tuple[tuple[int, int], ...]
+    guards: tuple[Guard, ...]
+
+
+class Packed:
+    """Rows of a system in arrays, and the room in which they are evaluated."""
+
+    def __init__(self, numbers: Numbers, packing: Packing, mode: EngineRows | None = None) -> None:
+        self.numbers = numbers
+        self.n_bodies = packing.n_bodies
+        self.written = ArrayBuilder(packing) if mode is None else mode.written
+        chosen = None if mode is None else mode.held
+        sliding, guards = ((), ()) if mode is None else (mode.sliding, mode.guards)
+        self.layout, self.order = self.written.layout(chosen, sliding, guards)
+        self.rows = self.written.rows
+        self._bearings = packing.bearings()
+        self.turning = packing.keys()
+        self.border = border_of(numbers)
+        self.room = room_for(self.layout, space=numbers.system.space)
+        self.n_coordinates, self.n_y = self.border.n_coordinates, self.border.n_y
+        self.at_work = 2 * self.n_coordinates  # where the work done stands in a state
+        self.unit = self.border.unit
+
+    def state(self, poses: Floats, velocities: Floats) -> Floats:
+        """The state of poses and velocities (n_bodies, 3); in space (n_bodies, 6): those of the mass centre, then the
+        rotation vector and the angular velocity of the principal axes, the latter by components along them."""
+        return self.border.state(poses, velocities)
+
+    def coordinates(self, y: Floats) -> tuple[Floats, Floats]:
+        """Poses and velocities of the moving bodies in a state, as `state` takes them."""
+        return self.border.coordinates(y)
+
+    def parts(self, y: Floats) -> tuple[Floats, Floats]:
+        """Views on the poses and velocities of a state: (n_bodies + 1, 3), in space (n_bodies + 1, 6), where the
+        rotations stand elsewhere and are zero here."""
+        n, n_bodies = self.n_coordinates, self.n_bodies + 1
+        return y[:n].reshape(n_bodies, -1), y[n : 2 * n].reshape(n_bodies, -1)
+
+    def states(self, course: Trajectory) -> Floats:
+        """(n_times, n_y) states along a motion."""
+        return self.border.states(course)
+
+    def state_at(self, course: Trajectory, k: int) -> Floats:
+        """The state at output k of a motion."""
+        return self.border.states(course, slice(k, k + 1 or None))[0]
+
+    def accelerations(self, course: Trajectory) -> Floats:
+        """(n_times, n_coordinates) accelerations along a motion."""
+        return self.border.accelerations(course)
+
+    def align(self, y: Floats, t: float, value: Callable[[Measure], float]) -> None:
+        """Bearings are counted on from those of a state, in which measures have the given values: what they are off by
+        is whole turns. Rows of which only changes mean something are zero there."""
+        S = self.room
+        S.measures[:, NEAR] = 0.0
+        self._look(y, t)
+        near = S.measures[:, BEARING].copy()
+        for k, measure, constant, rho in self._bearings:
+            off = value(measure) - constant - float(S.measures[k, 0])
+            near[k] += -off / rho if rho is not None else off
+        S.measures[:, NEAR] = near
+
+    def near(self) -> Floats:
+        """The bearings from which turns are counted."""
+        return self.near_view.copy()
+
+    @property
+    def near_view(self) -> Floats:
+        """The same, as they stand in the room."""
+        return self.room.measures[:, NEAR]
+
+    def count_from(self, near: Floats) -> None:
+        """Counts turns from given bearings."""
+        self.room.measures[:, NEAR] = near
+
+    def _look(self, y: Floats, t: float) -> None:
+        n, n_rows = self.n_coordinates, len(self.room.rows)
+        tables = [np.zeros((1, n_rows)) for _ in range(3)]
+        near = self.room.measures[:, NEAR].copy()
+        observe(self.layout, self.room, np.array([t]), y.reshape(1, -1), np.zeros((1, n)), *tables)
+        self.room.measures[:, NEAR] = near
+
+
+def packed(
+    numbers: Numbers, watches: Sequence[EngineWatch] = (), tracked: Sequence[Measure | NonholonomicForm] = ()
+) -> Packing:
+    """The held rows and loads of a system, and what is watched."""
+    packing = Packing(numbers)
+    for row in numbers.system.held:
+        packing.hold(row)
+    for push in numbers.system.pushes:
+        packing.push(push)
+    packing.reads_turns = bool(packing.keys())
+    for watch in watches:
+        packing.watch(watch.measure)
+    for measure in tracked:
+        packing.watch(measure)
+    return packing
+
+
+class Observer(Packed):
+    """Measures that are watched along a motion that is known."""
+
+    def __init__(self, numbers: Numbers, measures: Sequence[Measure | NonholonomicForm]) -> None:
+        packing = Packing(numbers)
+        for measure in measures:
+            packing.watch(measure)
+        super().__init__(numbers, packing)
+        self.measures = tuple(measures)
+
+    def along(self, course: Trajectory) -> dict[Measure | NonholonomicForm, tuple[Floats, Floats, Floats]]:
+        """(n_times,) value, rate and second derivative of each measure."""
+        n_times, n_rows = len(course.times), len(self.room.rows)
+        states, accelerations = self.states(course), self.accelerations(course)
+        tables = [np.zeros((n_times, n_rows)) for _ in range(3)]
+        times = np.ascontiguousarray(course.times)
+        known = [(place, course.tracks.column(key)) for key, place in self.turning.items() if key in course.tracks.keys]
+        if not known:
+            observe(self.layout, self.room, times, states, accelerations, *tables)
+        # turns are counted on from the nearest step, since there may be many between two output times
+        nearest = course.tracks.nearest(times) if known else []
+        for k, step in enumerate(nearest):
+            for place, bearings in known:
+                self.room.measures[place, NEAR] = bearings[step]
+            at = slice(k, k + 1)
+            observe(self.layout, self.room, times[at], states[at], accelerations[at], *(table[at] for table in tables))
+        return {m: tuple(table[:, self.rows[m]].copy() for table in tables) for m in self.measures}  # type: ignore[misc]
+
+
+class Evaluator(Packed):
+    """A system with a number for every parameter, packed: what is seen of it at an instant."""
+
+    def __init__(
+        self,
+        numbers: Numbers,
+        watches: Sequence[EngineWatch] = (),
+        tracked: Sequence[Measure | NonholonomicForm] = (),
+        mode: EngineRows | None = None,
+    ) -> None:
+        """tracked: measures whose turns are to be counted in every step of a motion. mode: another choice of held rows
+        than all of the system's, of what was packed with the same watches and tracked measures."""
+        self.watches = tuple(watches)
+        packing = packed(numbers, watches, tracked) if mode is None else mode.written.packing
+        self.is_tracked = bool(tracked) and bool(packing.keys())
+        self.reads_turns = packing.reads_turns  # whether the motion depends on turns
+        super().__init__(numbers, packing, mode)
+        self.held = [packing.held[k].held for k in (range(len(packing.held)) if mode is None else mode.held)]
+        self.pushes = [push for _where, push, _linear, _works in packing.pushed]
+        self.watched_rows = [self.rows[w.measure] for w in watches]
+        self.place_of = np.empty(len(self.order), dtype=np.intp)  # of the model's held rows in the order of elimination
+        self.place_of[self.order] = np.arange(len(self.order))
+        self._unshared: ModelArrays = self.layout
+        self.is_shared = False  # whether multipliers that are not unique are the least
+
+    @cached_property
+    def guard_programs(self) -> GuardPrograms:
+        """What is guarded as programs."""
+        return GuardPrograms(self.layout, self.written)
+
+    def evaluate(self, y: Floats, t: float, n_times: int = 1) -> tuple[Floats, Floats]:
+        """Accelerations (n_bodies + 1, 3), in space (n_bodies + 1, 6), and multipliers (n_held,) of a state as it is.
+        Raises CannotAnswer if they are not finite."""
+        out = np.zeros(self.n_y)
+        stepping.visit(self.layout, self.room, self.idle, -1.0, y, t, out, n_times)
+        multipliers = self.room.multiplier[self.place_of]
+        if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
+            raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
+        return self.room.acceleration.reshape(self.n_bodies + 1, -1).copy(), multipliers
+
+    @property
+    def scale_of_held(self) -> Floats:
+        """(n_held,) by which gaps of the held rows count: 1/length, 1 for angles."""
+        return np.array(self.layout.held_scale)[self.place_of]
+
+    def share_by_compliance(self, idle: Sequence[int] = ()) -> None:
+        """From now on multipliers that are not unique are the least ones, sum of (lambda_i h_i)^2 over the held rows,
+        h_i the size of the system where the row is a length, 1 where it is an angle: as if all joints yielded alike.
+        That depends on no order of rows, on no units, and where bodies are joined by forces on no axes.
+
+        Every row is given the same small compliance e, (J M^-1 J^T + e H^-2) lambda = b, which the passes of
+        `dynamics.projected` take back without leaving the range of J: what is left of it is the choice of lambda.
+        Rows that are `idle` yield without limit and carry nothing.
+        Their sizes are those at the instant looked at last; raises RuntimeError if something was shared there.
+        Source: Tikhonov regularisation, Hansen, Rank-Deficient and Discrete Ill-Posed Problems, 1998, ch. 5."""
+        if self.is_shared:  # the diagonal would contain the compliance itself
+            raise RuntimeError("the multipliers are shared already")
+        L = self._unshared
+        held = np.array(L.held_scale)
+        diagonal = np.array(self.room.diagonal)[: len(held)]
+        compliance = COMPLIANCE * float((diagonal * held**2).max(initial=0.0))
+        base = np.array(L.schur_base)
+        yielding = compliance / held**2
+        yielding[self.place_of[list(idle)]] *= WITHOUT_LIMIT
+        base[np.array(L.column_ptr[:-1])] += yielding
+        self.layout = L._replace(schur_base=base, has_gap=L.has_gap | dynamics.SHARES)
+        self.is_shared = True
+
+    def share_no_more(self) -> None:
+        """From now on multipliers that are not unique are as the elimination leaves them."""
+        self.layout, self.is_shared = self._unshared, False
+
+    def tape_value(self, tape: int, t: float) -> float:
+        """The value of a tape at the instant looked at last."""
+        L, S = self.layout, self.room
+        begin, end = int(L.tape_ptr[tape]), int(L.tape_ptr[tape + 1])
+        plain(play)(begin, end, L.tape, L.tape_number, t, S.rows, S.registers)
+        return float(S.registers[end - 1, 0])
+
+    def largest_gaps(self, y: Floats, t: float) -> tuple[float, float]:
+        """How far a state is from what is held, at most: positions and velocities, by the size of the system."""
+        own = self.idle
+        state = y.copy()
+        stepping.visit(self.layout, self.room, own, -1.0, state, t, np.zeros(self.n_y), 0)
+        n = self.n_coordinates
+        moved = np.abs(state - y)
+        turned = 2.0 * float(moved[2 * n + 1 :].max(initial=0.0))
+        return max(float((moved[:n] / self.unit).max()), turned), float((moved[n : 2 * n] / self.unit).max())
+
+    def gradient_of(self, row: int) -> Floats:
+        """(n_coordinates,) gradient of a row at the instant looked at last."""
+        g = np.zeros((self.n_coordinates // 3, 3))
+        for cell, o in self.layout.slots[self.layout.slot_ptr[row] : self.layout.slot_ptr[row + 1]]:
+            g[cell] += self.room.gradient[o : o + 3]
+        return g.ravel()
+
+    def law_names(self, p: int, t: float) -> dict[str, float]:
+        """What the law of a load sees at the instant looked at last."""
+        push, rows = self.pushes[p], self.room.rows
+        own = rows[self.layout.push[p, 0]]
+        names = {**self.numbers.values, "t": t, RATE.name: float(own[dynamics.RATE])}
+        if not isinstance(push.measure, NonholonomicForm):
+            names[VALUE.name] = float(own[dynamics.VALUE]) - self.numbers.start_value(push.measure)
+        for name, measure in push.measures:
+            other = rows[self.rows[measure]]
+            names[name], names[f"rate({name})"] = float(other[dynamics.VALUE]), float(other[dynamics.RATE])
+        return names
+
+    @property
+    def idle(self) -> SteppedRun:
+        """A run that is not under way, for looking at single states."""
+        return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
+
+    def jacobian(self) -> Floats:
+        """(n_held, n_bodies + 1, 3), in space (n_held, n_bodies + 1, 6), gradients of the held rows, in the order of
+        the model, at the instant looked at last."""
+        J = np.zeros((len(self.order), self.n_coordinates))
+        ptr, slots, gradient = self.layout.held_ptr, self.layout.held_slots, self.room.gradient
+        for k, r in enumerate(self.place_of):
+            for coordinate, o in slots[ptr[r] : ptr[r + 1]]:
+                J[k, coordinate] += gradient[o]
+        return J.reshape(len(J), self.n_bodies + 1, self.n_coordinates // (self.n_bodies + 1))
+
+    def non_unique(self) -> Any:
+        """(n_held,) True for multipliers that are not unique at the instant looked at last."""
+        return np.linalg.norm(self.open_multipliers()[0], axis=1) > 1e-6
+
+    def open_multipliers(self) -> tuple[Floats, Floats]:
+        """Sets of multipliers that do nothing together at the instant looked at last, (n_held, n_sets), each row by its
+        size, and these sizes (n_held,)."""
+        J = self.jacobian()
+        n = len(J)
+        weighted = J.reshape(n, self.n_coordinates) * np.sqrt(self.layout.inverse_mass)
+        sizes = np.linalg.norm(weighted, axis=1)
+        sizes = np.where(sizes > 1e-12 * sizes.max(initial=0.0), sizes, 1.0)
+        U, singular, _ = np.linalg.svd(weighted / sizes[:, None], full_matrices=True)
+        rank = int(np.count_nonzero(singular > 1e-8 * singular.max(initial=0.0)))
+        return U[:, rank:], sizes
+
+    def new_run(self, y: Floats, tableau: Tableau, outputs: Floats) -> SteppedRun:
+        n_all = len(tableau.a)
+        n, n_held = self.n_coordinates, len(self.order)
+        states = np.zeros((6, self.n_y))
+        states[stepping.Y] = states[stepping.FIRST] = y
+        return SteppedRun(
+            clock=np.zeros(stepping.N_CLOCK),
+            count=np.zeros(stepping.N_COUNT, dtype=np.int32),
+            states=states,
+            slopes=np.zeros((n_all, self.n_y)),
+            dense=np.zeros((3 + len(tableau.dense), self.n_y)),
+            unit=self.unit,
+            multiplier=np.zeros(n_held),
+            out_t=np.ascontiguousarray(outputs, dtype=np.float64),
+            out_y=np.zeros((len(outputs), self.n_y)),
+            out_a=np.zeros((len(outputs), n)),
+            out_multiplier=np.zeros((len(outputs), n_held)),
+        )

@@ -1,0 +1,30 @@
+"""The programs by which guards are searched for their zeros."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freebody.numeric.engine import dynamics
+from freebody.numeric.engine.layout import ModelArrays, floats, ints, pointers
+from freebody.numeric.engine.programs import Program
+from freebody.numeric.engine.writing import ArrayBuilder
+
+
+class GuardPrograms:
+    """The programs of the guards of a layout that have some, gaps and slip rates, one behind the other."""
+
+    def __init__(self, layout: ModelArrays, written: ArrayBuilder) -> None:
+        kinds = layout.guard[:, 0]
+        self.guards = np.flatnonzero((kinds == dynamics.GUARD_VALUE) | (kinds == dynamics.GUARD_RATE))
+        self.each: list[Program] = []
+        for g in self.guards.tolist():
+            order = int(kinds[g] == dynamics.GUARD_RATE)
+            program = written.program(int(layout.guard[g, 1]), order, float(layout.guard_factor[g, 0]))
+            self.each.append(program)
+        codes = [program.code for program in self.each]
+        self.inputs = ints(np.unique(np.concatenate([p.inputs for p in self.each])) if codes else [])
+        self.ptr = pointers([code.tolist() for code in codes])
+        self.code = ints(np.concatenate(codes) if codes else [], 2, 3)
+        self.constants = floats(np.concatenate([p.constants for p in self.each]) if codes else [])
+        self.longest = max(map(len, codes), default=1)
+        self.n_turns = np.array([len(program.turns) for program in self.each], dtype=np.intp)
