@@ -54,6 +54,9 @@ class TangentPair:
     angle: int
 
 
+Step = tuple[list[RowEquation], dict[int, Ratio]]  # the equations that are used up, and what follows from them
+
+
 @dataclass
 class Elimination:
     """Runs on creation; afterwards `kept`, `loops`, `redundant` and `express` tell the outcome."""
@@ -76,26 +79,13 @@ class Elimination:
         self._moving = frozenset(self.unknowns) | in_time
         # by identity; the equation is kept so that its identity is not given away again
         self._options: dict[int, tuple[RowEquation, list[tuple[tuple[int, int], int, Ratio]]]] = {}
-        open_equations = list(self.equations)
-        while True:
-            open_equations = [e for e in open_equations if not self._is_settled(e)]
-            single = self._best_single(open_equations)
-            step = single
-            rank = 99 if single is None else self.unknowns[min(single[1])].rank[0]
-            if rank > 0:
-                # positions are done: lines may have turned out to be known ones
-                step = self._known_line(open_equations)
-                if step is None and rank >= self.named_rank:
-                    step = self._best_pair(open_equations) or self._explicit_line(open_equations)
-                step = step or single or self._best_pair(open_equations)
-            if step is None and self.angle_by is not None:
-                step = self._known_turn(open_equations) or self._explicit_angle(open_equations)
-            if step is None:
-                break
+        open_equations = self._unsettled(self.equations)
+        while step := self._next_step(open_equations):
             used, values = step
             rest = [e for e in open_equations if all(e is not u for u in used)]
             open_equations = [self._insert(e, values) for e in rest]
             self.solved += list(values.items())
+            open_equations = self._unsettled(open_equations)
         self.loops = open_equations
         gone = {index for index, _value in self.solved}
         self.kept = sorted(
@@ -116,6 +106,25 @@ class Elimination:
         return x
 
     # -- steps --------------------------------------------------------------------------------
+    def _next_step(self, open_equations: list[RowEquation]) -> Step | None:
+        """What is solved for next: positions one by one, then lines that turn out to be known, then whatever is linear;
+        where only wanted coordinates are left rather two at once or a line by a root; at last the angle of a loop."""
+        step = single = self._best_single(open_equations)
+        rank = 99 if single is None else self.unknowns[min(single[1])].rank[0]
+        if rank > 0:
+            # positions are done: lines may have turned out to be known ones
+            step = self._known_line(open_equations)
+            if step is None and rank >= self.named_rank:
+                step = self._best_pair(open_equations) or self._explicit_line(open_equations)
+            step = step or single or self._best_pair(open_equations)
+        if step is None and self.angle_by is not None:
+            step = self._known_turn(open_equations) or self._explicit_angle(open_equations)
+        return step
+
+    def _unsettled(self, equations: list[RowEquation]) -> list[RowEquation]:
+        """The equations that still say something; redundant ones are noted."""
+        return [e for e in equations if not self._is_settled(e)]
+
     def _is_settled(self, equation: RowEquation) -> bool:
         """True for 0 = 0, which is a redundant row; it is noted."""
         if self.field.ingredients(equation.value) & self._moving:
@@ -155,7 +164,7 @@ class Elimination:
             self._options[id(equation)] = equation, sorted(found, key=lambda item: item[0])
         return self._options[id(equation)][1]
 
-    def _best_single(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _best_single(self, equations: list[RowEquation]) -> Step | None:
         """The equation and coordinate of lowest rank; equations of lines last, since a line between bodies on
         guides is better solved for the line."""
         best: tuple[tuple[int, int], bool] | None = None
@@ -177,7 +186,7 @@ class Elimination:
                 used = [e for e in equations if e.name == line.name]
                 yield line, self._so_far(line.x), self._so_far(line.y), used
 
-    def _known_line(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _known_line(self, equations: list[RowEquation]) -> Step | None:
         """A line between places that stand still, one that turns with a known angle at a constant length, or one
         between the same places as an earlier line. The equations of such a line go."""
         seen: dict[object, tuple[TangentPair, bool]] = {}
@@ -206,7 +215,7 @@ class Elimination:
             return used, {line.length: self.field.variable(first.length), line.angle: angle}
         return None
 
-    def _explicit_line(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _explicit_line(self, equations: list[RowEquation]) -> Step | None:
         """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""
         for line, x, y, used in self._open_lines(equations):
             if {line.length, line.angle} & (self.field.ingredients(x) | self.field.ingredients(y)):
@@ -215,7 +224,7 @@ class Elimination:
             return used, {line.length: length, line.angle: angle}
         return None
 
-    def _known_turn(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _known_turn(self, equations: list[RowEquation]) -> Step | None:
         """A line of constant length that turns with a known angle, where its own angle is decided already: then the two
         are equal."""
         for line in self.lines:
@@ -238,7 +247,7 @@ class Elimination:
             return used, {line.length: length, index: value}
         return None
 
-    def _explicit_angle(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _explicit_angle(self, equations: list[RowEquation]) -> Step | None:
         """An angle that an equation contains by its cosine and sine alone, both linearly and with short
         coefficients."""
         if self.angle_by is None:
@@ -263,7 +272,7 @@ class Elimination:
                     return [equation], {index: angle}
         return None
 
-    def _best_pair(self, equations: list[RowEquation]) -> tuple[list[RowEquation], dict[int, Ratio]] | None:
+    def _best_pair(self, equations: list[RowEquation]) -> Step | None:
         """Two equations linear in x and y of one body, solved together (Cramer)."""
         for unknown in sorted(self.unknowns.values(), key=lambda u: u.rank):
             if unknown.partner is None:
