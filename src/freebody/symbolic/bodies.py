@@ -25,11 +25,11 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, Tangent, straight_tangent
 from freebody.symbolic.sample import Sample
-from freebody.symbolic.unknowns import BODY_ANGLE, POSITION, Unknowns
+from freebody.symbolic.unknowns import BODY_ANGLE, POSITION, ModelUnknowns
 from freebody.system.system import System
 
 Parts = tuple[Ratio, ...]  # along the slots of a body
-Change = Callable[[Ratio], Ratio]
+ElementMap = Callable[[Ratio], Ratio]
 IsNegative = Callable[[Ratio], bool]
 
 
@@ -39,7 +39,7 @@ class Bodies(ABC):
     slots: tuple[str, ...]  # of a body: its velocity, its angular velocity
     n_places: int  # of these, for a particle
 
-    def __init__(self, system: System, unknowns: Unknowns) -> None:
+    def __init__(self, system: System, unknowns: ModelUnknowns) -> None:
         self.system, self.unknowns = system, unknowns
         self.field = unknowns.field
         self.poses: dict[str, AnyPose] = {}
@@ -71,12 +71,12 @@ class Bodies(ABC):
     # -- poses --------------------------------------------------------------------------------
     @abstractmethod
     def geometry(
-        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: Change | None, is_negative: IsNegative
+        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: ElementMap | None, is_negative: IsNegative
     ) -> FieldGeometry:
         """The statements of measures over poses."""
 
     @abstractmethod
-    def expressed(self, pose: AnyPose, express: Change) -> AnyPose:
+    def expressed(self, pose: AnyPose, express: ElementMap) -> AnyPose:
         """A pose with every element of it expressed by others."""
 
     @abstractmethod
@@ -85,7 +85,7 @@ class Bodies(ABC):
 
     # -- motion -------------------------------------------------------------------------------
     @abstractmethod
-    def velocities(self, poses: Mapping[str, AnyPose], express: Change, rate: Change) -> dict[str, Parts]:
+    def velocities(self, poses: Mapping[str, AnyPose], express: ElementMap, rate: ElementMap) -> dict[str, Parts]:
         """Velocity of the mass centre and angular velocity of every body, along its slots."""
 
     @abstractmethod
@@ -107,7 +107,7 @@ class PlanarBodies(Bodies):
     slots = ("x", "y", "angle")
     n_places = 2
 
-    def __init__(self, system: System, unknowns: Unknowns) -> None:
+    def __init__(self, system: System, unknowns: ModelUnknowns) -> None:
         super().__init__(system, unknowns)
         for k, body in enumerate(system.bodies.values()):
             if not body.fixed:
@@ -143,11 +143,11 @@ class PlanarBodies(Bodies):
         return Pose(px, py, angle, c, s)
 
     def geometry(
-        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: Change | None, is_negative: IsNegative
+        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: ElementMap | None, is_negative: IsNegative
     ) -> FieldGeometry:
         return FieldGeometry(self.field, self.unknowns.parameters, poses, tangent)
 
-    def expressed(self, pose: AnyPose, express: Change) -> AnyPose:
+    def expressed(self, pose: AnyPose, express: ElementMap) -> AnyPose:
         assert isinstance(pose, Pose)
         return Pose(*(express(v) for v in (pose.x, pose.y, pose.angle, pose.cos, pose.sin)))
 
@@ -161,7 +161,7 @@ class PlanarBodies(Bodies):
                     if motion:
                         values[self.unknowns.speeds[index]] = motion[k]
 
-    def velocities(self, poses: Mapping[str, AnyPose], express: Change, rate: Change) -> dict[str, Parts]:
+    def velocities(self, poses: Mapping[str, AnyPose], express: ElementMap, rate: ElementMap) -> dict[str, Parts]:
         found: dict[str, Parts] = {}
         for b in self.system.moving:
             x, y, angle = coordinates_of(poses[b.name])

@@ -16,15 +16,15 @@ from freebody.errors import CannotAnswer
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.kinematics import Kinematics
+from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.linear import RHS, Row, solve
-from freebody.symbolic.loads import Loads
+from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
 from freebody.system.system import System
 
 
-class Dynamics:
+class SymbolicDynamics:
     """Inertia and forces of a system, each part when it is first asked for."""
 
     def __init__(
@@ -33,8 +33,8 @@ class Dynamics:
         bodies: Bodies,
         configuration: Configuration,
         speeds: Speeds,
-        kinematics: Kinematics,
-        loads: Loads,
+        kinematics: SymbolicKinematics,
+        loads: SymbolicLoads,
         samples: Samples,
         solved_accelerations: Mapping[int, Ratio] | None = None,
     ) -> None:

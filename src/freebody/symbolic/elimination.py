@@ -54,7 +54,7 @@ class TangentPair:
     angle: int
 
 
-Step = tuple[list[RowEquation], dict[int, Ratio]]  # the equations that are used up, and what follows from them
+EliminationStep = tuple[list[RowEquation], dict[int, Ratio]]  # the equations used up, and what follows
 
 
 @dataclass
@@ -106,7 +106,7 @@ class Elimination:
         return x
 
     # -- steps --------------------------------------------------------------------------------
-    def _next_step(self, open_equations: list[RowEquation]) -> Step | None:
+    def _next_step(self, open_equations: list[RowEquation]) -> EliminationStep | None:
         """What is solved for next: positions one by one, then lines that turn out to be known, then whatever is linear;
         where only wanted coordinates are left rather two at once or a line by a root; at last the angle of a loop."""
         step = single = self._best_single(open_equations)
@@ -164,7 +164,7 @@ class Elimination:
             self._options[id(equation)] = equation, sorted(found, key=lambda item: item[0])
         return self._options[id(equation)][1]
 
-    def _best_single(self, equations: list[RowEquation]) -> Step | None:
+    def _best_single(self, equations: list[RowEquation]) -> EliminationStep | None:
         """The equation and coordinate of lowest rank; equations of lines last, since a line between bodies on
         guides is better solved for the line."""
         best: tuple[tuple[int, int], bool] | None = None
@@ -186,7 +186,7 @@ class Elimination:
                 used = [e for e in equations if e.name == line.name]
                 yield line, self._so_far(line.x), self._so_far(line.y), used
 
-    def _known_line(self, equations: list[RowEquation]) -> Step | None:
+    def _known_line(self, equations: list[RowEquation]) -> EliminationStep | None:
         """A line between places that stand still, one that turns with a known angle at a constant length, or one
         between the same places as an earlier line. The equations of such a line go."""
         seen: dict[object, tuple[TangentPair, bool]] = {}
@@ -215,7 +215,7 @@ class Elimination:
             return used, {line.length: self.field.variable(first.length), line.angle: angle}
         return None
 
-    def _explicit_line(self, equations: list[RowEquation]) -> Step | None:
+    def _explicit_line(self, equations: list[RowEquation]) -> EliminationStep | None:
         """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""
         for line, x, y, used in self._open_lines(equations):
             if {line.length, line.angle} & (self.field.ingredients(x) | self.field.ingredients(y)):
@@ -224,7 +224,7 @@ class Elimination:
             return used, {line.length: length, line.angle: angle}
         return None
 
-    def _known_turn(self, equations: list[RowEquation]) -> Step | None:
+    def _known_turn(self, equations: list[RowEquation]) -> EliminationStep | None:
         """A line of constant length that turns with a known angle, where its own angle is decided already: then the two
         are equal."""
         for line in self.lines:
@@ -247,7 +247,7 @@ class Elimination:
             return used, {line.length: length, index: value}
         return None
 
-    def _explicit_angle(self, equations: list[RowEquation]) -> Step | None:
+    def _explicit_angle(self, equations: list[RowEquation]) -> EliminationStep | None:
         """An angle that an equation contains by its cosine and sine alone, both linearly and with short
         coefficients."""
         if self.angle_by is None:
@@ -272,7 +272,7 @@ class Elimination:
                     return [equation], {index: angle}
         return None
 
-    def _best_pair(self, equations: list[RowEquation]) -> Step | None:
+    def _best_pair(self, equations: list[RowEquation]) -> EliminationStep | None:
         """Two equations linear in x and y of one body, solved together (Cramer)."""
         for unknown in sorted(self.unknowns.values(), key=lambda u: u.rank):
             if unknown.partner is None:

@@ -10,7 +10,7 @@ from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.speeds import Speeds
 
 
-class Kinematics:
+class SymbolicKinematics:
     """The motion of every body along its slots, each part when it is first asked for."""
 
     def __init__(

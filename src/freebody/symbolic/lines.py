@@ -12,13 +12,13 @@ from typing import Any
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Vector
-from freebody.symbolic.bodies import Change
+from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation, TangentPair
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import straight_tangent
 from freebody.symbolic.samples import Samples
-from freebody.symbolic.unknowns import TANGENT_ANGLE, TANGENT_LENGTH, Unknowns
+from freebody.symbolic.unknowns import TANGENT_ANGLE, TANGENT_LENGTH, ModelUnknowns
 
 AngleBy = Callable[[int, Ratio, Ratio, Ratio], Ratio | None]
 
@@ -26,7 +26,7 @@ AngleBy = Callable[[int, Ratio, Ratio, Ratio], Ratio | None]
 class Lines:
     """The lines of a model as unknowns. Their equations are taken up once in every pass of the elimination."""
 
-    def __init__(self, unknowns: Unknowns, samples: Samples) -> None:
+    def __init__(self, unknowns: ModelUnknowns, samples: Samples) -> None:
         self.unknowns, self.samples = unknowns, samples
         self.field = unknowns.field
         self._label = ""
@@ -114,11 +114,11 @@ class Lines:
         return next(label for label in labels if not {f"length_{label}", f"phi_{label}"} & taken)
 
     # -- what space has beside ----------------------------------------------------------------
-    def unknown_root(self) -> Change | None:
+    def unknown_root(self) -> ElementMap | None:
         """How a root in a held measure is made an unknown; None where it is none."""
         return None
 
-    def known_root(self, express: Change) -> Change | None:
+    def known_root(self, express: ElementMap) -> ElementMap | None:
         """How a root is written in the coordinates that stay; None where it is left as it is."""
         return None
 
@@ -130,7 +130,7 @@ class Lines:
 class KnownTangents:
     """Length and angle of lines in the coordinates that an elimination has left."""
 
-    def __init__(self, unknowns: Unknowns, elimination: Elimination, samples: Samples) -> None:
+    def __init__(self, unknowns: ModelUnknowns, elimination: Elimination, samples: Samples) -> None:
         self.field = unknowns.field
         self._straight = straight_tangent(self.field, samples.is_negative)
         self._known: dict[Any, tuple[Ratio, Ratio]] = {}

@@ -12,17 +12,17 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.given_start import GivenStart
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
-from freebody.symbolic.unknowns import Unknowns
+from freebody.symbolic.unknowns import ModelUnknowns
 from freebody.system.system import System
 
 
-class Loads:
+class SymbolicLoads:
     """The loads of a system over one configuration."""
 
     def __init__(
         self,
         system: System,
-        unknowns: Unknowns,
+        unknowns: ModelUnknowns,
         bodies: Bodies,
         configuration: Configuration,
         speeds: Speeds,

@@ -29,14 +29,14 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies, Parts, PlanarBodies
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.coordinates import CoordinateChoice
-from freebody.symbolic.dynamics import Dynamics
+from freebody.symbolic.dynamics import SymbolicDynamics
 from freebody.symbolic.elimination import RowEquation
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, Slot
 from freebody.symbolic.given_start import GivenStart, PlanarGivenStart
-from freebody.symbolic.kinematics import Kinematics
+from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.lines import Lines
-from freebody.symbolic.loads import Loads
+from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.reactions import Reactions
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.samples import Samples
@@ -46,23 +46,23 @@ from freebody.symbolic.spatial.lines import SpatialLines
 from freebody.symbolic.spatial.start_speeds import SpatialStartSpeeds
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.start_speeds import PlanarStartSpeeds, StartSpeeds
-from freebody.symbolic.unknowns import Coordinate, Unknowns
+from freebody.symbolic.unknowns import Coordinate, ModelUnknowns
 from freebody.system.order import in_one_order
 from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class Setting:
+class Ambient:
     """Who is asked where plane and space differ."""
 
-    bodies: Callable[[System, Unknowns], Bodies]
-    lines: Callable[[Unknowns, Samples], Lines]
+    bodies: Callable[[System, ModelUnknowns], Bodies]
+    lines: Callable[[ModelUnknowns, Samples], Lines]
     start: Callable[[Bodies, Samples, FieldGeometry], GivenStart]
-    start_speeds: Callable[[Bodies, Configuration, Speeds, Kinematics], StartSpeeds]
+    start_speeds: Callable[[Bodies, Configuration, Speeds, SymbolicKinematics], StartSpeeds]
 
 
-PLANE = Setting(PlanarBodies, Lines, PlanarGivenStart, PlanarStartSpeeds)
-SPACE = Setting(SpatialBodies, SpatialLines, SpatialGivenStart, SpatialStartSpeeds)
+PLANE = Ambient(PlanarBodies, Lines, PlanarGivenStart, PlanarStartSpeeds)
+SPACE = Ambient(SpatialBodies, SpatialLines, SpatialGivenStart, SpatialStartSpeeds)
 
 
 class SymbolicModel:
@@ -70,32 +70,34 @@ class SymbolicModel:
 
     def __init__(self, system: System, points: Sequence[Sample]) -> None:
         self.system = system = in_one_order(system)
-        setting = SPACE if system.space else PLANE
+        ambient = SPACE if system.space else PLANE
         n = len(system.moving)
         self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
         # the unknowns, and what is known of them
-        self._unknowns = unknowns = Unknowns(self.field, system)
-        self.bodies = bodies = setting.bodies(system, unknowns)
+        self._unknowns = unknowns = ModelUnknowns(self.field, system)
+        self.bodies = bodies = ambient.bodies(system, unknowns)
         self.samples = samples = Samples(unknowns, bodies, points)
-        lines = setting.lines(unknowns, samples)
+        lines = ambient.lines(unknowns, samples)
         absolute = bodies.geometry(bodies.poses, lines.tangent, lines.unknown_root(), samples.is_negative)
-        self.start = setting.start(bodies, samples, absolute)
+        self.start = ambient.start(bodies, samples, absolute)
         # the coordinates among them
         self._choice = CoordinateChoice(bodies, lines, samples, self.start, absolute)
         self.lengths = absolute.scalars  # what the geometry is made of, in parameters
         self._speeds = self._choice.chosen.speeds
         self._configuration = self._choice.chosen.configuration
         # motion and forces
-        self.kinematics = Kinematics(bodies, self._configuration, self._speeds)
+        self.kinematics = SymbolicKinematics(bodies, self._configuration, self._speeds)
         self.loads, self.dynamics, self.reactions = self._forces()
-        self.start_speeds = setting.start_speeds(bodies, self._configuration, self._speeds, self.kinematics)
+        self.start_speeds = ambient.start_speeds(bodies, self._configuration, self._speeds, self.kinematics)
 
-    def _forces(self, accelerations: Mapping[int, Ratio] | None = None) -> tuple[Loads, Dynamics, Reactions]:
+    def _forces(
+        self, accelerations: Mapping[int, Ratio] | None = None
+    ) -> tuple[SymbolicLoads, SymbolicDynamics, Reactions]:
         """The parts that stand on the motion of the bodies. accelerations: of the coordinates, where they are given."""
         here, u = self._configuration, self._speeds
         system, bodies, motion, samples = self.system, self.bodies, self.kinematics, self.samples
-        loads = Loads(system, self._unknowns, bodies, here, u, samples, self.start)
-        dynamics = Dynamics(system, bodies, here, u, motion, loads, samples, accelerations)
+        loads = SymbolicLoads(system, self._unknowns, bodies, here, u, samples, self.start)
+        dynamics = SymbolicDynamics(system, bodies, here, u, motion, loads, samples, accelerations)
         return loads, dynamics, Reactions(system, bodies, here, motion, loads, dynamics, samples)
 
     # -- the pose in coordinates --------------------------------------------------------------
@@ -206,6 +208,8 @@ class SymbolicModel:
         other.system = system
         other.samples = self.samples.copy()
         other._configuration = self._configuration.with_names(names)
-        other.kinematics = Kinematics(self.bodies, other._configuration, self._speeds, velocities, body_accelerations)
+        other.kinematics = SymbolicKinematics(
+            self.bodies, other._configuration, self._speeds, velocities, body_accelerations
+        )
         other.loads, other.dynamics, other.reactions = other._forces()
         return other

@@ -8,11 +8,11 @@ from freebody.errors import CannotAnswer
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
-from freebody.symbolic.dynamics import Dynamics
+from freebody.symbolic.dynamics import SymbolicDynamics
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.kinematics import Kinematics
+from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.linear import RHS, Row, Solved, solve
-from freebody.symbolic.loads import Loads
+from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.samples import Samples
 from freebody.system.system import System
 
@@ -25,9 +25,9 @@ class Reactions:
         system: System,
         bodies: Bodies,
         configuration: Configuration,
-        kinematics: Kinematics,
-        loads: Loads,
-        dynamics: Dynamics,
+        kinematics: SymbolicKinematics,
+        loads: SymbolicLoads,
+        dynamics: SymbolicDynamics,
         samples: Samples,
     ) -> None:
         self._system, self._bodies, self._configuration = system, bodies, configuration

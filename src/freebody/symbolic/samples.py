@@ -19,14 +19,14 @@ from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.field import NoValue, Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
-from freebody.symbolic.unknowns import Coordinate, Unknowns
+from freebody.symbolic.unknowns import Coordinate, ModelUnknowns
 from freebody.tolerances import ROUND_OFF
 
 
 class Samples:
     """The sample points of a model, and what is read off them."""
 
-    def __init__(self, unknowns: Unknowns, bodies: Bodies, points: Sequence[Sample]) -> None:
+    def __init__(self, unknowns: ModelUnknowns, bodies: Bodies, points: Sequence[Sample]) -> None:
         self._unknowns, self._bodies = unknowns, bodies
         self.field = unknowns.field
         self.points = tuple(points)

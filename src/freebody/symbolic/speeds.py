@@ -16,7 +16,7 @@ from freebody.symbolic.elimination import Elimination
 from freebody.symbolic.field import Field, Generator, Ratio
 from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.samples import Samples
-from freebody.symbolic.unknowns import Coordinate, Unknowns
+from freebody.symbolic.unknowns import Coordinate, ModelUnknowns
 
 
 class Speeds:
@@ -24,7 +24,7 @@ class Speeds:
 
     def __init__(
         self,
-        unknowns: Unknowns,
+        unknowns: ModelUnknowns,
         elimination: Elimination,
         held: Sequence[ConstraintRow],
         configuration: Configuration,

@@ -11,17 +11,19 @@ from freebody.measures.geometry import Pose
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.kinematics import Kinematics
+from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.unknowns import Coordinate
 
-Wanted = list[tuple[Ratio, Ratio]]  # a rate, and what it is
+WantedRates = list[tuple[Ratio, Ratio]]  # a rate, and what it is
 
 
 class StartSpeeds(ABC):
     """The speeds that a model gives at the start."""
 
-    def __init__(self, bodies: Bodies, configuration: Configuration, speeds: Speeds, kinematics: Kinematics) -> None:
+    def __init__(
+        self, bodies: Bodies, configuration: Configuration, speeds: Speeds, kinematics: SymbolicKinematics
+    ) -> None:
         self.bodies, self.configuration, self.speeds, self.kinematics = bodies, configuration, speeds, kinematics
         self.system, self.unknowns, self.field = bodies.system, bodies.unknowns, bodies.field
 
@@ -29,14 +31,14 @@ class StartSpeeds(ABC):
     def scalar(self) -> Callable[[Expr], Ratio]:
         return self.configuration.geometry.scalar
 
-    def wanted_rates(self, known: Mapping[str, Expr]) -> Wanted:
+    def wanted_rates(self, known: Mapping[str, Expr]) -> WantedRates:
         """The rates that the start gives, of named measures and of bodies, each with what it is."""
         rate, value_of, measures = self.speeds.rate, self.configuration.value_of, self.system.measures
         named = [(rate(value_of(measures[n])), self.scalar(e)) for n, e in known.items()]
         return [*named, *self._wanted_of_bodies()]
 
     @abstractmethod
-    def _wanted_of_bodies(self) -> Wanted:
+    def _wanted_of_bodies(self) -> WantedRates:
         """The velocities that bodies are given."""
 
     @abstractmethod
@@ -52,8 +54,8 @@ class StartSpeeds(ABC):
 class PlanarStartSpeeds(StartSpeeds):
     """The speeds at the start in the plane, one by one."""
 
-    def _wanted_of_bodies(self) -> Wanted:
-        wanted: Wanted = []
+    def _wanted_of_bodies(self) -> WantedRates:
+        wanted: WantedRates = []
         for body in self.system.moving:
             x, y, turning = self.kinematics.velocities[body.name]
             wanted += [(v, self.scalar(e)) for v, e in zip((x, y), body.start.velocity or (), strict=False)]

@@ -33,7 +33,7 @@ class Coordinate:
     is_angle: bool
 
 
-class Unknowns:
+class ModelUnknowns:
     """What the field of a model is made of."""
 
     def __init__(self, field: Field, system: System) -> None:

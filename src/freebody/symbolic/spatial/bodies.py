@@ -24,13 +24,13 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Point, SpatialPose, Vector
 from freebody.model.elements import RigidBody, Rotation
 from freebody.model.rotations import UNIT, singular_pose
-from freebody.symbolic.bodies import Bodies, Change, IsNegative, Parts
+from freebody.symbolic.bodies import Bodies, ElementMap, IsNegative, Parts
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import ROTATIONS, AnyPose, FieldGeometry, Tangent, straight_tangent
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.spatial.tree import JointTree, RotationStep, TreeLink, tree_of
-from freebody.symbolic.unknowns import BODY_ANGLE, NAMED, POSITION, Unknowns
+from freebody.symbolic.unknowns import BODY_ANGLE, NAMED, POSITION, ModelUnknowns
 from freebody.system.system import System
 
 Triple = tuple[Ratio, Ratio, Ratio]
@@ -44,7 +44,7 @@ class SpatialBodies(Bodies):
     slots = ("x", "y", "z", *ROTATIONS)
     n_places = 3
 
-    def __init__(self, system: System, unknowns: Unknowns) -> None:
+    def __init__(self, system: System, unknowns: ModelUnknowns) -> None:
         super().__init__(system, unknowns)
         f = self.field
         self.tree: JointTree = tree_of(system)
@@ -182,12 +182,12 @@ class SpatialBodies(Bodies):
         return Vector(*x), Vector(*y), Vector(*z)
 
     def geometry(
-        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: Change | None, is_negative: IsNegative
+        self, poses: Mapping[str, AnyPose], tangent: Tangent, root: ElementMap | None, is_negative: IsNegative
     ) -> FieldGeometry:
         names = self.unknowns.parameters
         return FieldGeometry(self.field, names, poses, tangent, root, space=True, is_negative=is_negative)
 
-    def expressed(self, pose: AnyPose, express: Change) -> AnyPose:
+    def expressed(self, pose: AnyPose, express: ElementMap) -> AnyPose:
         assert isinstance(pose, SpatialPose)
 
         def vector(v: Vector[Ratio]) -> Vector[Ratio]:
@@ -214,7 +214,7 @@ class SpatialBodies(Bodies):
                 values[speeds[f.index(own)]] = rate
 
     # -- motion -------------------------------------------------------------------------------
-    def velocities(self, poses: Mapping[str, AnyPose], express: Change, rate: Change) -> dict[str, Parts]:
+    def velocities(self, poses: Mapping[str, AnyPose], express: ElementMap, rate: ElementMap) -> dict[str, Parts]:
         zero = self.field.zero
         turning: dict[str, Triple] = {}
         for link in self.tree.links:
@@ -228,7 +228,7 @@ class SpatialBodies(Bodies):
             found[b.name] = (rate(p.center.x), rate(p.center.y), rate(p.center.z), *omega)
         return found
 
-    def _carried(self, omega: Triple, link: TreeLink, express: Change, rate: Change) -> Triple:
+    def _carried(self, omega: Triple, link: TreeLink, express: ElementMap, rate: ElementMap) -> Triple:
         """The angular velocity of a body from that of the one before it, each along its own axes."""
         for step in link.steps:
             R = self._rotation(step)

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from typing import Any
 
 from freebody.measures.geometry import Vector
-from freebody.symbolic.bodies import Change
+from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import RowEquation
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import known_angle
 from freebody.symbolic.lines import AngleBy, Lines
 from freebody.symbolic.samples import Samples
-from freebody.symbolic.unknowns import POSITION, TANGENT_LENGTH, Unknowns
+from freebody.symbolic.unknowns import POSITION, TANGENT_LENGTH, ModelUnknowns
 from freebody.tolerances import ROUND_OFF
 
 _MOST_TERMS = 24  # of cosine and sine of an angle by which a closed loop is solved; longer ones stay equations
@@ -21,7 +21,7 @@ _MOST_TERMS = 24  # of cosine and sine of an angle by which a closed loop is sol
 class SpatialLines(Lines):
     """Lines in the plane of x and y, and roots, of a model in space."""
 
-    def __init__(self, unknowns: Unknowns, samples: Samples) -> None:
+    def __init__(self, unknowns: ModelUnknowns, samples: Samples) -> None:
         super().__init__(unknowns, samples)
         self._roots: dict[Any, tuple[Ratio, Ratio]] = {}  # what is under each, and its value
 
@@ -57,7 +57,7 @@ class SpatialLines(Lines):
         return None
 
     # -- roots --------------------------------------------------------------------------------
-    def unknown_root(self) -> Change | None:
+    def unknown_root(self) -> ElementMap | None:
         return self._root
 
     def _root(self, x: Ratio) -> Ratio:
@@ -75,7 +75,7 @@ class SpatialLines(Lines):
         self.take_up(key)
         return self._roots[key][1]
 
-    def known_root(self, express: Change) -> Change | None:
+    def known_root(self, express: ElementMap) -> ElementMap | None:
         """What is under the roots of the held measures has their values."""
         roots = {express(x).key(): express(length) for x, length in self._roots.values()}
 

@@ -10,16 +10,16 @@ from freebody.measures.geometry import Vector
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.speeds import total_of
-from freebody.symbolic.start_speeds import StartSpeeds, Wanted
+from freebody.symbolic.start_speeds import StartSpeeds, WantedRates
 from freebody.symbolic.unknowns import Coordinate
 
 
 class SpatialStartSpeeds(StartSpeeds):
     """The speeds at the start in space, all together."""
 
-    def _wanted_of_bodies(self) -> Wanted:
+    def _wanted_of_bodies(self) -> WantedRates:
         f, scalar = self.field, self.scalar
-        wanted: Wanted = []
+        wanted: WantedRates = []
         for body in self.system.moving:
             velocity, pose = self.kinematics.velocities[body.name], self.configuration.poses[body.name]
             wanted += [(v, scalar(e)) for v, e in zip(velocity, body.start.velocity or (), strict=False)]
