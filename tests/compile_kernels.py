@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from freebody.numeric.engine import enclosures
-from freebody.study.simulate import Simulator
+from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
 
 # measures that count turns, which need a kernel of their own

@@ -11,7 +11,7 @@ import pytest
 
 import freebody as fb
 from freebody.numeric.engine.course import Status
-from freebody.study.simulate import Simulator
+from freebody.study.simulation.simulator import Simulator
 from freebody.system.order import in_one_order
 from freebody.testing import documents
 

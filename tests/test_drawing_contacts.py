@@ -19,7 +19,7 @@ from freebody.present.marks import ContactTrack
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path
 from freebody.present.surfaces import Plane, clipped
-from freebody.study.simulate import simulate
+from freebody.study.simulation.simulate import simulate
 from freebody.system.system import System
 
 FLOOR = "ground: {lines: {floor: {along: right}}}\n"

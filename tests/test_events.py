@@ -24,7 +24,7 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.numeric.options import SimulationOptions
-from freebody.study.simulate import Simulator
+from freebody.study.simulation.simulator import Simulator
 
 WHEEL = """
 parameters: {R: 0.5 m, v: 10 m/s}

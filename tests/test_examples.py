@@ -17,7 +17,7 @@ from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
 from freebody.present.terminal import solution_lines
 from freebody.questions.reactions import ReactionComponent
-from freebody.study.dataset import reaction_names
+from freebody.study.simulation.dataset import reaction_names
 from goldens import assert_golden
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]

@@ -23,7 +23,8 @@ from freebody.loads.base import Load
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.rotation import matrix, rotation_vector
-from freebody.study.simulate import Simulation, Simulator
+from freebody.study.simulation.simulate import Simulation
+from freebody.study.simulation.simulator import Simulator
 
 FOLDER = Path(__file__).parents[1] / "examples"
 DOCUMENTS = {path.stem: Document.load(path).data for path in sorted(FOLDER.glob("*.yaml"))}

@@ -487,7 +487,7 @@ def test_a_parameter_without_a_value_is_named() -> None:
 def test_a_dataset_has_units_and_comes_back_from_its_file(tmp_path: Path) -> None:
     import xarray
 
-    from freebody.study.files import write
+    from freebody.study.simulation.files import write
 
     result = example("mass_on_spring").simulate(0.5, every=0.1)
     data = result.dataset
@@ -502,7 +502,7 @@ def test_a_dataset_has_units_and_comes_back_from_its_file(tmp_path: Path) -> Non
 
 
 def test_a_path_that_cannot_be_written_is_told_before_the_run(tmp_path: Path) -> None:
-    from freebody.study.files import SUFFIXES, check_path
+    from freebody.study.simulation.files import SUFFIXES, check_path
 
     with pytest.raises(fb.InputError, match="no folder"):
         check_path(tmp_path / "nowhere" / "run.nc", SUFFIXES)

@@ -20,7 +20,7 @@ from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.rotation import from_quaternion, matrix, rotation_vector
-from freebody.study.simulate import Simulation
+from freebody.study.simulation.simulate import Simulation
 
 Array = NDArray[np.float64]
 FOLDER = Path(__file__).parents[1] / "examples"

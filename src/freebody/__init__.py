@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility import Mobility, mobility
     from freebody.study.modes import modes
-    from freebody.study.simulate import Simulation, Simulator, simulate
+    from freebody.study.simulation.simulate import Simulation, simulate
+    from freebody.study.simulation.simulator import Simulator
     from freebody.study.solve import Solution, solve
     from freebody.study.verdicts import Conservation
 
@@ -46,10 +47,10 @@ _HOMES = {
     "statics": "freebody.study.friction.report",
     "inverse_dynamics": "freebody.study.inverse_dynamics",
     "modes": "freebody.study.modes",
-    "simulate": "freebody.study.simulate",
+    "simulate": "freebody.study.simulation.simulate",
     "SimulationOptions": "freebody.numeric.options",
-    "Simulation": "freebody.study.simulate",
-    "Simulator": "freebody.study.simulate",
+    "Simulation": "freebody.study.simulation.simulate",
+    "Simulator": "freebody.study.simulation.simulate",
     "equations_of_motion": "freebody.study.eom",
     "Equations": "freebody.study.eom",
     "effort": "freebody.budgets",

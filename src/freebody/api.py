@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from freebody.study.mobility import Mobility
     from freebody.study.modes import At, NaturalModes
     from freebody.study.phases.result import Phases
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.simulate import Simulation
     from freebody.study.solve import Solution
     from freebody.study.verdicts import Conservation
 
@@ -71,9 +71,9 @@ class System(Description):
         events: Sequence[str] = (),
         **given: Any,
     ) -> Simulation:
-        """The motion from the start to the time `until` [s]; see `freebody.study.simulate.simulate`. options: how it is
-        followed, as one value or by name: `tolerance=1e-12`."""
-        from freebody.study.simulate import simulate
+        """The motion from the start to the time `until` [s]; see `freebody.study.simulation.simulate.simulate`.
+        options: how it is followed, as one value or by name: `tolerance=1e-12`."""
+        from freebody.study.simulation.simulate import simulate
 
         return simulate(self, until, options=options, values=values, events=events, **given)
 

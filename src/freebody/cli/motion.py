@@ -11,7 +11,7 @@ from freebody.cli.options import Json, ModelFile, assignment, seconds_of
 from freebody.cli.output import print_json, print_written
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.simulate import Simulation
     from freebody.system.system import System
 
 
@@ -57,7 +57,7 @@ def simulate(
 
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
-        from freebody.study.simulate import simulate as run
+        from freebody.study.simulation.simulate import simulate as run
         from freebody.system.system import System
 
         system = System.load(file)
@@ -104,7 +104,7 @@ def _written(
 
     written: list[Path] = []
     if out is not None:
-        from freebody.study.files import write
+        from freebody.study.simulation.files import write
 
         busy_with(f"writing {out}")
         write(result.dataset, out)
@@ -122,15 +122,15 @@ def _written(
 def _check_outputs(out: Path | None, plot: Path | None, animate: Path | None) -> None:
     """Paths that cannot be written are told before the run, not after."""
     if out is not None:
-        from freebody.study.files import SUFFIXES, check_path
+        from freebody.study.simulation.files import SUFFIXES, check_path
 
         check_path(out, SUFFIXES)
     if plot is not None:
-        from freebody.study.files import check_path
+        from freebody.study.simulation.files import check_path
 
         check_path(plot, (".png", ".svg", ".pdf"))
     if animate is not None:
-        from freebody.study.files import check_path
+        from freebody.study.simulation.files import check_path
 
         check_path(animate, (".html", ".gif", ".mp4"))
 
@@ -139,7 +139,7 @@ def _check_shown(system: System, show: list[str]) -> None:
     """Curves that there will not be are told before the run."""
     from freebody.errors import InputError
     from freebody.model.names import did_you_mean
-    from freebody.study.dataset import series_names
+    from freebody.study.simulation.dataset import series_names
 
     known = series_names(system)
     bodies = [body.name for body in system.moving]

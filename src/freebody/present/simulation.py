@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 from freebody.present.busy import busy
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Progress, Simulation
+    from freebody.study.simulation.measured import MeasuredMotion
+    from freebody.study.simulation.simulator import Progress
 
 N_FIRST, N_LAST = 12, 5  # events that are listed, if there are more
 N_LISTED = 8  # contacts; more are counted
 PATIENCE = 0.5  # seconds before a bar appears
 
 
-def simulation_lines(result: Simulation) -> Iterator[str]:
+def simulation_lines(result: MeasuredMotion) -> Iterator[str]:
     """Status, cost, violations, energy balance, events and final values."""
     course, summary = result.course, result.summary()
     yield result.system.title or "simulation"
@@ -65,7 +66,7 @@ def simulation_lines(result: Simulation) -> Iterator[str]:
             yield f"    {name:<12} = {value:.9g} {unit_of(result.system.measures[name].dimension)}"
 
 
-def _contact_lines(result: Simulation, summary: dict[str, Any], non_unique: list[str]) -> Iterator[str]:
+def _contact_lines(result: MeasuredMotion, summary: dict[str, Any], non_unique: list[str]) -> Iterator[str]:
     """States at the end, and between which bounds reactions lie that are not unique there."""
     states: dict[str, str] = {name: state for name, state in summary["contacts"].items() if state != "open"}
     n_open = len(summary["contacts"]) - len(states)

@@ -21,14 +21,14 @@ from freebody.questions.loads import Power
 from freebody.questions.reading import QuestionEvent
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answer import Evidence
-from freebody.study.at_rest import is_unstable_rest
 from freebody.study.centres import moving_for
 from freebody.study.draws import Draw
 from freebody.study.equilibrium import nearest_equilibrium
 from freebody.study.magnitude import magnitude
 from freebody.study.passage import NumericPassage
 from freebody.study.setup import Setup, rank_freedoms
-from freebody.study.simulate import Simulator
+from freebody.study.simulation.at_rest import is_unstable_rest
+from freebody.study.simulation.simulator import Simulator
 from freebody.study.spread import disagreement
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.equilibrium import find_equilibrium

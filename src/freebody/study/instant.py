@@ -69,7 +69,7 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
         raise InputError(f"the motion begins at 0 s; there is no instant at {at:g} s")
     if not at and not in_motion:
         return start_of(system, at_rest=at_rest)
-    from freebody.study.simulate import simulate
+    from freebody.study.simulation.simulate import simulate
 
     result = simulate(system, at or _AT_ONCE, progress=_watched)
     _watched(result.t_end, result.course.n_steps)

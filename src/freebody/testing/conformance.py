@@ -30,7 +30,7 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.study.evidence import element_at
 from freebody.study.picture import picture
 from freebody.study.setup import Setup
-from freebody.study.simulate import Simulator
+from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.reader import register_kinds
 from freebody.system.schema import json_schema

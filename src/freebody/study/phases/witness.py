@@ -295,7 +295,7 @@ def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: 
     CannotAnswer where it has no solution."""
     from freebody.numeric.contact.transition import InstantTransition
     from freebody.numeric.options import Law
-    from freebody.study.simulate import Simulator
+    from freebody.study.simulation.simulator import Simulator
 
     simulator = Simulator(base, {n: x for n, x in values.items() if n in base.parameters})
     bounded = simulator.bounded

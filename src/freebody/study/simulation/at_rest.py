@@ -19,7 +19,7 @@ from freebody.numeric.engine.course import Event, RotationHistory, Status, Traje
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulator
+    from freebody.study.simulation.simulator import Simulator
 
 ROUNDINGS = 256.0 * float(np.finfo(float).eps)
 NEGATIVE = 1e-9  # a stiffness that is negative by this part of the largest

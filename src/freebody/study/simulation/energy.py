@@ -21,7 +21,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.spatial import tensor_of
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.motion import SimulatedMotion
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class EnergyBalance:
         return self.error / largest if largest > 0.0 else 0.0
 
 
-def energy_balance(result: Simulation) -> EnergyBalance:
+def energy_balance(result: SimulatedMotion) -> EnergyBalance:
     """Energies along a motion."""
     course, simulator = result.course, result.simulator
     kinetic, mass = np.zeros(len(course.times)), 0.0
@@ -63,7 +63,7 @@ def energy_balance(result: Simulation) -> EnergyBalance:
             kinetic += 0.5 * m * v[:, 2] ** 2 + 0.5 * np.einsum("ti,ij,tj->t", omega, tensor, omega)
         elif body.turns:
             kinetic += 0.5 * simulator.reference.number(body.inertia) * v[:, 2] ** 2
-    from freebody.study.observed import observed
+    from freebody.study.simulation.observed import observed
 
     laws = {push.name: (push, stored_law(push, simulator.numbers.values)) for push in result.system.pushes}
     stored = {name: (push, law) for name, (push, law) in laws.items() if law is not None}

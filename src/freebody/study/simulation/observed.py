@@ -11,11 +11,11 @@ from freebody.numeric.engine.evaluator import Observer
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.motion import SimulatedMotion
 
 
 def observed(
-    result: Simulation, measures: Mapping[str, Measure | NonholonomicForm]
+    result: SimulatedMotion, measures: Mapping[str, Measure | NonholonomicForm]
 ) -> dict[str, tuple[Array, Array, Array]]:
     """(n_times,) value, rate and second derivative of each measure. The value of a measure that has a rate only is
     NaN."""

@@ -38,17 +38,17 @@ from freebody.numeric.engine.course import RotationHistory, Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import ARRAY_FUNCTIONS
 from freebody.numeric.spatial import matrices_of, vectors_of
-from freebody.study.observed import observed
+from freebody.study.simulation.observed import observed
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.measured import MeasuredMotion
 
 _SPACE = "right-handed axes; SI units, angles in rad; quaternions (w, x, y, z) turn body axes to ground axes"
 _FIXED_NAMES = ("position", "angle", "velocity", "angular_velocity", "acceleration", "angular_acceleration")
 
 
-def dataset_of(result: Simulation) -> xarray.Dataset:
+def dataset_of(result: MeasuredMotion) -> xarray.Dataset:
     """The dataset of a simulation."""
     from importlib.metadata import PackageNotFoundError, version
 
@@ -63,7 +63,7 @@ def dataset_of(result: Simulation) -> xarray.Dataset:
     data |= _reactions(result)
     data |= _loads(result)
     if result.course.contact is not None:
-        from freebody.study.contact_series import contact_series
+        from freebody.study.simulation.contact_series import contact_series
 
         names = reaction_names(system.rows)
         data |= contact_series(result, dict(zip((r.name for r in system.rows), names, strict=True)))
@@ -158,7 +158,7 @@ def _single(system: System) -> list[AppliedLoad]:
     return [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
 
 
-def _reactions(result: Simulation) -> dict[str, Any]:
+def _reactions(result: MeasuredMotion) -> dict[str, Any]:
     data: dict[str, Any] = {}
     names = reaction_names(result.rows)
     for k, row in enumerate(result.rows):
@@ -174,7 +174,7 @@ def _reactions(result: Simulation) -> dict[str, Any]:
     return data
 
 
-def _loads(result: Simulation) -> dict[str, Any]:
+def _loads(result: MeasuredMotion) -> dict[str, Any]:
     """Loads that act along one measure, by their laws."""
     system = result.system
     single = _single(system)
@@ -189,7 +189,7 @@ def _loads(result: Simulation) -> dict[str, Any]:
     return data
 
 
-def _law(result: Simulation, push: AppliedLoad, found: dict[str, tuple[Array, Array, Array]]) -> Array:
+def _law(result: MeasuredMotion, push: AppliedLoad, found: dict[str, tuple[Array, Array, Array]]) -> Array:
     value, rate, _ = found[f"{push.name}@"]
     names: dict[str, Any] = {**result.simulator.numbers.values, "t": result.course.times, RATE.name: rate}
     if not isinstance(push.measure, NonholonomicForm):

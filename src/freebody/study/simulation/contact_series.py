@@ -12,14 +12,14 @@ from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
-    from freebody.study.simulate import Simulation
+    from freebody.study.simulation.motion import SimulatedMotion
 
 OPEN, CLOSED, STICKING, FORWARD, BACKWARD = range(5)
 _WORDS = {0: "sticking", 1: "sliding forward", -1: "sliding backward"}
 MEANINGS = "open closed sticking sliding_forward sliding_backward"
 
 
-def contact_series(result: Simulation, names: Mapping[str, str]) -> dict[str, Any]:
+def contact_series(result: SimulatedMotion, names: Mapping[str, str]) -> dict[str, Any]:
     """`<bound>.state` of every bound, `<friction>.used_friction` of all dry friction. names: of reactions, by row."""
     record, system = result.course.contact, result.system
     assert record is not None
@@ -47,7 +47,7 @@ def contact_series(result: Simulation, names: Mapping[str, str]) -> dict[str, An
     return data
 
 
-def final_states(result: Simulation) -> dict[str, str]:
+def final_states(result: SimulatedMotion) -> dict[str, str]:
     """The state of every bound, and of dry friction in joints, at the end, by name."""
     record, system = result.course.contact, result.system
     assert record is not None
@@ -69,7 +69,7 @@ def _stem(name: str) -> str:
     return name
 
 
-def used_friction(result: Simulation, rub: DryFriction, column: Mapping[str, int]) -> Array:
+def used_friction(result: SimulatedMotion, rub: DryFriction, column: Mapping[str, int]) -> Array:
     """(n_times,) |T| / (static coefficient times load); NaN where nothing presses, or the
     limit is a law of time or of measures."""
     multipliers, number = result.course.multipliers, result.simulator.numbers.number

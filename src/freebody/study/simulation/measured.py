@@ -1,0 +1,82 @@
+"""What is measured along a motion: energies, series of the named measures, the summary."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.numeric.contact.admissible import admissible_reactions
+from freebody.numeric.jets import Array
+from freebody.study.simulation.contact_series import final_states
+from freebody.study.simulation.energy import EnergyBalance, energy_balance
+from freebody.study.simulation.motion import SimulatedMotion
+from freebody.study.simulation.observed import observed
+
+
+class MeasuredMotion(SimulatedMotion):
+    """A motion, and what is measured along it."""
+
+    @cached_property
+    def energy(self) -> EnergyBalance:
+        """Kinetic and potential energy, and the work of all other loads, at the output times."""
+        return energy_balance(self)
+
+    @cached_property
+    def series(self) -> dict[str, tuple[Array, Array, Array]]:
+        """Value, rate and second derivative of every named measure at the output times."""
+        return observed(self, dict(self.system.measures))
+
+    def reaction_ranges(self, time: float | None = None) -> dict[str, tuple[float, float]]:
+        """Of a system with contacts or dry friction: the least and the largest value [N or N m] that every reaction may
+        have at the output time nearest to the given one [s] (the end if nothing is said), by the name of its row. Both
+        are the same where it is unique; infinite where nothing bounds it. Raises InputError for other systems."""
+        if self.simulator.bounded is None:
+            raise InputError("there are no contacts or dry friction; reactions that are not unique are unbounded")
+        k = -1 if time is None else int(np.abs(self.course.times - time).argmin())
+        return admissible_reactions(self.simulator.bounded, self.course, k % len(self.course.times))
+
+    def summary(self) -> dict[str, Any]:
+        """The document that `freebody simulate --json` prints."""
+        course, energy = self.course, self.energy
+        final: dict[str, Any] = {
+            "measures": {name: float(values[-1]) for name, (values, _r, _a) in self.series.items()},
+            "poses": {b.name: [float(x) for x in course.poses[-1, k]] for k, b in enumerate(self.system.moving)},
+        }
+        if course.rotation is not None:
+            turned = course.rotation.quaternions[-1]
+            final["quaternions"] = {b.name: [float(x) for x in turned[k]] for k, b in enumerate(self.system.moving)}
+        return {
+            "title": self.system.title,
+            "assumptions": list(self.simulator.assumptions),
+            "status": str(self.status),
+            "message": self.message,
+            "t_end": self.t_end,
+            "steps": course.n_steps,
+            "evaluations": course.n_evaluations,
+            "wall_time": course.wall_time,
+            "max_position_violation": course.place_gap * self.simulator.numbers.length,
+            "max_velocity_violation": course.motion_gap * self.simulator.numbers.length,
+            "energy_error": energy.error,
+            "energy_error_relative": energy.relative_error,
+            "method": course.method,
+            "tolerance": self.tolerance,
+            "trusted_until": self.trusted_until,
+            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in self.events],
+            "final": final,
+            **self._contact_summary(),
+        }
+
+    def _contact_summary(self) -> dict[str, Any]:
+        """Contact states at the end, and all collisions."""
+        record = self.course.contact
+        if record is None:
+            return {}
+        return {
+            "phases": record.n_phases,
+            "contacts": final_states(self),
+            "collisions": [asdict(collision) for collision in record.collisions],
+        }

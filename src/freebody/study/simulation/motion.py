@@ -1,0 +1,53 @@
+"""A motion as the engine left it, with the system that moved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from freebody.model.elements import ConstraintRow
+from freebody.numeric.engine.course import Event, Status, Trajectory
+from freebody.numeric.options import SimulationOptions
+from freebody.study.simulation.simulator import Simulator
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.numeric.timestepping.run import Stepped
+
+
+@dataclass(frozen=True, repr=False)
+class SimulatedMotion:
+    """A motion as the engine left it. SI units, angles in rad."""
+
+    system: System
+    simulator: Simulator
+    course: Trajectory
+    options: SimulationOptions
+    trusted_until: float | None = None  # with `verify`: from here on two tolerances disagree
+    steps: Stepped | None = field(default=None, repr=False)  # of time stepping: what the contacts did
+
+    @property
+    def rows(self) -> tuple[ConstraintRow, ...]:
+        """The rows whose multipliers the course has: what is held, and what is bounded or rubs where single contacts
+        are followed."""
+        return self.system.held if self.simulator.bounded is None else self.system.rows
+
+    @property
+    def tolerance(self) -> float:
+        return self.options.tolerance
+
+    @property
+    def status(self) -> Status:
+        return self.course.status
+
+    @property
+    def message(self) -> str:
+        return self.course.message
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        return self.course.happenings
+
+    @property
+    def t_end(self) -> float:
+        return self.course.t_end

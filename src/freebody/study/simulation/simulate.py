@@ -1,0 +1,220 @@
+"""The motion of a system in time: assembled, run by the engine, and given back with what it can be trusted for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.errors import InputError
+from freebody.language.expression import free_symbols
+from freebody.numeric.engine.course import Trajectory
+from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
+from freebody.study.simulation.at_rest import is_unstable_rest, staying
+from freebody.study.simulation.measured import MeasuredMotion
+from freebody.study.simulation.simulator import Progress, Simulator
+from freebody.study.worded import in_words
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    import xarray
+
+
+N_OUTPUTS = 1001
+PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
+
+
+class Simulation(MeasuredMotion):
+    """The result of a simulation. SI units, angles in rad."""
+
+    def __repr__(self) -> str:
+        from freebody.present.simulation import simulation_lines
+
+        return "\n".join(simulation_lines(self))
+
+    def _repr_html_(self) -> str:
+        """The summary and a plot, for notebooks."""
+        from html import escape
+        from io import StringIO
+
+        picture = StringIO()
+        self.plot().savefig(picture, format="svg")
+        svg = picture.getvalue()
+        return f"<pre>{escape(repr(self))}</pre>{svg[svg.index('<svg') :]}"
+
+    @cached_property
+    def dataset(self) -> xarray.Dataset:
+        """Everything along the motion, with units and long names; see `study.simulation.dataset`."""
+        from freebody.study.simulation.dataset import dataset_of
+
+        return dataset_of(self)
+
+    def continued(self, until: float, **given: Any) -> Simulation:
+        """The motion from here on to a later time, with the same tolerance; the arguments are those of `simulate`."""
+        if not until > self.t_end:
+            raise InputError(f"the motion is at t = {self.t_end:.6g} s already; continue to a later time")
+        if "options" not in given:
+            given.setdefault("tolerance", self.tolerance)
+        return simulate(self.system, until, from_result=self, **given)
+
+    def plot(self, *names: str, path: str | Path | None = None, dark: bool = False) -> Any:
+        """A figure of the named measures (all of them without names); saved if a path is given."""
+        from freebody.present.plots import plot, save
+
+        figure = plot(self.dataset, names, events=[(e.name, e.time) for e in self.events], dark=dark)
+        if path is not None:
+            save(figure, Path(path))
+        return figure
+
+    def _animate_in_space(self, path: Path, speed: float) -> Path:
+        from freebody.present.scene import Scene
+        from freebody.present.space.animation import write_animation
+
+        course = self.course
+        assert course.rotation is not None
+        scene = Scene.of(self.system, self.simulator.reference.number)
+        turned = course.rotation.quaternions[:, :-1]
+        centers = course.poses[:, :-1, :3]
+        return write_animation(scene, course.times, centers, turned, path, title=self.system.title, speed=speed)
+
+    def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
+        """Writes an animation: a player (.html), .gif or .mp4."""
+        from freebody.present.animation import write_animation
+        from freebody.present.marks import ContactTrack
+        from freebody.present.scene import Scene
+
+        number = self.simulator.reference.number
+        if self.system.space:
+            return self._animate_in_space(Path(path), speed)
+        scene = Scene.of(self.system, number)
+        poses = self.course.poses[:, :-1]
+        contacts = ContactTrack.of(self.system, number, self.course.contact)
+        write_animation(
+            scene, self.course.times, poses, Path(path), title=self.system.title, speed=speed, contacts=contacts
+        )
+        return Path(path)
+
+
+@in_words
+def simulate(
+    system: System,
+    until: float,
+    *,
+    options: SimulationOptions | None = None,
+    values: Mapping[str, float] | None = None,
+    events: Sequence[str] = (),
+    progress: Progress | None = None,
+    from_result: Simulation | None = None,
+    **given: Any,
+) -> Simulation:
+    """The motion of a system from its start to the time `until` [s].
+
+    options: how it is followed; given: the same by name, as `tolerance=1e-6` or `method="moreau", step=1e-3`, and what
+    differs from `options` where both are there. See `SimulationOptions` for their names, units and defaults. values: of
+    parameters, in SI. events: see `Simulator`.
+
+    Raises InputError for arguments without sense, CannotAnswer if the motion cannot begin; anything that goes wrong
+    later is a status of the result, which keeps the motion up to there.
+    """
+    options = replace(options or SimulationOptions(), **given)
+    options.check_asked(until)
+    if options.by_steps and events:
+        raise InputError("time stepping does not locate events; leave out the method, which follows every contact")
+    if options.by_steps and system.space:
+        raise InputError(
+            "time stepping (moreau) is for models of the plane; leave out the method, which follows every contact of a "
+            "model in space, or write the model without space: true"
+        )
+    before = from_result
+    simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator
+    start = 0.0 if before is None else before.t_end
+    state, near = (None, None) if before is None else (_last_state(before), before.course.near)
+    if simulator.degrees_of_freedom == 0 and not _is_driven(system):
+        message = "no motion: 0 degrees of freedom; the reactions at rest are given"
+        course = simulator.run(1e-9, SimulationOptions(tolerance=options.tolerance), outputs=np.array([0.0]))
+        course = replace(_first_instant(course), message=message)
+        return Simulation(system, simulator, course, options)
+    outputs = _output_times(start, until, options.every)
+    if options.by_steps:
+        return _stepped(simulator, until, options, outputs, progress, before)
+    y = simulator.start if state is None else state
+    if is_unstable_rest(simulator, y, start):
+        first = simulator.run(start + 1e-9, outputs=np.array([start]), state=y, start=start, near=near)
+        zero = [h for h in first.happenings if h.kind == "start"]
+        here = (*zero, *(replace(h, kind="zero") for h in zero))
+        return Simulation(system, simulator, staying(first, outputs, here), options)
+    course = simulator.run(until, options, outputs=outputs, progress=progress, state=state, start=start, near=near)
+    trusted = None
+    if options.verify:
+        finer = simulator.run(until, options.finer, outputs=outputs, state=state, start=start, near=near)
+        trusted = _trusted_until(simulator, course, finer)
+    return Simulation(system, simulator, course, options, trusted)
+
+
+def _output_times(start: float, until: float, every: float | None) -> Array:
+    n = N_OUTPUTS if every is None else max(2, round((until - start) / every) + 1)
+    times = np.linspace(start, until, n) if every is None else np.append(start + every * np.arange(n), until)
+    times = np.unique(times)
+    return times[times <= until]
+
+
+def _stepped(
+    simulator: Simulator,
+    until: float,
+    options: SimulationOptions,
+    outputs: Array,
+    progress: Progress | None,
+    before: Simulation | None,
+) -> Simulation:
+    """A motion by Moreau-Jean time stepping."""
+    from freebody.numeric.timestepping.run import run_moreau
+
+    y = simulator.start if before is None else _last_state(before)
+    q, v = simulator.engine.parts(y)
+    found = run_moreau(
+        simulator.numbers,
+        q[:-1].copy(),
+        v[:-1].copy(),
+        until,
+        options,
+        start=0.0 if before is None else before.t_end,
+        outputs=outputs,
+        progress=progress,
+        value=simulator.value_at_start,
+    )
+    return Simulation(simulator.system, simulator, found.course, options, steps=found)
+
+
+def _is_driven(system: System) -> bool:
+    return any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
+
+
+def _last_state(result: Simulation) -> Array:
+    course, engine = result.course, result.simulator.engine
+    y = engine.state_at(course, -1)
+    y[2 * engine.n_coordinates] = course.work[-1]
+    return y
+
+
+def _first_instant(course: Trajectory) -> Trajectory:
+    arrays = ("times", "poses", "velocities", "accelerations", "multipliers", "unique", "work")
+    rotation = None if course.rotation is None else course.rotation.first()
+    return replace(course, rotation=rotation, **{name: getattr(course, name)[:1] for name in arrays})
+
+
+def _trusted_until(simulator: Simulator, course: Trajectory, finer: Trajectory) -> float:
+    """The first output time at which two runs have parted, or the end."""
+    times, first, second = np.intersect1d(course.times, finer.times, return_indices=True)
+    engine = simulator.engine
+    n, unit = engine.n_coordinates, engine.unit
+    one, other = engine.states(course)[first], engine.states(finer)[second]
+    gaps = (np.abs(one - other)[:, :n] / unit).max(axis=1)
+    turned = np.abs(one - other)[:, 2 * n + 1 :]  # quaternions, in space
+    gaps = np.maximum(gaps, 2.0 * turned.max(axis=1, initial=0.0))
+    parted = np.flatnonzero(gaps > PARTED)
+    return float(times[parted[0]] if len(parted) else times[-1])

@@ -1,0 +1,162 @@
+"""A system in numbers, assembled at its start and packed for the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freebody.errors import CannotAnswer, InputError, ModelError
+from freebody.measures.base import Measure
+from freebody.model.names import did_you_mean
+from freebody.numeric.contact.bounded import Bounded
+from freebody.numeric.contact.hybrid import Hybrid
+from freebody.numeric.contact.start import assembled_touching, start_velocities
+from freebody.numeric.engine import dynamics
+from freebody.numeric.engine.course import Trajectory
+from freebody.numeric.engine.engine import Engine
+from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.numeric.instant import check_laws
+from freebody.numeric.jets import Array
+from freebody.numeric.options import SimulationOptions
+from freebody.numeric.reference import Reference
+from freebody.study.assumed import rates_not_given
+from freebody.study.worded import without_value
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    pass
+
+Progress = Callable[[float, int], None]
+
+
+class Simulator:
+    """A system with a number for every parameter, assembled at its start and packed for the engine."""
+
+    def __init__(
+        self,
+        system: System,
+        values: Mapping[str, float] | None = None,
+        events: Sequence[str] = (),
+        *,
+        by_steps: bool = False,
+    ) -> None:
+        """values: of parameters, in SI, instead of the model's. events: what to look for, as "theta = 90 deg" or
+        "theta' = 0", with "rising" or "falling" behind it for one direction only; one that begins with "stop when" ends
+        the motion. by_steps: for time stepping, which does not follow single contacts. Raises CannotAnswer naming
+        parameters without a value, or what contradicts itself at the start."""
+        self.system = system
+        for name, value in (values or {}).items():
+            if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
+                raise InputError(f"{name} = {value:g} is not positive; the model says that it is")
+        self.reference = Reference(system, values)
+        q = assembled_touching(self.reference)
+        v = start_velocities(self.reference, q)
+        self.assumptions = system.assumptions
+        if not has_phases(system):
+            self.assumptions = (*self.assumptions, *rates_not_given(self.reference, q, v))
+        self.numbers = self.reference.numbers()
+        watches, tracked = _watches(self, events), list(system.measures.values())
+        self.bounded = None if by_steps or not has_phases(system) else Bounded(self.numbers, watches, tracked)
+        self.engine = Engine(self.numbers, watches, tracked) if self.bounded is None else self.bounded.free
+        self.start = self.engine.state(*self.reference.by_body(q, v))
+        start = self.reference.snapshot(q, v)
+        check_laws(self.reference, start.geometry)
+        for rub in system.rubs:
+            if not rub.of:  # it rubs from the start on, so its slip must have a value there
+                self.reference.jet(start.geometry, rub.row.measure, rub.row.name)
+        self.value_at_start = start.value
+        try:
+            self.engine.align(self.start, 0.0, self.value_at_start)
+        except ZeroDivisionError:
+            for measure in system.measures.values():
+                _ = start.acceleration(measure)  # says which one has no value or rate at the start
+            raise
+        self._near = self.engine.near()
+        try:
+            _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
+        except CannotAnswer as error:
+            raise CannotAnswer("; ".join([str(error), *islice(without_value(system), 1)])) from error
+        if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
+            _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Independent velocities at the start."""
+        self.engine.evaluate(self.start, 0.0)
+        n_free = int(np.count_nonzero(self.engine.layout.inverse_mass))
+        return n_free - len(self.engine.held) + int(self.engine.room.info[dynamics.N_LEFT_OUT])
+
+    def run(
+        self,
+        until: float,
+        options: SimulationOptions | None = None,
+        *,
+        outputs: Array | None = None,
+        progress: Progress | None = None,
+        state: Array | None = None,
+        start: float = 0.0,
+        near: Array | None = None,
+        first_step: float = 0.0,
+        **given: Any,
+    ) -> Trajectory:
+        """The motion to `until` [s] as arrays. outputs: times at which it is wanted [s]. state, start, near: of a
+        motion that goes on, from its `Trajectory`. first_step: [s], chosen if it is zero. given: of the options."""
+        options = replace(options or SimulationOptions(), **given)
+        near = self._near if near is None else near
+        self.engine.count_from(near)
+        y = (self.start if state is None else state).copy()
+        if self.bounded is not None:
+            wanted = np.array([until]) if outputs is None else outputs
+            return Hybrid(self.bounded, options).run(y, start, until, wanted, near, progress)
+        return self.engine.run(
+            y, until, options, start=start, first_step=first_step, outputs=outputs, progress=progress
+        )
+
+    def time_accelerations(self, n_calls: int) -> float:
+        """Seconds for one evaluation of all accelerations and multipliers, within the compiled loop."""
+        import time
+
+        began = time.perf_counter()
+        self.engine.evaluate(self.start, 0.0, n_calls)
+        return (time.perf_counter() - began) / n_calls
+
+
+def has_phases(system: System) -> bool:
+    """Whether a motion may change its law on the way: something can part, touch, stick or slip."""
+    return bool(system.contacts or system.limits or system.brakes) or any(row.unilateral for row in system.held)
+
+
+def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
+    """Events in words. Raises InputError if one cannot be read."""
+    found: list[EngineWatch] = []
+    for text in events:
+        stops = text.strip().lower().startswith("stop when")
+        words = text.strip()[len("stop when") :].strip() if stops else text.strip()
+        asked, direction = words, 0
+        for word, sign in (("rising", 1), ("falling", -1)):
+            if asked.endswith(f" {word}"):
+                asked, direction = asked.removesuffix(word).strip(), sign
+        try:
+            question = simulator.system.question(f"time when {asked}")
+        except ModelError as error:
+            measures = simulator.system.measures
+            listed = f" Named measures: {', '.join(measures)}." if measures else ""
+            guess = did_you_mean(words.split("=")[0].strip(), measures)
+            raise InputError(f"event '{text}': {error.problems[0].message}.{guess}{listed}") from error
+        event = question.event
+        if event is None:
+            raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")
+        value = simulator.reference.number(event.value)
+        size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
+        found.append(EngineWatch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))
+    return found
+
+
+def _size(simulator: Simulator, measure: Measure) -> float:
+    from freebody.language.units import LENGTH
+
+    return simulator.numbers.length if measure.dimension == LENGTH else 1.0
