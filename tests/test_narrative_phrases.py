@@ -13,7 +13,6 @@ import pytest
 
 import freebody as fb
 from examples_told import EXAMPLES, FOLDER, solved
-from freebody.assess.comparing import PROVED
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import ExerciseStatement
 from freebody.narrative.telling.catalogue import Catalogue
@@ -84,24 +83,6 @@ def test_kinds_of_places_have_phrases() -> None:
     ("english", "text"),
     [
         (
-            "as m₁ grows the answer tends to g, this option grows without bound",
-            "mit wachsendem m₁ geht die Antwort gegen g, diese Wahl wächst über alle Grenzen",
-        ),
-        ("for M = 0 the answer is g, this option gives 0", "für M = 0 ist die Antwort g, diese Wahl ergibt 0"),
-        ("has the unit N, the answer has m/s^2", "hat die Einheit N, die Antwort hat m/s^2"),
-        (f"equal for a > 0 and b > 0: {PROVED}", "gleich für a > 0 und b > 0: exakt bewiesen"),
-        ("x component: is 2 times the answer", "x-Komponente: ist 2 mal die Antwort"),
-        ("R ≠ r (divisor, under the root)", "R ≠ r (Nenner, unter der Wurzel)"),
-        ("b ≥ d (block.foot keeps touching)", "b ≥ d (block.foot bleibt in Kontakt)"),
-        (
-            "conserved if and only if x' = 0 (x is constant) or d = 0 (for m ≠ 0)",
-            "bleibt genau dann erhalten, wenn x' = 0 (x ist konstant) oder d = 0 (für m ≠ 0)",
-        ),
-        (
-            "upper limit: block tips about block.foot and load slips up to the left on wedge",
-            "obere Grenze: block kippt um block.foot und load gleitet auf wedge nach links oben",
-        ),
-        (
             "angle of line from A to B from down clockwise",
             "Winkel der Geraden von A nach B gegen die Richtung nach unten, im Uhrzeigersinn",
         ),
@@ -121,7 +102,6 @@ def test_what_no_phrase_fits_stays_as_it_is() -> None:
 def test_a_single_word_is_a_name() -> None:
     for name in ("string", "pin", "right", "rolls", "always", "contact", "divisor"):
         assert german.said(name, "point") == name
-    assert german.said("rolls", "what") == "rollt"
 
 
 def test_events_stand_behind_a_preposition_where_one_asks_for_them() -> None:
@@ -150,7 +130,7 @@ def test_a_thousand_sentences_take_at_most_a_million_calls(
 
     def say() -> None:
         for k in islice(numbers, 1000):
-            german.said(f"for m = {k} the answer is {k}·g, this option gives {k}·m·g/(m + {k}·M)")
+            german.said(f"velocity of s when s = {k}·m·g/(m + {k}·M)")
 
     within(1_000_000, say)
 

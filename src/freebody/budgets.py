@@ -2,8 +2,8 @@
 
 Every budget counts work: steps, terms, evaluations, never seconds, so that a slow machine prints what a fast one
 prints, and compiling costs nothing. A budget is stated where it is spent, for the ordinary effort, and asked for by
-`allowed`; `effort(4)` lets everything inside the block spend four times as much. Where a budget is exhausted the words
-are `exhausted(...)`: not found, which is not the same as not there.
+`allowed`; `effort(4)` lets everything inside the block spend four times as much. Where a budget is exhausted it is
+said that nothing was found within it, which is not the same as that there is nothing.
 """
 
 from __future__ import annotations
@@ -39,8 +39,3 @@ def raise_effort(factor: float) -> Token[float]:
 def allowed(budget: int) -> int:
     """A budget under the effort that is in force."""
     return max(1, round(budget * _FACTOR.get()))
-
-
-def exhausted(budget: int, unit: str) -> str:
-    """What is said where the budget for `unit` (steps, evaluations, terms) did not suffice."""
-    return f"not found within {allowed(budget)} {unit}; raise the effort (--effort) to look further"

@@ -19,6 +19,7 @@ from freebody.assess.words import is_readable
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, INERTIA, MASS, VELOCITY, Dimension
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -105,16 +106,16 @@ def _cases(pair: ComponentPair) -> Iterable[LimitingCase]:
             parameters.append((g, shown.name, known.get(shown.name, DIMENSIONLESS)))
     for (p, _n, unit), (q, _m, its) in combinations(parameters, 2):
         if unit == its and (p in angles) == (q in angles):
-            yield LimitingCase(f"for {name(p)} = {name(q)}", q, field.variable(p))
+            yield LimitingCase(Message("for {p} = {q}", p=name(p), q=name(q)), q, field.variable(p))
     ordered = sorted(parameters, key=lambda p: _RANKS.get(p[2], len(_RANKS)))
     for p, _name, _unit in ordered:
-        yield LimitingCase(f"for {name(p)} = 0", p, field.zero, _NEARBY)
+        yield LimitingCase(Message("for {p} = {q}", p=name(p), q=0), p, field.zero, _NEARBY)
     for p, _name, _unit in ordered:
         if p not in angles:
-            yield LimitingCase(f"as {name(p)} grows", p, None)
+            yield LimitingCase(Message("as {p} grows", p=name(p)), p, None)
     for p, _name, _unit in ordered:
         if p in angles:
-            yield LimitingCase(f"for {name(p)} = 90°", p, field.pi / 2, -_NEARBY)
+            yield LimitingCase(Message("for {p} = {q}", p=name(p), q="90°"), p, field.pi / 2, -_NEARBY)
 
 
 def _is_seen(pair: ComponentPair, case: LimitingCase, mine: Limit, its: Limit) -> bool:
@@ -150,12 +151,19 @@ def _size(x: Ratio) -> int:
 def _told(case: LimitingCase, mine: Limit, its: Limit) -> str:
     tends = case.value is None
 
-    def is_(limit: Limit, verb: str) -> str:
+    def is_(limit: Limit) -> str:
         if not isinstance(limit, Ratio):
-            return "grows without bound" if tends else "is infinite"
+            return Message("grows without bound") if tends else Message("is infinite")
         shown = tidy(limit)
         if not is_readable(shown):
-            return "stays finite" if tends else "is finite and not 0"
-        return f"{'tends to' if tends else verb} {to_text(shown)}"
+            return Message("stays finite") if tends else Message("is finite and not 0")
+        return Message("tends to {x}", x=to_text(shown)) if tends else to_text(shown)
 
-    return f"{case.words} the answer {is_(its, 'is')}, this option {is_(mine, 'gives')}"
+    def told(limit: Limit, *, is_mine: bool) -> str:
+        words = is_(limit)
+        if isinstance(words, Message):
+            return words
+        return Message("gives {x}", x=words) if is_mine else Message("is {x}", x=words)
+
+    its_words, my_words = told(its, is_mine=False), told(mine, is_mine=True)
+    return Message("{case} the answer {its}, this option {mine}", case=case.words, its=its_words, mine=my_words)

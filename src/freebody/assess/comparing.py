@@ -8,20 +8,20 @@ are known to the precision of floats.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, real
 from freebody.assess.reading import Option
 from freebody.assess.setting import Setting
-from freebody.assess.words import listed
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message, listed
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
-PROVED = "proved exactly"
 _AGREE = Fraction(1, 10**40)
 _AGREE_ON_POSES = Fraction(1, 10**8)
 _N_POINTS = 12
@@ -53,12 +53,20 @@ class ComponentPair:
         return mine - its, abs(mine) + abs(its)
 
 
-def how_equal(pair: ComponentPair) -> str | None:
+@dataclass(frozen=True)
+class Equality:
+    """How an option was found equal to the answer, and whether that is a proof."""
+
+    words: str
+    is_proved: bool = False
+
+
+def how_equal(pair: ComponentPair) -> Equality | None:
     """How the two were found equal, or None."""
     return _exactly_equal(pair) or _numerically_equal(pair)
 
 
-def _exactly_equal(pair: ComponentPair) -> str | None:
+def _exactly_equal(pair: ComponentPair) -> Equality | None:
     """How the two were proved equal in the field, or None."""
     option = pair.option
     if option.element is None or option.is_sign_open:
@@ -68,14 +76,17 @@ def _exactly_equal(pair: ComponentPair) -> str | None:
     except CannotAnswer:  # too many terms
         return None
     if difference.is_zero():
-        where = listed([f"{to_text(tidy(c))} > 0" for c in option.conditions] or [""])
-        return f"equal{' for ' * bool(where)}{where}: {PROVED}"
+        where = listed([f"{to_text(tidy(c))} > 0" for c in option.conditions])
+        if where:
+            return Equality(Message("equal for {where}: proved exactly", where=where), is_proved=True)
+        return Equality(Message("equal: proved exactly"), is_proved=True)
     if pair.setting.up_to_constant and difference.is_constant():
-        return f"equal up to the constant {to_text(tidy(difference))}: {PROVED}"
+        shown = to_text(tidy(difference))
+        return Equality(Message("equal up to the constant {c}: proved exactly", c=shown), is_proved=True)
     return None
 
 
-def _numerically_equal(pair: ComponentPair) -> str | None:
+def _numerically_equal(pair: ComponentPair) -> Equality | None:
     """How far the two were found equal at points, or None."""
     if pair.is_looped:
         return _equal_on_poses(pair)
@@ -91,17 +102,18 @@ def _numerically_equal(pair: ComponentPair) -> str | None:
         if not abs(difference) <= scale * real(_AGREE):
             return None
         if n_equal == _N_POINTS:
-            up_to = " up to a constant" if up_to_constant else ""
-            return f"equal{up_to} to 40 digits at {n_equal} random points"
+            if up_to_constant:
+                return Equality(Message("equal up to a constant to 40 digits at {n} random points", n=n_equal))
+            return Equality(Message("equal to 40 digits at {n} random points", n=n_equal))
     return None
 
 
-def _equal_on_poses(pair: ComponentPair) -> str | None:
-    setting, element, up_to = pair.setting, pair.option.element, ""
+def _equal_on_poses(pair: ComponentPair) -> Equality | None:
+    setting, element, is_up_to_constant = pair.setting, pair.option.element, False
     pairs: list[tuple[Any, Any]] = []
     if setting.up_to_constant and element is not None:
         # a constant difference has no rate, whatever the accelerations are
-        up_to = " up to a constant"
+        is_up_to_constant = True
         rates = [setting.names.rate(x) for x in (element, pair.answer)]
         for point in setting.poses():
             mine, its = map(point.number, rates)
@@ -109,5 +121,7 @@ def _equal_on_poses(pair: ComponentPair) -> str | None:
     else:
         pairs = [pair.difference(point) for point in setting.poses()]
     if all(abs(d) <= scale * real(_AGREE_ON_POSES) for d, scale in pairs):
-        return f"equal{up_to} to 8 digits at {len(pairs)} poses of the mechanism"
+        if is_up_to_constant:
+            return Equality(Message("equal up to a constant to 8 digits at {n} poses of the mechanism", n=len(pairs)))
+        return Equality(Message("equal to 8 digits at {n} poses of the mechanism", n=len(pairs)))
     return None

@@ -11,6 +11,7 @@ from freebody.assess.setting import N_TRIES
 from freebody.assess.words import NOT_REAL, digits, unit_behind
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.language.units import ACCELERATION
 
 
@@ -18,10 +19,10 @@ def counterexample(pair: ComponentPair) -> str:
     """The first numbers that show a difference, and both values with them."""
     free = [g for g in pair.generators if is_free(pair.field, g)]
     if pair.is_looped:
-        return "with the model's own numbers: " + _told_at(pair, pair.setting.poses()[0])
+        return _told_at(pair, pair.setting.poses()[0])
     if not free:
         mine, its = pair.numbers(EvaluationPoint(pair.field, real))
-        return f"is {digits(mine)}, the answer is {digits(its)}"
+        return Message("is {mine}, the answer is {its}", mine=digits(mine), its=digits(its))
     undefined: str | None = None
     for attempt in range(N_TRIES):
         point, words = _small_point(pair, free, attempt)
@@ -29,17 +30,21 @@ def counterexample(pair: ComponentPair) -> str:
         admissible = all(point.number(c) > 0 for c in (*pair.option.conditions, *pair.setting.region))
         if not its.is_finite() or not admissible or digits(mine) == digits(its):
             continue
-        told = f"for {', '.join(words)}: {_told_at(pair, point)}"
+        told = _told_at(pair, point, ", ".join(words))
         if mine.is_finite():
             return told
         undefined = undefined or told
-    return undefined or "differs from the answer"
+    return undefined or Message("differs from the answer")
 
 
-def _told_at(pair: ComponentPair, point: EvaluationPoint) -> str:
+def _told_at(pair: ComponentPair, point: EvaluationPoint, numbers: str = "") -> str:
+    """Both values at a point; numbers: what was put in, if not the model's own."""
     unit = unit_behind(pair.setting.dimension)
     mine, its = map(digits, pair.numbers(point))
-    return f"option {mine}{unit if mine != NOT_REAL else ''}, answer {its}{unit}"
+    mine, its = mine if mine == NOT_REAL else f"{mine}{unit}", f"{its}{unit}"
+    if numbers:
+        return Message("for {numbers}: option {mine}, answer {its}", numbers=numbers, mine=mine, its=its)
+    return Message("with the model's own numbers: option {mine}, answer {its}", mine=mine, its=its)
 
 
 def _small_point(pair: ComponentPair, free: list[int], attempt: int) -> tuple[EvaluationPoint, list[str]]:

@@ -9,6 +9,7 @@ from freebody.assess.verdict import Judgement, Verdict, judgement_of
 from freebody.errors import ExpressionError
 from freebody.language.expression import evaluate, free_symbols
 from freebody.language.parser import parse
+from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 
 NUMBERS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
@@ -18,7 +19,7 @@ INFINITE = ("inf", "infinity", "infinite", "∞")
 def judge_count(question: Question, n: int, mistakes: Mapping[int, str]) -> Judgement:
     """Judges options that are counts. mistakes: what leads to a wrong number."""
     verdicts = {letter: _verdict(text, n, mistakes) for letter, text in question.options.items()}
-    return judgement_of(verdicts, question.key, f"it is {n}")
+    return judgement_of(verdicts, question.key, str(n))
 
 
 def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
@@ -26,19 +27,25 @@ def _verdict(text: str, n: int, mistakes: Mapping[int, str]) -> Verdict:
     if words in NUMBERS:
         text = str(NUMBERS.index(words))
     if words in INFINITE:
-        return Verdict("wrong", "is infinite, which finitely many rigid bodies never have")
+        return Verdict("wrong", Message("is infinite, which finitely many rigid bodies never have"))
     try:
         value = _value(text)
     except (ExpressionError, ValueError, ArithmeticError):
-        return Verdict("unreadable", "is no number")
+        return Verdict("unreadable", Message("is no number"))
     if value is None:
-        return Verdict("unreadable", "is no number")
+        return Verdict("unreadable", Message("is no number"))
     if value == n:
-        return Verdict("right", "the rank of the constraints")
+        return Verdict("right", Message("the rank of the constraints"))
     if value.denominator != 1 or value < 0:
-        return Verdict("wrong", "is no number of freedoms: these are 0, 1, 2 ...")
+        return Verdict("wrong", Message("is no number of freedoms: these are 0, 1, 2 ..."))
     why = mistakes.get(int(value))
-    return Verdict("wrong", why or f"{'more' if value > n else 'fewer'} than the {n} that the rank leaves")
+    return Verdict("wrong", why or _off(value > n, n))
+
+
+def _off(is_more: bool, n: int) -> str:
+    if is_more:
+        return Message("more than the {n} that the rank leaves", n=n)
+    return Message("fewer than the {n} that the rank leaves", n=n)
 
 
 def _value(text: str) -> Fraction | None:

@@ -16,13 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from freebody.assess.comparing import PROVED, ComponentPair, how_equal
+from freebody.assess.comparing import ComponentPair, Equality, how_equal
 from freebody.assess.points import working_precision
 from freebody.assess.reading import as_option, read
 from freebody.assess.reasons import why_wrong
 from freebody.assess.setting import Answer, Setting
-from freebody.assess.verdict import Judgement, Settled, Verdict
-from freebody.assess.words import listed, places
+from freebody.assess.verdict import Judgement, Settled, Verdict, wrong_key
+from freebody.assess.words import of_component, places
+from freebody.language.sentences import Message, listed
 from freebody.language.units import Dimension
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
@@ -67,32 +68,35 @@ def _verdict(setting: Setting, text: str) -> Verdict | None:
         options = [as_option(setting, expr) for expr in exprs]
     except Settled as found:
         return found.verdict
-    evidence: list[str] = []
+    evidence: list[Equality] = []
     for option, answer, where in zip(options, setting.answers, places(len(options)), strict=True):
         pair = ComponentPair(setting, option, answer)
         equal = how_equal(pair)
         if equal is None:
-            return Verdict("wrong", where + why_wrong(pair))
+            return Verdict("wrong", of_component(where, why_wrong(pair)))
         evidence.append(equal)
     # of the components of a vector the one with the weakest evidence speaks for all
-    return Verdict("right", max(evidence, key=lambda e: (not e.endswith(PROVED), len(e))))
+    return Verdict("right", max(evidence, key=lambda e: (not e.is_proved, len(e.words))).words)
 
 
 def _notes(question: Question, found: Mapping[str, Verdict | None], right: list[str]) -> tuple[str, ...]:
-    notes = [f"({k}) {v.reason}" for k, v in found.items() if v is not None and v.verdict == "unreadable"]
+    notes: list[str] = [
+        Message("({letter}) {reason}", letter=k, reason=v.reason)
+        for k, v in found.items()
+        if v is not None and v.verdict == "unreadable"
+    ]
     key, open_ = question.key, [letter for letter, v in found.items() if v is None]
     if open_:
-        notes.append(f"there is no answer to compare {listed(open_)} with")
+        notes.append(Message("there is no answer to compare {letters} with", letters=listed(open_)))
     elif not right:
-        notes.append("no option is right")
+        notes.append(Message("no option is right"))
     elif len(right) > 1:
-        notes.append(f"{_COUNTS.get(len(right), len(right))} options are right: {listed(right)}")
+        n = _COUNTS.get(len(right), str(len(right)))
+        notes.append(Message("{n} options are right: {letters}", n=n, letters=listed(right)))
     verdict = found.get(key) if key is not None else None
     if verdict is not None and verdict.verdict != "right":
-        is_or_are = "is" if len(right) == 1 else "are"
-        instead = f"{listed(right)} {is_or_are} right" if right else f"it {verdict.reason}"
-        notes.append(f"the key says {key}, but {instead}")
+        notes.append(wrong_key(str(key), right, verdict.reason))
     return tuple(notes)
 
 
-_COUNTS = {2: "two", 3: "three", 4: "four", 5: "five"}
+_COUNTS = {2: Message("two"), 3: Message("three"), 4: Message("four"), 5: Message("five")}

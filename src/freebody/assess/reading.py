@@ -13,7 +13,7 @@ from freebody.assess.names import named_in
 from freebody.assess.points import EvaluationPoint, real
 from freebody.assess.setting import Setting
 from freebody.assess.verdict import Settled
-from freebody.assess.words import listed, places
+from freebody.assess.words import of_component, places
 from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import (
     ZERO,
@@ -28,6 +28,7 @@ from freebody.language.expression import (
 )
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
+from freebody.language.sentences import Message, listed
 from freebody.language.units import DIMENSIONLESS, Dimension, dimension_of
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
@@ -60,17 +61,34 @@ def read(setting: Setting, text: str) -> list[Expr]:
 def _parsed(setting: Setting, text: str) -> list[Expr]:
     if text.strip().lower() in ("inf", "infinity", "∞"):
         shown = [to_text(tidy(a)) for a in setting.answers or ()]
-        raise Settled("wrong", f"is infinite, the answer is {shown[0] if len(shown) == 1 else 'not'}")
+        raise Settled(
+            "wrong",
+            Message("is infinite, the answer is {x}", x=shown[0])
+            if len(shown) == 1
+            else Message("is infinite, the answer is not"),
+        )
     try:
         exprs = [setting.names.with_rates(parse(part)) for part in _components(text)]
     except ExpressionError as error:
-        raise Settled("unreadable", f"cannot be read: {error}") from None
+        raise Settled("unreadable", Message("cannot be read: {error}", error=error)) from None
     n_wanted = len(exprs) if setting.answers is None else len(setting.answers)
     if len(exprs) != n_wanted:
-        kinds = {1: "a single number", 2: "a vector [x, y]", 3: "a vector [x, y, z]"}
-        is_a = kinds.get(len(exprs), f"a list of {len(exprs)}")
-        raise Settled("wrong", f"is {is_a}, the answer is {kinds.get(n_wanted, f'a list of {n_wanted}')}")
+        mine, its = _shape(len(exprs)), _shape(n_wanted)
+        raise Settled("wrong", Message("is {mine}, the answer is {its}", mine=mine, its=its))
     return exprs
+
+
+def _shape(n_components: int) -> str:
+    """What a list of so many expressions is."""
+    match n_components:
+        case 1:
+            return Message("a single number")
+        case 2:
+            return Message("a vector [x, y]")
+        case 3:
+            return Message("a vector [x, y, z]")
+        case _:
+            return Message("a list of {n}", n=n_components)
 
 
 def _components(text: str) -> list[str]:
@@ -94,20 +112,31 @@ def _check_names(setting: Setting, exprs: list[Expr]) -> None:
         if key not in setting.names
     }
     if missing:
-        verb = "is" if len(missing) == 1 else "are"
-        raise Settled("wrong", f"names {listed(list(missing))}, which {verb} not given")
+        names = listed(list(missing))
+        raise Settled(
+            "wrong",
+            Message("names {names}, which is not given", names=names)
+            if len(missing) == 1
+            else Message("names {names}, which are not given", names=names),
+        )
 
 
 def _check_dimensions(setting: Setting, exprs: list[Expr]) -> None:
     dimensions = setting.names.dimensions
     for expr, where in zip(exprs, places(len(exprs)), strict=True):
         if fault := _dimension_fault(expr, dimensions):
-            raise Settled("wrong", where + fault)
+            raise Settled("wrong", of_component(where, fault))
         own = dimension_of(expr, dimensions)
         if own != setting.dimension and expr != ZERO:
-            wanted = "none" if setting.dimension == DIMENSIONLESS else str(setting.dimension)
-            has = "no unit" if own == DIMENSIONLESS else f"the unit {own}"
-            raise Settled("wrong", f"{where}has {has}, the answer has {wanted}")
+            raise Settled("wrong", of_component(where, _other_unit(own, setting.dimension)))
+
+
+def _other_unit(own: Dimension | None, wanted: Dimension) -> str:
+    if own == DIMENSIONLESS:
+        return Message("has no unit, the answer has {wanted}", wanted=wanted)
+    if wanted == DIMENSIONLESS:
+        return Message("has the unit {own}, the answer has none", own=own)
+    return Message("has the unit {own}, the answer has {wanted}", own=own, wanted=wanted)
 
 
 def _dimension_fault(expr: Expr, dimensions: Mapping[str, Dimension]) -> str | None:
@@ -119,11 +148,11 @@ def _dimension_fault(expr: Expr, dimensions: Mapping[str, Dimension]) -> str | N
         dimension_of(expr, dimensions)
     except UnitError as error:
         if not isinstance(expr, Sum):
-            return f"takes {error}"
+            return Message("takes {error}", error=error)
         units = [(_unsigned(term), dimension_of(term, dimensions)) for term in expr.terms if term != ZERO]
         first, unit = units[0]
         other, its = next((t, u) for t, u in units if u != unit)
-        return f"adds {to_text(first)} [{unit}] and {to_text(other)} [{its}]"
+        return Message("adds {a} [{its}] and {b} [{other}]", a=to_text(first), its=unit, b=to_text(other), other=its)
     return None
 
 
@@ -154,12 +183,12 @@ def as_option(setting: Setting, expr: Expr) -> Option:
     found: Ratio | None = None
     try:
         if max(_n_terms(expr)) > MOST_TERMS:
-            raise CannotAnswer("too long to multiply out")
+            raise CannotAnswer(Message("too long to multiply out"))
         found = element(setting.field, expr, {k: setting.names.element(k) for k in keys}, is_negative)
     except CannotAnswer:
         pass
     except ZeroDivisionError:
-        raise Settled("wrong", "divides by zero") from None
+        raise Settled("wrong", Message("divides by zero")) from None
     return Option(expr, keys, found, tuple(conditions), bool(open_signs))
 
 

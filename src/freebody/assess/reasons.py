@@ -14,6 +14,7 @@ from freebody.assess.comparing import ComponentPair
 from freebody.assess.counterexample import counterexample
 from freebody.assess.words import is_readable
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -30,25 +31,27 @@ def why_wrong(pair: ComponentPair) -> str:
         if not pair.is_looped and (reason := special_case(pair, option)):
             return reason
     elif up_to_constant:
-        return "the difference from the answer changes during the motion"
+        return Message("the difference from the answer changes during the motion")
     return counterexample(pair)
 
 
 def _moving_difference(difference: Ratio) -> str:
     shown = tidy(difference)
     if is_readable(shown):
-        return f"differs from the answer by {to_text(shown)}, which changes during the motion"
-    return "the difference from the answer changes during the motion"
+        return Message("differs from the answer by {x}, which changes during the motion", x=to_text(shown))
+    return Message("the difference from the answer changes during the motion")
 
 
 def _multiple(pair: ComponentPair, option: Ratio) -> str | None:
     """What is so for all numbers: one of the two is zero, or they differ by a factor."""
     if option.is_zero():
         shown = tidy(pair.answer)
-        return f"is 0, the answer is {to_text(shown) if is_readable(shown) else 'not'}"
+        if is_readable(shown):
+            return Message("is {mine}, the answer is {its}", mine="0", its=to_text(shown))
+        return Message("is 0, the answer is not")
     if pair.answer.is_zero():
-        return "is not 0, as the answer is"
+        return Message("is not 0, as the answer is")
     factor = (option / pair.answer).fraction()
     if factor is None or not pair.generators:
         return None
-    return "has the opposite sign" if factor == -1 else f"is {factor} times the answer"
+    return Message("has the opposite sign") if factor == -1 else Message("is {factor} times the answer", factor=factor)

@@ -22,6 +22,7 @@ from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import ZERO, Expr
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
+from freebody.language.sentences import Message, in_turn
 from freebody.language.units import dimension_of
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Point
@@ -81,7 +82,10 @@ def judge_statements(question: Question, claim: Claim, model: SymbolicModel, sys
         try:
             verdicts[letter], lesser[letter] = _verdict(reader.read(text), claim)
         except NoCondition as error:
-            verdicts[letter], lesser[letter] = Verdict("unreadable", f"is no condition: {error}"), False
+            verdicts[letter], lesser[letter] = (
+                Verdict("unreadable", Message("is no condition: {why}", why=error)),
+                False,
+            )
     if all(v.verdict != "right" for v in verdicts.values()):
         for letter in (k for k, is_true in lesser.items() if is_true):
             verdicts[letter] = Verdict("right", verdicts[letter].reason)
@@ -99,63 +103,77 @@ def _verdict(statement: OptionStatement, claim: Claim) -> tuple[Verdict, bool]:
     is_sufficient = open_case is None and bool(left)
     uncovered = None if claim.is_always and not statement.equalities else _uncovered(statement, claim)
     is_necessary = uncovered is None
-    own = " or ".join(texts_of(statement.cases)) or "always"
+    own = _any_of(statement.cases) or Message("always")
     if not left:
-        return Verdict("wrong", "states what cannot be so"), False
-    derived = " or ".join(texts_of(claim.cases)) or "always"
+        return Verdict("wrong", Message("states what cannot be so")), False
+    derived = _any_of(claim.cases) or Message("always")
     if is_sufficient and is_necessary and (claim.is_exact or claim.is_always):
         if not statement.equalities:
-            return Verdict("right", "the rate vanishes for every motion"), False
-        return Verdict("right", f"equivalent to the derived condition {derived}"), False
+            return Verdict("right", Message("the rate vanishes for every motion")), False
+        return Verdict("right", Message("equivalent to the derived condition {case}", case=derived)), False
     if is_sufficient:
-        why = f"is sufficient only: it is also conserved for {_case_text(uncovered)}" if uncovered else "is sufficient"
+        why = _only_sufficient(_case_text(uncovered)) if uncovered else Message("is sufficient")
         return Verdict("wrong", why), statement.word == "if"
     assert open_case is not None or not left
-    remains = "" if open_case is None else f"the rate is still {_shown(open_case[1])}"
     if not statement.equalities:
-        condition = f", and vanishes only for {derived}" if claim.cases else ""
-        return Verdict("wrong", f"not always: the rate is {_rates(claim)}{condition}"), False
+        told = Message("not always: the rate is {rate}", rate=_rates(claim))
+        if claim.cases:
+            told = Message("{what}, and vanishes only for {case}", what=told, case=derived)
+        return Verdict("wrong", told), False
+    rate = "" if open_case is None else _shown(open_case[1])
+    remains = Message("with {own} the rate is still {rate}", own=own, rate=rate)
     if not claim.cases:
-        return Verdict("wrong", f"with {own} {remains}; there is no condition under which it vanishes"), False
+        told = Message("{what}; there is no condition under which it vanishes", what=remains)
+        return Verdict("wrong", told), False
     if is_necessary:
-        return Verdict("wrong", f"is necessary only: with {own} {remains}"), statement.word == "only if"
-    return (
-        Verdict(
-            "wrong",
-            f"neither sufficient nor necessary: with {own} {remains}; and for {_case_text(uncovered)} it is "
-            "conserved whatever this says",
-        ),
-        False,
+        return Verdict("wrong", Message("is necessary only: {what}", what=remains)), statement.word == "only if"
+    told = Message(
+        "neither sufficient nor necessary: {what}; and for {case} it is conserved whatever this says",
+        what=remains,
+        case=_case_text(uncovered),
     )
+    return Verdict("wrong", told), False
+
+
+def _any_of(cases: Sequence[VanishingCase]) -> str:
+    return in_turn(texts_of(cases), "{first} or {second}")
+
+
+def _only_sufficient(case: str) -> str:
+    return Message("is sufficient only: it is also conserved for {case}", case=case)
 
 
 def _by_simulation(statement: OptionStatement, claim: Claim) -> Verdict:
     """Without a formula: against the conditions that simulations found."""
     if not statement.equalities:
-        return Verdict("wrong", "it changes in a simulated motion")
+        return Verdict("wrong", Message("it changes in a simulated motion"))
     covered = all(any(implies(own, case) for case in claim.cases) for own in statement.cases)
     needed = all(any(implies(case, own) for own in statement.cases) for case in claim.cases)
     if covered and needed and claim.cases:
-        return Verdict("right", "the condition that simulations found")
+        return Verdict("right", Message("the condition that simulations found"))
     if covered and claim.cases:
-        return Verdict("wrong", f"is sufficient only: it is also conserved for {' or '.join(texts_of(claim.cases))}")
-    return Verdict("wrong", "it changes in a simulated motion, and no such condition was found to prevent that")
+        return Verdict("wrong", _only_sufficient(_any_of(claim.cases)))
+    return Verdict(
+        "wrong", Message("it changes in a simulated motion, and no such condition was found to prevent that")
+    )
 
 
 def _rates(claim: Claim) -> str:
-    return " and ".join(_shown(rate) for rate in claim.rates) or "not zero"
+    return in_turn([_shown(rate) for rate in claim.rates], "{first} and {second}") or Message("not zero")
 
 
 def _never(claim: Claim) -> tuple[Verdict, bool]:
     if not claim.cases and not claim.rates:
         return Verdict(
-            "right", "it changes in simulated motions, and no condition was found under which it does not"
+            "right", Message("it changes in simulated motions, and no condition was found under which it does not")
         ), False
     if not claim.cases:
-        return Verdict("right", f"the rate is {_rates(claim)} and vanishes under no condition"), False
+        return Verdict(
+            "right", Message("the rate is {rate} and vanishes under no condition", rate=_rates(claim))
+        ), False
     if claim.is_always:
-        return Verdict("wrong", "the rate vanishes for every motion"), False
-    return Verdict("wrong", f"it is conserved for {' or '.join(texts_of(claim.cases))}"), False
+        return Verdict("wrong", Message("the rate vanishes for every motion")), False
+    return Verdict("wrong", Message("it is conserved for {case}", case=_any_of(claim.cases))), False
 
 
 def _left_over(claim: Claim, case: VanishingCase) -> Ratio | None:
@@ -178,12 +196,12 @@ def _uncovered(statement: OptionStatement, claim: Claim) -> VanishingCase | None
 
 
 def _case_text(case: VanishingCase | None) -> str:
-    return "every motion" if case is None or not case.equalities else texts_of([case])[0]
+    return Message("every motion") if case is None or not case.equalities else texts_of([case])[0]
 
 
 def _shown(x: Ratio) -> str:
     expression = tidy(x)
-    return to_text(expression) if is_readable(expression) else "not zero"
+    return to_text(expression) if is_readable(expression) else Message("not zero")
 
 
 class _OptionReader:
@@ -229,7 +247,7 @@ class _OptionReader:
         for index in field.ingredients(x):
             if field.generators[index].kind in ("coordinate", "speed", "acceleration"):
                 what = to_text(field.generators[index].display)
-                raise NoCondition(f"restricts the motion ({what}), not the system")
+                raise NoCondition(Message("restricts the motion ({what}), not the system", what=what))
 
     def _may(self, index: int) -> bool:
         """What an option says is zero may be."""
@@ -245,7 +263,9 @@ class _OptionReader:
         if found:
             wrong = next(word for word in found.groups() if not self._is_point(word))
             known = [f"{b.name}.{p}" for b in self.system.bodies.values() for p in b.points]
-            raise NoCondition(f"there is no point {wrong}.{did_you_mean(wrong, known)}")
+            raise NoCondition(
+                Message("there is no point {point}.{instead}", point=wrong, instead=did_you_mean(wrong, known))
+            )
         found = re.fullmatch(r"(.+?) (?:is )?(?:a )?constant(?: in time)?", text)
         if found:
             x = self._element(found[1], None)
@@ -258,10 +278,14 @@ class _OptionReader:
 
     def _sides(self, text: str) -> tuple[str, str]:
         if re.search(r"[<>≤≥≠]|!=", text):
-            raise NoCondition(f"'{text}' is an inequality; a condition is an equality, such as d = 0")
+            raise NoCondition(
+                Message("'{text}' is an inequality; a condition is an equality, such as d = 0", text=text)
+            )
         left, equals, right = text.replace("==", "=").replace(" equals ", " = ").partition("=")
         if not equals or "=" in right:
-            raise NoCondition(f"'{text}'; write always, never, d = 0, x is constant, or A coincides with B")
+            raise NoCondition(
+                Message("'{text}'; write always, never, d = 0, x is constant, or A coincides with B", text=text)
+            )
         return left.strip(), right.strip()
 
     def _element(self, text: str, other: str | None) -> Ratio:
@@ -273,7 +297,9 @@ class _OptionReader:
             except UnitError as error:
                 raise NoCondition(str(error)) from None
             if mine != its and ZERO not in (expr, self._parsed(other)):
-                raise NoCondition(f"{text} has the unit {mine}, {other} the unit {its}")
+                raise NoCondition(
+                    Message("{a} has the unit {own}, {b} the unit {its}", a=text, own=mine, b=other, its=its)
+                )
         values = {key: self.names.element(key) for key in named_in(expr)}
         try:
             return element(self.model.field, expr, values)
@@ -289,7 +315,9 @@ class _OptionReader:
             raise NoCondition(str(error)) from None
         for key in named_in(expr):
             if key not in self.names:
-                raise NoCondition(f"{key} is unknown.{did_you_mean(key, self.names.dimensions)}")
+                raise NoCondition(
+                    Message("{name} is unknown.{instead}", name=key, instead=did_you_mean(key, self.names.dimensions))
+                )
         return expr
 
     # -- points -------------------------------------------------------------------------------

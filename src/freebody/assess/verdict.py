@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from freebody.assess.words import listed
+from freebody.language.sentences import Message, listed
 
 
 @dataclass(frozen=True)
@@ -29,17 +30,31 @@ def judgement_of(verdicts: dict[str, Verdict], key: str | None, answer: str = ""
     """The judgement on options with these verdicts: the right one, and what the author of the file should know. answer:
     what is right, for a key that is not and where no option is."""
     right = [letter for letter, v in verdicts.items() if v.verdict == "right"]
-    notes = [f"({k}) {v.reason}" for k, v in verdicts.items() if v.verdict == "unreadable"]
+    notes: list[str] = [
+        Message("({letter}) {reason}", letter=k, reason=v.reason)
+        for k, v in verdicts.items()
+        if v.verdict == "unreadable"
+    ]
     if not verdicts:
         return Judgement(None, {}, ())
     if not right:
-        notes.append("no option is right")
+        notes.append(Message("no option is right"))
     elif len(right) > 1:
-        notes.append(f"several options are right: {listed(right)}")
+        notes.append(Message("several options are right: {letters}", letters=listed(right)))
     if key is not None and verdicts[key].verdict != "right":
-        instead = f"{listed(right)} {'is' if len(right) == 1 else 'are'} right" if right else answer
-        notes.append(f"the key says {key}, but {instead or f'it {verdicts[key].reason}'}")
+        notes.append(wrong_key(key, right, verdicts[key].reason, answer))
     return Judgement(right[0] if len(right) == 1 else None, verdicts, tuple(notes))
+
+
+def wrong_key(key: str, right: Sequence[str], reason: str, answer: str = "") -> str:
+    """What is wrong with the key of a file; answer: what is right where no option is."""
+    if len(right) == 1:
+        return Message("the key says {key}, but {letters} is right", key=key, letters=right[0])
+    if right:
+        return Message("the key says {key}, but {letters} are right", key=key, letters=listed(right))
+    if answer:
+        return Message("the key says {key}, but it is {n}", key=key, n=answer)
+    return Message("the key says {key}, but it {reason}", key=key, reason=reason)
 
 
 class Settled(Exception):

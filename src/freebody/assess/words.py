@@ -6,16 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from freebody.language.expression import Expr, n_operations
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 
 READABLE = 24  # operations in what a reason shows
-NOT_REAL = "not a real number"
-COMPONENTS = ("x component: ", "y component: ", "z component: ")
-
-
-def listed(words: Sequence[str]) -> str:
-    """a, b and c"""
-    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
+NOT_REAL = Message("not a real number")
 
 
 def is_readable(*shown: Expr) -> bool:
@@ -34,5 +29,9 @@ def unit_behind(dimension: Dimension) -> str:
 
 
 def places(n_components: int) -> Sequence[str]:
-    """What stands before the reason of each component."""
-    return ("",) if n_components == 1 else COMPONENTS[:n_components]
+    """The axes that the reasons of components name."""
+    return ("",) if n_components == 1 else "xyz"[:n_components]
+
+
+def of_component(axis: str, reason: str) -> str:
+    return Message("{axis} component: {reason}", axis=axis, reason=reason) if axis else reason

@@ -11,7 +11,7 @@ from freebody.language.expression import Expr
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, When
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, When, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
@@ -40,7 +40,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             script.line(*sides, when=_when(question))
     if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
         key = "steady.verdict" if question.quantity.is_verdict else "result.holds"
-        script.say(key, conditions=tuple(f"@{c}" for c in answer.conditions))
+        script.say(key, conditions=tuple(ready(c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
     if answer.unit not in ("", "1"):
         key = "result.dimensions" if _dimensions_fit(context, question, answer) else "result.unit"
@@ -51,7 +51,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         unit = "" if answer.unit == "1" else f" {raised(answer.unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
     if answer.notes:
-        script.add(Listing(tuple(Sentence("result.note", {"text": f"@{note}"}) for note in answer.notes)))
+        script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in answer.notes)))
 
 
 def _dimensions_fit(context: Context, question: Question, answer: Answer) -> bool:
@@ -79,7 +79,7 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
     def reason(letter: str, told: str) -> Sentence | str:
         if letter not in mistakes:
             return told
-        return Sentence("options.reason_and_mistake", {"reason": f"@{told}", "mistake": mistakes[letter]})
+        return Sentence("options.reason_and_mistake", {"reason": ready(told), "mistake": mistakes[letter]})
 
     rows = tuple((f"({k})", Sentence(f"options.{v.verdict}"), reason(k, v.reason)) for k, v in answer.options.items())
     marks: tuple[Literal["", "right", "wrong"], ...] = tuple(
@@ -87,4 +87,4 @@ def _options(context: Context, script: Script, question: Question, answer: Answe
     )
     script.add(FormulaTable(header, rows, marks))
     for note in answer.author_notes:
-        script.say("result.note", text=f"@{note}")
+        script.say("result.note", text=ready(note))

@@ -9,6 +9,7 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
@@ -63,4 +64,11 @@ Derive = Callable[[Context, Question, Answer, Method], list[DerivationStage]]
 def refuse(method: Method, allowed: tuple[Method, ...], what: str) -> None:
     """Raises CannotAnswer for a method by which a kind of question has no derivation."""
     if method != "auto" and method not in allowed:
-        raise CannotAnswer(f"{what} is not derived by the method {method}; there is: {', '.join(('auto', *allowed))}")
+        raise CannotAnswer(
+            Message(
+                "{what} is not derived by the method {method}; there is: {others}",
+                what=what,
+                method=method,
+                others=", ".join(("auto", *allowed)),
+            )
+        )

@@ -6,13 +6,14 @@ from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, evaluate, free_symbols, number
+from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
 from freebody.study.evidence import rank_freedom
 from freebody.study.gruebler import Gruebler, gruebler
 from freebody.study.spread import disagreement
@@ -41,7 +42,7 @@ def _system(context: Context, script: Script) -> None:
     if rows:
         script.add(FormulaTable(header, rows))
     for text in system.assumptions:
-        script.say("system.assumed", text=f"@{text}")
+        script.say("system.assumed", text=ready(text))
     script.say("system.rigid")
     script.say("report.conventions_space" if system.space else "report.conventions")
 
@@ -128,7 +129,9 @@ def _by_rank(context: Context, script: Script, count: int) -> int:
         script.say("freedom.rank_only", n=n)
         return n
     if n != model.degrees_of_freedom:
-        differ = f"the formulas have {model.degrees_of_freedom} independent coordinates, the rank leaves {n}"
+        differ = Message(
+            "the formulas have {n} independent coordinates, the rank leaves {m}", n=model.degrees_of_freedom, m=n
+        )
         raise disagreement(differ, context.setup.draws[0].reference)
     if n == count:
         script.say("freedom.confirmed")

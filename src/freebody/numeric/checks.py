@@ -8,13 +8,14 @@ from contextlib import contextmanager
 from typing import Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 
 
 def finite(value: Any) -> float:
     """The number, if it is one. Raises ValueError for infinities and undefined values."""
     number = float(value)
     if not math.isfinite(number):
-        raise ValueError("the result is not finite")
+        raise ValueError(Message("the result is not finite"))
     return number
 
 
@@ -24,6 +25,10 @@ def named(name: str | Callable[[], str]) -> Generator[None]:
     try:
         yield
     except CannotAnswer as error:
-        raise CannotAnswer(f"{name if isinstance(name, str) else name()}: {error}") from None
+        raise CannotAnswer(
+            Message("{what}: {why}", what=name if isinstance(name, str) else name(), why=error)
+        ) from None
     except (ArithmeticError, ValueError) as error:
-        raise CannotAnswer(f"{name if isinstance(name, str) else name()} has no value here: {error}") from None
+        raise CannotAnswer(
+            Message("{x} has no value here: {why}", x=name if isinstance(name, str) else name(), why=error)
+        ) from None

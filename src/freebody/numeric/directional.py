@@ -15,6 +15,7 @@ from collections.abc import Callable
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 
 _ORDER_8 = (4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0)
@@ -39,8 +40,10 @@ def derivative(f: Callable[[float], Array], scale: Array) -> Array:
             return (10.0 * slope - before[0]) / 9.0
         before = slope, gap
     raise CannotAnswer(
-        "the loads are not smooth in this pose (a friction or a stop that switches), so they have "
-        "no linear law of small motions there"
+        Message(
+            "the loads are not smooth in this pose (a friction or a stop that switches), so they have "
+            "no linear law of small motions there"
+        )
     )
 
 

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.families import is_one_family, soft_directions
@@ -100,8 +101,12 @@ class RestSearch:
             gap = self.reference.gap(row, g)
             if abs(gap.rate) > 1e-9 * max(self.reference.sizes.length, 1e-9):
                 raise CannotAnswer(
-                    f"there is no equilibrium, because {row.connection} moves at t = 0 (at {abs(gap.rate):.6g} in "
-                    "SI units). Give it a value that does not change, or ask for the motion instead"
+                    Message(
+                        "there is no equilibrium, because {connection} moves at t = 0 (at {rate:.6g} in "
+                        "SI units). Give it a value that does not change, or ask for the motion instead",
+                        connection=row.connection,
+                        rate=abs(gap.rate),
+                    )
                 )
 
     # -- one pose -----------------------------------------------------------------------------
@@ -160,7 +165,9 @@ class RestSearch:
             if here is not None:
                 return here
         given = ", ".join(f"{name} = {x:.6g}" for name, _measure, x in wanted)
-        raise CannotAnswer(f"no pose in reach of the start has {given} (in SI units); guess another one")
+        raise CannotAnswer(
+            Message("no pose in reach of the start has {given} (in SI units); guess another one", given=given)
+        )
 
     def try_balance(self, pose: CountedPose | None) -> LoadBalance | None:
         if pose is None:

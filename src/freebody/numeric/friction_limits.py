@@ -26,6 +26,7 @@ from scipy import optimize
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.numeric.instant import forces
 from freebody.numeric.jets import TIME, Array, JetGeometry
@@ -114,7 +115,13 @@ def _cone(
     place = {other.name: k for k, other in enumerate(held)}
     missing = [name for name in rub.load if name not in place]
     if missing:
-        raise CannotAnswer(f"the friction of {rub.name} depends on {', '.join(missing)}, which is not held")
+        raise CannotAnswer(
+            Message(
+                "the friction of {connection} depends on {names}, which is not held",
+                rub=rub.name,
+                names=", ".join(missing),
+            )
+        )
     pressing = [place[name] for name in rub.load]
     if len(pressing) == 1 and held[pressing[0]].unilateral:
         return FrictionCone(rub.name, row, forward, backward, ((pressing[0], float(held[pressing[0]].sign)),))

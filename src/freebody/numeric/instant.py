@@ -22,6 +22,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import FLOAT_FUNCTIONS, Sum, Symbol, domain, evaluate, free_symbols, substitute
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
@@ -60,7 +61,7 @@ def dynamics(reference: Reference, g: JetGeometry, cut: float | None = None) -> 
         a = a + _free_motion(reference, N, Q - M * a)
     multipliers = split.multipliers(M * a - Q)
     if not (np.isfinite(a).all() and np.isfinite(multipliers).all()):
-        raise CannotAnswer(f"the accelerations at t = {g.time.value:.6g} s are not finite")
+        raise CannotAnswer(Message("the accelerations at t = {t:.6g} s are not finite", t=g.time.value))
     return Dynamics(a, multipliers, split)
 
 
@@ -124,8 +125,12 @@ def check_laws(reference: Reference, g: JetGeometry) -> None:
                 own = Symbol(min(shown)) if shown else Symbol("its measure")
                 text = to_text(substitute(part, {VALUE.name: own}))
                 raise CannotAnswer(
-                    f"the law of {push.load} has no value where the motion would start: it divides by {text}, which is "
-                    "0 there. Start elsewhere, or write the law without that divisor"
+                    Message(
+                        "the law of {load} has no value where the motion would start: it divides by {x}, which is "
+                        "0 there. Start elsewhere, or write the law without that divisor",
+                        load=push.load,
+                        x=text,
+                    )
                 )
 
 
@@ -149,8 +154,10 @@ def _check_consistent(reference: Reference, split: Split, gaps: Array, b: Array)
     if gaps.size and gaps.max() > 1e-6 * b.max() + 1e-9 * split.row_scale.max() * reference.sizes.length:
         k = int(gaps.argmax())
         raise CannotAnswer(
-            f"{reference.system.held[k].name} cannot go on moving as it does: the connections contradict each "
-            "other in this singular pose"
+            Message(
+                "{what} cannot go on moving as it does: the connections contradict each other in this singular pose",
+                what=reference.system.held[k].name,
+            )
         )
 
 
@@ -161,6 +168,9 @@ def check_inertia(reference: Reference, N: Array, inertia: Array) -> None:
         return
     loose = reference.most_moved(N @ vectors[:, 0])
     raise CannotAnswer(
-        f"{loose} can move without inertia, so its acceleration is not determined. Give it a mass (and a "
-        "moment of inertia), or hold it"
+        Message(
+            "{what} can move without inertia, so its acceleration is not determined. Give it a mass (and a "
+            "moment of inertia), or hold it",
+            what=loose,
+        )
     )

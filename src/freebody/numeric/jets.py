@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, evaluate, free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.model.elements import Component, NonholonomicForm
@@ -419,8 +420,12 @@ class JetGeometry:
             raise CannotAnswer(NO_DIRECTION)
         if square <= 0.0:
             raise CannotAnswer(
-                f"the circles overlap: their centres are {math.sqrt(distance2.value):.6g} m apart, their "
-                f"tangent needs more than {abs(offset.value):.6g} m"
+                Message(
+                    "the circles overlap: their centres are {apart:.6g} m apart, their "
+                    "tangent needs more than {least:.6g} m",
+                    apart=math.sqrt(distance2.value),
+                    least=abs(offset.value),
+                )
             )
         length = cast("Jet", _call("sqrt", distance2 - offset * offset))
         angle = arc_tangent(v.y, v.x)

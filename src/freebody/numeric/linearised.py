@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.instant import check_inertia, each_force, forces
 from freebody.numeric.jets import Array, Branch
 from freebody.numeric.placing import PoseEquation
@@ -56,12 +57,17 @@ def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float])
     if np.linalg.norm(pull) > 1e-7 * scale + 1e-5 * moved:
         if reference.velocities(q, with_start=False).any():
             raise CannotAnswer(
-                "a driver keeps the system moving, so no pose of it is an equilibrium at rest; freebody modes takes "
-                "small motions about the steady motion beside the driver"
+                Message(
+                    "a driver keeps the system moving, so no pose of it is an equilibrium at rest; freebody modes "
+                    "takes small motions about the steady motion beside the driver"
+                )
             )
         raise CannotAnswer(
-            f"this pose is no equilibrium: the loads set {reference.most_moved(N @ pull)} in motion. Ask for "
-            "the frequencies about an equilibrium"
+            Message(
+                "this pose is no equilibrium: the loads set {names} in motion. Ask for "
+                "the frequencies about an equilibrium",
+                names=reference.most_moved(N @ pull),
+            )
         )
     return mass, K
 
@@ -79,9 +85,11 @@ def frequencies(mass: Array, K: Array) -> Array:
     else:
         eigenvalues = np.linalg.eigvals(A)
         if np.abs(eigenvalues.imag).max() > 1e-7 * largest:
-            raise CannotAnswer("the loads have no potential, and the motion about this pose grows (flutter)")
+            raise CannotAnswer(Message("the loads have no potential, and the motion about this pose grows (flutter)"))
         squares = np.sort(eigenvalues.real)
     squares[np.abs(squares) < 1e-9 * largest] = 0.0
     if squares[0] < 0.0:
-        raise CannotAnswer(f"the equilibrium is unstable: a small motion grows at {math.sqrt(-squares[0]):.6g} 1/s")
+        raise CannotAnswer(
+            Message("the equilibrium is unstable: a small motion grows at {rate:.6g} 1/s", rate=math.sqrt(-squares[0]))
+        )
     return np.sqrt(squares)

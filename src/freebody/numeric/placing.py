@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
@@ -91,7 +92,10 @@ class Fit:
         # of gaps that are equally large round-off does not choose one, nor does their order
         largest = np.flatnonzero(sizes >= (1.0 - 1e-6) * sizes.max())
         k = min(largest.tolist(), key=lambda n: self.equations[n].name)
-        return f"{self.equations[k].name} is off by {abs(self.gaps[k]):.3g} {self.equations[k].unit}"
+        equation = self.equations[k]
+        return Message(
+            "{name} is off by {gap:.3g} {unit}", name=equation.name, gap=abs(self.gaps[k]), unit=equation.unit
+        )
 
 
 @dataclass(frozen=True)
@@ -105,9 +109,11 @@ class Placing:
         """The pose near q that fulfils the equations. Raises CannotAnswer if there is none in reach."""
         fit = self.fit(q, equations, t, near)
         if fit is None:
-            raise CannotAnswer(f"a held measure has no value in the pose at t = {t:.6g} s")
+            raise CannotAnswer(Message("a held measure has no value in the pose at t = {t:.6g} s", t=t))
         if fit.error > ACCEPTED:
-            raise CannotAnswer(f"no pose in reach at t = {t:.6g} s holds everything: {fit.worst}")
+            raise CannotAnswer(
+                Message("no pose in reach at t = {t:.6g} s holds everything: {worst}", t=t, worst=fit.worst)
+            )
         return fit
 
     def fit(

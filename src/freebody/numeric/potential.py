@@ -16,6 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, children, evaluate, free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.checks import finite, named
@@ -31,10 +32,10 @@ def potential(reference: Reference, push: AppliedLoad, value: Callable[[Measure]
     law, needed = push.law, free_symbols(push.law) - set(reference.frame.values) - {VALUE.name}
     own = {name for name, measure in push.measures if measure == push.measure}
     if isinstance(push.measure, NonholonomicForm):
-        raise CannotAnswer(f"{push.name} has no potential: its direction turns with a body")
+        raise CannotAnswer(Message("{load} has no potential: its direction turns with a body", load=push.name))
     if needed - own or _has_rate(law):
         names = ", ".join(sorted(needed - own - {RATE.name})) or "a rate"
-        raise CannotAnswer(f"{push.name} has no potential: its law depends on {names}")
+        raise CannotAnswer(Message("{load} has no potential: its law depends on {names}", load=push.name, names=names))
     origin = reference.start_value(push.measure)
 
     def force(x: Array) -> Array:

@@ -20,6 +20,7 @@ import numpy as np
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, evaluate
 from freebody.language.natural import natural
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
@@ -198,7 +199,7 @@ class Reference:
         """The system at one instant; its accelerations and reactions are found when they are first asked for.
         Angles of lines are counted on from those of `near`, or of the start."""
         if not (np.isfinite(q).all() and np.isfinite(v).all() and math.isfinite(t)):
-            raise CannotAnswer(f"the state at t = {t:.6g} s is not finite")
+            raise CannotAnswer(Message("the state at t = {t:.6g} s is not finite", t=t))
         return Snapshot(self, self.geometry(q, v, t, near.branches if near else None), q, v, t)
 
     def integrate(
@@ -293,8 +294,8 @@ class Reference:
             self.assemble()
         origin = (self._origins or {}).get(self.frame.number(measure))
         if origin is None:
-            why = self._without_origin.get(self.frame.number(measure), "a measure that counts from the start")
-            raise CannotAnswer(f"{why}: it has no value at the start")
+            why = self._without_origin.get(self.frame.number(measure), Message("a measure that counts from the start"))
+            raise CannotAnswer(Message("{what}: it has no value at the start", what=why))
         return origin
 
     # -- for the engine -----------------------------------------------------------------------
@@ -356,7 +357,9 @@ def _numbers(system: System, values: Mapping[str, float]) -> dict[str, float]:
     if missing:
         open_ = [name for name in missing if name in system.unspecified]
         where = "at its place in the model" if open_ == missing else "under parameters"
-        raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; give one {where}")
+        raise CannotAnswer(
+            Message("numbers need a value for {names}; give one {how}", names=", ".join(missing), how=where)
+        )
     return {name: float(value) for name, value in given.items() if value is not None}
 
 

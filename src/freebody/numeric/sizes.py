@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
@@ -109,7 +110,7 @@ def typical_length(system: System, number: Callable[[Expr], float]) -> float:
 def _small_moves(masses: Array, turning: NDArray[np.bool_], near: Sequence[Near]) -> Array:
     """1/sqrt(mass) for every coordinate: the move that costs a unit of (twice the) kinetic energy."""
     if (masses < 0.0).any():
-        raise CannotAnswer("with these parameters a mass or a moment of inertia is negative")
+        raise CannotAnswer(Message("with these parameters a mass or a moment of inertia is negative"))
     arms = np.where(turning, [n.arm for n in near], 1.0)
     light = LIGHT * np.array([n.lightest for n in near]) * arms**2
     return 1.0 / np.sqrt(np.where(masses == 0.0, light, masses))

@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.directional import derivative
@@ -146,8 +147,10 @@ class SmallMotion:
         self.positions = coordinates(reference, g, free_places)
         if reference.system.space and at.v.any() and any(c.measure is None for c in self.positions):
             raise CannotAnswer(
-                "small motions about a state that turns are counted in measures: name angles or places that tell the "
-                "pose, under measures or by turned"
+                Message(
+                    "small motions about a state that turns are counted in measures: name angles or places that tell "
+                    "the pose, under measures or by turned"
+                )
             )
         self.speeds = self.positions if all(places) else _among(self.positions, self.split.null, D)
         self._G_places = stack([c.row for c in self.positions], n)

@@ -15,6 +15,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.instant import Dynamics, dynamics, law
@@ -90,7 +91,7 @@ class Snapshot:
         rows = self.reference.system.held
         found = next((k for k, other in enumerate(rows) if other is row), None)
         if found is None and row not in rows:
-            raise CannotAnswer(f"{row.name} is not held in this system")
+            raise CannotAnswer(Message("{row} is not held in this system", row=row.name))
         return rows.index(row) if found is None else found
 
     def multiplier(self, row: ConstraintRow) -> float:
@@ -100,8 +101,13 @@ class Snapshot:
             shared = np.abs(empty @ empty[k]) > UNIQUE
             names = dict.fromkeys(other.connection for other, is_one in zip(rows, shared, strict=True) if is_one)
             raise CannotAnswer(
-                f"the {row.reaction} of {row.name} is not unique: {', '.join(names)} hold the same thing "
-                "more than once. Remove what is redundant"
+                Message(
+                    "the {reaction} of {row} is not unique: {names} hold the same thing "
+                    "more than once. Remove what is redundant",
+                    reaction=row.reaction,
+                    row=row.name,
+                    names=", ".join(names),
+                )
             )
         return float(self._dynamics.multipliers[k])
 
@@ -115,7 +121,7 @@ class Snapshot:
     def sqrt(self, x: Any) -> float:
         value = float(x)
         if not value >= 0.0:
-            raise CannotAnswer(f"there is no real root of {value:.6g}")
+            raise CannotAnswer(Message("there is no real root of {x:.6g}", x=value))
         return math.sqrt(value)
 
     def _jet(self, measure: Measure | NonholonomicForm) -> Jet:

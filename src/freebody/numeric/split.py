@@ -16,6 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 
 RANK_CUT = 1e-10  # singular values below this part of the largest count as zero
@@ -25,7 +26,7 @@ def stack(rows: Sequence[Array], n: int) -> Array:
     """Rows of n entries as a matrix, even if there are none. Raises CannotAnswer for infinite entries."""
     J = np.array(rows, dtype=np.float64).reshape(len(rows), n)
     if not np.isfinite(J).all():
-        raise CannotAnswer("a measure has no finite gradient in this pose")
+        raise CannotAnswer(Message("a measure has no finite gradient in this pose"))
     return J
 
 

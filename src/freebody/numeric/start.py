@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freebody.budgets import allowed, exhausted
+from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -112,8 +113,10 @@ def assembled(reference: Reference, extra: Wanted, guess: Array | None, n_starts
         near |= fit.branches
     fit = reference.placing.fit(q, _equations(reference, extra), 0.0, near, n_steps=0)
     if fit is None or fit.error > ACCEPTED:
-        off = "a measure has no value" if fit is None else f"at best {fit.worst}"
-        raise CannotAnswer(f"the start cannot be assembled: {off}. Change the start of the model or the lengths")
+        off = Message("a measure has no value") if fit is None else Message("at best {worst}", worst=fit.worst)
+        raise CannotAnswer(
+            Message("the start cannot be assembled: {why}. Change the start of the model or the lengths", why=off)
+        )
     return fit
 
 
@@ -191,17 +194,33 @@ def _assembled_whole(reference: Reference, extra: Wanted, guess: Array | None, n
             break
     if best is None and facing is not None:
         raise CannotAnswer(
-            f"the start cannot be assembled: in the poses that were found an axis of {facing.first} points against "
-            f"that of {facing.second} with which a joint makes it parallel. Say with turned how one is turned"
+            Message(
+                "the start cannot be assembled: in the poses that were found an axis of {a} points against "
+                "that of {b} with which a joint makes it parallel. Say with turned how one is turned",
+                a=facing.first,
+                b=facing.second,
+            )
         )
     if best is None:
-        raise CannotAnswer("no start pose was found in which all measures have a value; give positions with at")
+        raise CannotAnswer(
+            Message("no start pose was found in which all measures have a value; give positions with at")
+        )
     if best.error > ACCEPTED:
-        turned = "turned" if reference.system.space else "angle"
-        at_best = f"at best {best.worst}. Change the start of the model (at, {turned}, start) or the lengths"
+        at_best = Message(
+            "at best {worst}. Change the start of the model (at, {turned}, start) or the lengths",
+            worst=best.worst,
+            turned="turned" if reference.system.space else "angle",
+        )
         if left <= 0:
-            raise BudgetExhausted(f"a start that can be assembled was {exhausted(MOST_STEPS, 'steps')}: {at_best}")
-        raise CannotAnswer(f"the start cannot be assembled: {at_best}")
+            raise BudgetExhausted(
+                Message(
+                    "a start that can be assembled was not found within {n} steps; raise the effort (--effort) to look "
+                    "further: {at_best}",
+                    n=allowed(MOST_STEPS),
+                    at_best=at_best,
+                )
+            )
+        raise CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
     return best
 
 
@@ -238,9 +257,17 @@ def _refuse_singular(reference: Reference, body: RigidBody) -> None:
     middle = next(k for k in range(3) if k not in (first, last))
     order = ", ".join(f"{name} about {'xyz'[k]}" for name, k in zip(named, (first, middle, last), strict=True))
     raise CannotAnswer(
-        f"at the start {named[1]} = {math.degrees(given[named[1]]):.6g} deg, where {named[0]} and {named[2]} turn "
-        f"{body.name} about the same axis, so that they are not determined (a singular pose of these angles). Name "
-        f"angles in another order, e.g. turned: [{order}], or start beside that pose"
+        Message(
+            "at the start {middle} = {degrees:.6g} deg, where {first} and {last} turn "
+            "{body} about the same axis, so that they are not determined (a singular pose of these angles). Name "
+            "angles in another order, e.g. turned: [{order}], or start beside that pose",
+            middle=named[1],
+            degrees=math.degrees(given[named[1]]),
+            first=named[0],
+            last=named[2],
+            body=body.name,
+            order=order,
+        )
     )
 
 
@@ -334,8 +361,12 @@ def start_velocities(reference: Reference, g: JetGeometry, extra: Wanted, *, wit
     if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):
         k = int(gaps.argmax())
         raise CannotAnswer(
-            f"the velocities contradict each other: at best {wanted[k][0]} is off by {gaps[k]:.3g} (in SI "
-            "units). Change or remove one of them"
+            Message(
+                "the velocities contradict each other: at best {name} is off by {gap:.3g} (in SI "
+                "units). Change or remove one of them",
+                name=wanted[k][0],
+                gap=gaps[k],
+            )
         )
     return v
 

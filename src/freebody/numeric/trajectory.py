@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.event import EventWatch
 from freebody.numeric.instant import dynamics
@@ -78,7 +79,9 @@ def integrate(
     watch = None if event is None else EventWatch(event, now)
     while until - now.t > 1e-14 * max(1.0, abs(until)):
         if len(snapshots) > N_STEPS:
-            raise CannotAnswer(f"{N_STEPS} steps reach only t = {now.t:.6g} s of {until:.6g} s")
+            raise CannotAnswer(
+                Message("{n} steps reach only t = {t:.6g} s of {until:.6g} s", n=N_STEPS, t=now.t, until=until)
+            )
         solver = steps.solver(now, until, size)
         after = steps.stepped(now, solver)
         if watch is not None:
@@ -88,7 +91,7 @@ def integrate(
         snapshots.append(after)
         now, size = after, float(solver.h_abs)
     if watch is not None:
-        raise CannotAnswer(f"the event does not happen until t = {until:.6g} s")
+        raise CannotAnswer(Message("the event does not happen until t = {until:.6g} s", until=until))
     return ReferenceTrajectory(reference, tuple(snapshots))
 
 
@@ -122,7 +125,9 @@ class _Steps:
         """The state after one step of the solver."""
         message, n = solver.step(), len(of.q)
         if solver.status == "failed":
-            raise CannotAnswer(f"the motion cannot be followed beyond t = {of.t:.6g} s: {message}")
+            raise CannotAnswer(
+                Message("the motion cannot be followed beyond t = {t:.6g} s: {why}", t=of.t, why=message)
+            )
         return self.projected(solver.y[:n], solver.y[n:], float(solver.t), of)
 
     def followed(self, of: Snapshot, end: float) -> Snapshot:

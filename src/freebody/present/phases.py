@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.present.files import replaced
 from freebody.present.terminal import wrapped
 
@@ -94,7 +95,7 @@ def _other(phase: PhaseResult) -> str:
 
 
 def _never(phase: PhaseResult) -> str:
-    return "no event ends it" if phase.is_proved else "no event was found that ends it"
+    return Message("no event ends it") if phase.is_proved else "no event was found that ends it"
 
 
 def case_lines(answer: Answer) -> Iterator[str]:

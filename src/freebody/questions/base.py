@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, RigidBody
@@ -144,8 +144,11 @@ class Quantity:
         Raises CannotAnswer for quantities that are no property of one instant."""
         words = self.kind or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(self).__name__).lower()
         raise CannotAnswer(
-            f"what is asked ({words}) has no value at one instant: ask for it alone, without at or when, and where "
-            "no contact or friction changes"
+            Message(
+                "what is asked ({words}) has no value at one instant: ask for it alone, without at or when, and where "
+                "no contact or friction changes",
+                words=words,
+            )
         )
 
     def counted(self, passage: Passage[Any]) -> Any:

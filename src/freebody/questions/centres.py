@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.state import State
@@ -49,9 +49,18 @@ questions: {it: instant centre of wheel}
             pair = self.body if self.relative_to == GROUND else f"{self.body} relative to {self.relative_to}"
             if _vanishes(dx) and _vanishes(dy):
                 raise CannotAnswer(
-                    f"{pair} is at rest: a body that does not move has no instant centre. Give rates under start"
+                    Message(
+                        "{body} is at rest: a body that does not move has no instant centre. Give rates under start",
+                        body=pair,
+                    )
                 )
-            raise CannotAnswer(f"{pair} is in translation: the centre is at infinity along {_normal(dx, dy)}")
+            raise CannotAnswer(
+                Message(
+                    "{body} is in translation: the centre is at infinity along {direction}",
+                    body=pair,
+                    direction=_normal(dx, dy),
+                )
+            )
         return -dy / w, dx / w
 
     def sentence(self, system: Described) -> Sentence:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ENERGY, POWER, Dimension
 from freebody.model.names import did_you_mean
 from freebody.model.state import State
@@ -37,7 +37,7 @@ questions: {it: force in spring}
     def value(self, system: Described, state: State[Any]) -> Any:
         pushes = [p for p in system.pushes if p.load == self.load]
         if len(pushes) != 1:
-            raise CannotAnswer(f"{self.load} acts on several bodies; ask for one body's part")
+            raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
         return system.loads[self.load].pulling_sign * state.law(pushes[0])
 
     def sentence(self, system: Described) -> Sentence:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import NOTHING, Argument, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import ANGULAR_MOMENTUM, MOMENTUM
 from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RigidBody
@@ -189,7 +189,7 @@ def _mass_center(system: Described, state: State[Any], group: Group) -> tuple[Ve
     try:
         return tuple(c / total for c in moment), tuple(c / total for c in momentum)
     except ZeroDivisionError:
-        raise CannotAnswer("these bodies have no mass, and so no mass centre") from None
+        raise CannotAnswer(Message("these bodies have no mass, and so no mass centre")) from None
 
 
 def _own_spin(system: Described, state: State[Any], b: RigidBody) -> Vector:

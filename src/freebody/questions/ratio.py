@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.state import State
 from freebody.questions.base import Described, Found, Path, Quantity, asked
@@ -67,11 +67,13 @@ questions: {it: ratio of angular velocity of small to angular velocity of big}
 def quotient(top: Any, bottom: Any) -> Any:
     """One value over another. Raises CannotAnswer for vectors, and where the lower one is zero."""
     if isinstance(top, tuple) or isinstance(bottom, tuple):
-        raise CannotAnswer("a ratio is one of numbers, and a vector stands in it: ask for it along a direction")
+        raise CannotAnswer(
+            Message("a ratio is one of numbers, and a vector stands in it: ask for it along a direction")
+        )
     try:
         return top / bottom
     except ZeroDivisionError:
-        raise CannotAnswer("the ratio has no value, because what stands below is zero") from None
+        raise CannotAnswer(Message("the ratio has no value, because what stands below is zero")) from None
 
 
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import NOTHING, Argument, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow, StringStretch
@@ -139,8 +139,10 @@ questions: {it: reaction of rod on bob}
         return self.moment
 
     def remark(self, system: Described) -> str:
-        what = "moment" if self.moment else "force"
-        return f"the {what} that {self.connection} exerts on {self.body(system)}"
+        connection, body = self.connection, self.body(system)
+        if self.moment:
+            return Message("the moment that {connection} exerts on {body}", connection=connection, body=body)
+        return Message("the force that {connection} exerts on {body}", connection=connection, body=body)
 
     def body(self, system: Described) -> str:
         """The body on which the force is asked: the one named, else the one that is not fixed, else the second that the
@@ -149,11 +151,18 @@ questions: {it: reaction of rod on bob}
         bodies = list(dict.fromkeys(b for row in rows for b in row.measure.bodies()))
         if self.on is not None:
             if self.on not in bodies:
-                raise CannotAnswer(f"{self.connection} does not act on {self.on}, but on {', '.join(bodies)}")
+                raise CannotAnswer(
+                    Message(
+                        "{connection} does not act on {body}, but on {bodies}",
+                        connection=self.connection,
+                        body=self.on,
+                        bodies=", ".join(bodies),
+                    )
+                )
             return self.on
         moving = [b for b in bodies if not system.bodies[b].fixed]
         if not moving:
-            raise CannotAnswer(f"{self.connection} joins fixed bodies only")
+            raise CannotAnswer(Message("{connection} joins fixed bodies only", connection=self.connection))
         return moving[0]
 
     def value(self, system: Described, state: State[Any]) -> Any:

@@ -10,6 +10,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import Stated, to_python
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split, stack
@@ -34,20 +35,23 @@ def assumed_at_start(setup: Setup, answers: Sequence[Answer]) -> tuple[str, ...]
 def _start_symbols(setup: Setup, answers: Sequence[Answer]) -> Iterator[str]:
     model = setup.model
     names = {c.index: c.name for c in (*model.coordinates, *model.dependent)}
-    meanings = [(symbol, f"what {row} keeps") for row, symbol in model.constants.items()]
-    meanings += [(symbol, f"what {names[k]} is") for k, symbol in model.samples.start_symbols.items() if k in names]
+    meanings: list[tuple[Ratio, str]] = [
+        (symbol, Message("what {row} keeps", row=row)) for row, symbol in model.constants.items()
+    ]
+    meanings += [
+        (symbol, Message("what {name} is", name=names[k]))
+        for k, symbol in model.samples.start_symbols.items()
+        if k in names
+    ]
     used = set[str]().union(*(_symbols(answer) for answer in answers))
     for symbol, meaning in meanings:
         name = to_python(tidy(symbol))
         if name in used:
-            value = ""
+            told = Message("{name} is {meaning} at the start", name=name, meaning=meaning)
             if setup.has_values:
                 with suppress(CannotAnswer, ArithmeticError, KeyError):
-                    value = f" ({_number(setup, symbol):.6g} in SI units)"
-            yield (
-                f"{name} is {meaning} at the start{value}: the model does not say it, and it has no formula in the "
-                "parameters"
-            )
+                    told = Message("{what} ({x:.6g} in SI units)", what=told, x=_number(setup, symbol))
+            yield Message("{what}: the model does not say it, and it has no formula in the parameters", what=told)
 
 
 def _symbols(answer: Answer) -> set[str]:

@@ -20,6 +20,7 @@ from functools import cached_property, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
@@ -41,7 +42,7 @@ class IsVector(CannotAnswer):
     """A vector was asked for where a scalar is meant."""
 
     def __init__(self) -> None:
-        super().__init__("a vector is conserved along some directions and not along others; name one")
+        super().__init__(Message("a vector is conserved along some directions and not along others; name one"))
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,13 @@ class RateBalance:
             if c.name == name:
                 return c
         known = ", ".join(c.name for c in self.model.coordinates)
-        raise CannotAnswer(f"{name} is no generalized coordinate of this system; these are: {known or 'none'}")
+        raise CannotAnswer(
+            Message(
+                "{name} is no generalized coordinate of this system; these are: {known}",
+                name=name,
+                known=known or Message("none"),
+            )
+        )
 
     @_value.register(GeneralizedMomentum)
     def _value_of_conjugate(self, q: GeneralizedMomentum) -> Ratio:
@@ -104,7 +111,7 @@ class RateBalance:
     def _energy(self, q: Energy) -> Ratio:
         if q.is_up_to_constant and self.unwritten:
             names = ", ".join(dict.fromkeys(push.load for push in self.unwritten))
-            raise CannotAnswer(f"the potential energy of {names} has no closed form here")
+            raise CannotAnswer(Message("the potential energy of {loads} has no closed form here", loads=names))
         kinetic = self.field.element(Energy("kinetic", q.body).value(self.system, self.state))
         potential = self.field.zero
         for push in self.storing:
@@ -143,7 +150,7 @@ class RateBalance:
         if m.loops or (has_potential and self.unwritten):
             principle = self.by_principle() if has_potential else None
             if principle is None:
-                raise CannotAnswer("closed loops bind the coordinates, so its rate has no short form")
+                raise CannotAnswer(Message("closed loops bind the coordinates, so its rate has no short form"))
             return m.field.lowest_terms(principle.total(m.field.zero))
         rate = m.in_independent_speeds(m.rate(self.value))
         if rate.generators() & set(m.accelerations):
@@ -164,10 +171,10 @@ class RateBalance:
         assert q.along is not None
         e = components_of(q.along, self.state, self._n)
         parts = [(name, dot(push[: self._n], e)) for name, push in self._from_outside(q.body)]
-        statement = "dP/dt along a fixed direction is the force from outside along it"
+        statement = Message("dP/dt along a fixed direction is the force from outside along it")
         if self._turns(q.along):
             momentum = Momentum(q.body).value(self.system, self.state)
-            parts.append(("P·de/dt, since the direction turns", dot(momentum, self._rates(e))))
+            parts.append((Message("P·de/dt, since the direction turns"), dot(momentum, self._rates(e))))
             statement = "d(P·e)/dt = F·e + P·de/dt"
         return RatePrinciple(statement, tuple(parts))
 
@@ -181,18 +188,18 @@ class RateBalance:
             center = place(self.system, self.state, self.system.bodies[body].mass_center)
             arm = tuple(c - o for c, o in zip(center, about, strict=True))
             moment = tuple(m + x for m, x in zip(push[n:], cross(arm, push[:n]), strict=True))
-            parts.append((f"moment of {name}", dot(moment, e)))
+            parts.append((Message("moment of {load}", load=name), dot(moment, e)))
         momentum = Momentum(q.body).value(self.system, self.state)
         along = dot(cross(velocity, momentum), e)
         carried = self.field.lowest_terms(-self.field.element(along))
-        statement = "dH/dt = M about this point"
+        statement = Message("dH/dt = M about this point")
         extra: list[tuple[str, Ratio]] = []
         if not carried.is_zero():
-            statement = "dH/dt = M - v × P about the moving point"
+            statement = Message("dH/dt = M - v × P about the moving point")
             extra.append(("-v × P", carried))
         if q.along is not None and self._turns(q.along):
             whole = replace(q, along=None).value(self.system, self.state)
-            extra.append(("H·de/dt, since the direction turns", dot(whole, self._rates(e))))
+            extra.append((Message("H·de/dt, since the direction turns"), dot(whole, self._rates(e))))
             statement += ", and H·de/dt along the turning direction"
         return RatePrinciple(statement, (*_merged(parts, self.field.zero), *extra))
 
@@ -219,7 +226,9 @@ class RateBalance:
             rate = self.state.rate(row.measure)
             if not rate.is_zero() and row.target is not None:
                 parts.append((f"power of {row.connection}", self.state.multiplier(row) * rate))
-        return RatePrinciple("d(T + V)/dt is the power of what stores no energy", _merged(parts, self.field.zero))
+        return RatePrinciple(
+            Message("d(T + V)/dt is the power of what stores no energy"), _merged(parts, self.field.zero)
+        )
 
     @_principle.register(GeneralizedMomentum)
     def _of_conjugate(self, q: GeneralizedMomentum) -> RatePrinciple:
@@ -234,7 +243,7 @@ class RateBalance:
             for momentum, slope, gyroscopic in zip(self._momentum_of(name), partials[k], turning, strict=True):
                 # along turning axes dT/dq is not the momentum times the rate of dv/du alone
                 change = change + momentum * self._in_speeds(m.rate(slope)) - gyroscopic * slope
-        parts = ((f"generalized force along {c.name}", self._in_speeds(force)), (f"dT/d{c.name}", change))
+        parts = ((Message("generalized force along {x}", x=c.name), self._in_speeds(force)), (f"dT/d{c.name}", change))
         return RatePrinciple("dp/dt = Q + dT/dq", parts)
 
     def _momentum_of(self, body: str) -> tuple[Ratio, ...]:

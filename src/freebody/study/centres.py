@@ -18,6 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -83,8 +84,11 @@ def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
     free = reference.split_at(snapshot.q, snapshot.branches, snapshot.t).null
     if free.shape[1] != 1:
         raise CannotAnswer(
-            f"the pose has {free.shape[1]} degrees of freedom; centres and ratios of the pose alone need exactly one. "
-            "Drive the others, or ask for the instant centre of one body at given rates"
+            Message(
+                "the pose has {n} degrees of freedom; centres and ratios of the pose alone need exactly one. "
+                "Drive the others, or ask for the instant centre of one body at given rates",
+                n=free.shape[1],
+            )
         )
     v = free[:, 0] / (float(reference.sizes.relative(free[:, 0]).max()) or 1.0)
     return reference.snapshot(snapshot.q, v, snapshot.t, snapshot)
@@ -94,7 +98,9 @@ def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str],
     """The centres of all pairs of bodies that turn; fixed bodies count as the ground. Raises CannotAnswer unless the
     pose has exactly one freedom, and in space."""
     if system.space:
-        raise CannotAnswer("bodies have instant centres in the plane; in space they move about screws, see mobility")
+        raise CannotAnswer(
+            Message("bodies have instant centres in the plane; in space they move about screws, see mobility")
+        )
     moving = _along_freedom(system, snapshot)
     size = snapshot.reference.sizes.length
     bodies = [GROUND, *(b.name for b in system.moving if b.turns)]
@@ -127,7 +133,11 @@ def velocity_ratios(system: System, snapshot: Snapshot, input: str | Measure) ->
     rate = moving.rate(driving)
     size = snapshot.reference.sizes.length if driving.dimension == LENGTH else 1.0
     if abs(rate) <= STILL * size:
-        raise CannotAnswer(f"{name} stands still in this pose while others move (a dead point); choose another input")
+        raise CannotAnswer(
+            Message(
+                "{name} stands still in this pose while others move (a dead point); choose another input", name=name
+            )
+        )
     measures: dict[str, Measure] = {b.name: Angle(b.name) for b in system.moving if b.turns and not system.space}
     measures |= system.measures
     return {
@@ -144,7 +154,9 @@ def _input(system: System, input: str | Measure) -> tuple[Measure, str]:
     if input in system.bodies and system.bodies[input].turns:
         return Angle(input), f"the angle of {input}"
     known = ", ".join([*system.measures, *(b.name for b in system.moving if b.turns)])
-    raise CannotAnswer(f"{input} is no named measure and no body that turns; there is {known}")
+    raise CannotAnswer(
+        Message("{name} is no named measure and no body that turns; there is {known}", name=input, known=known)
+    )
 
 
 def _unit(dimension: Dimension) -> str:

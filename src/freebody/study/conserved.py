@@ -21,6 +21,7 @@ from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import joined, reworded, to_python, to_text
+from freebody.language.sentences import Message, further
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Point
 from freebody.questions.base import Quantity
@@ -191,7 +192,7 @@ class Judge:
         """The rate of a quantity and the cases in which it vanishes."""
         f = self.model.field
         if all(f.element(i).is_zero() for inertia in self.model.dynamics.inertias.values() for i in inertia):
-            raise CannotAnswer("nothing with mass moves here. Give the bodies masses or inertias")
+            raise CannotAnswer(Message("nothing with mass moves here. Give the bodies masses or inertias"))
         balance = RateBalance(quantity, self.system, self.setup.state, name)
         try:
             rate = balance.rate
@@ -210,7 +211,7 @@ class Judge:
         cases = tuple(case for case in cases if not self._is_between_sizes(case) and self._has_value(balance, case))
         is_exact = len(coefficients) == 1 or (not self.model.loops and all(case.is_solved for case in cases))
         if not is_exact and cases:
-            notes += ("these conditions are enough; that there are no others is not proved",)
+            notes += (Message("these conditions are enough; that there are no others is not proved"),)
         return ConservationFinding(balance, cases, is_exact, principle, notes)
 
     def _special(self, rate: Ratio) -> Iterator[VanishingCase]:
@@ -244,14 +245,18 @@ class Judge:
         """A verdict without a formula: a motion along which it changes refutes it for good."""
         drifts = [motion.drift for motion in self.runs.along(balance, None)]
         if not drifts:
-            raise CannotAnswer(f"{why}, and no motion could be simulated")
+            raise CannotAnswer(Message("{why}, and no motion could be simulated", why=why))
         if max(drifts) > VISIBLE:
             cases = tuple(self._without_loads(balance))
-            note = "; found by simulation" + ("; there may be more conditions" if cases else "")
-            return ConservationFinding(balance, cases, False, None, (f"{why}{note}",))
+            note = further(why, Message("found by simulation"))
+            if cases:
+                note = further(note, Message("there may be more conditions"))
+            return ConservationFinding(balance, cases, False, None, (note,))
         if max(drifts) > TOLERANCE:
-            raise CannotAnswer(f"{why}, and in simulations it changes by {max(drifts):.1g} of its size")
-        note = f"{why}; it is constant in {len(drifts)} simulated motions, which is no proof"
+            raise CannotAnswer(
+                Message("{why}, and in simulations it changes by {share:.1g} of its size", why=why, share=max(drifts))
+            )
+        note = Message("{why}; it is constant in {n} simulated motions, which is no proof", why=why, n=len(drifts))
         return ConservationFinding(balance, (VanishingCase((), {}),), False, None, (note,))
 
     @staticmethod
@@ -291,7 +296,7 @@ class Judge:
         try:
             principle = balance.by_principle()
         except CannotAnswer as error:
-            return None, (f"not compared with the balance of forces: {error}",)
+            return None, (Message("not compared with the balance of forces: {why}", why=error),)
         if self.model.loops:
             return principle, ()
         if principle is None:
@@ -302,8 +307,11 @@ class Judge:
             # along motions only, and these are not determined.
             _ = self.model.dynamics.solved_accelerations
             raise RoutesDisagree(
-                f"the rate of {balance.name} by its principle is not the one by differentiation. "
-                "No answer is shown. This is a defect of freebody; please report the model"
+                Message(
+                    "the rate of {name} by its principle is not the one by differentiation. "
+                    "No answer is shown. This is a defect of freebody; please report the model",
+                    name=balance.name,
+                )
             )
         return principle, ()
 
@@ -362,7 +370,7 @@ class Judge:
             notes += self._in_words(balance.quantity, found.cases)
         confirmation, counter = confirm(self.runs, balance, found.cases, is_conserved)
         if is_conserved is not True and counter is None:
-            notes.append("no simulated motion with the numbers of the file showed a change")
+            notes.append(Message("no simulated motion with the numbers of the file showed a change"))
         parts: tuple[tuple[str, Expr], ...] = ()
         if found.principle is not None:
             reduced = [(what, self._reduced(part)) for what, part in found.principle.parts]
@@ -436,7 +444,7 @@ class Judge:
                     names[to_text(f.generators[index].display)] = None
         if names:
             listed = ", ".join(names)
-            yield f"the file declares {listed} positive: the condition is the edge of what it allows"
+            yield Message("the file declares {p} positive: the condition is the edge of what it allows", p=listed)
 
     @singledispatchmethod
     def _in_words(self, q: Quantity, cases: Sequence[VanishingCase]) -> Iterator[str]:
@@ -459,18 +467,29 @@ class Judge:
         for case in cases:
             with suppress(CannotAnswer):
                 if case.equalities and all(case.put_in(x).is_zero() for x in apart):
-                    means = f"means that the mass centre of {bodies[0].name} coincides with {q.about}"
                     where = texts_of([case])[0]
-                    yield reworded(f"{where} {means}", where)
+                    means = Message(
+                        "{case} means that the mass centre of {body} coincides with {point}",
+                        case=where,
+                        body=bodies[0].name,
+                        point=q.about,
+                    )
+                    yield reworded(means, where)
 
 
 def _along(axis: str, v: Verdicts) -> str:
     """The verdict on one component."""
     if v.is_conserved:
-        return f"along {axis}: conserved"
+        return Message("along {axis}: conserved", axis=axis)
     when = joined(v.conditions, " or ")
-    rate = "" if v.rate is None else f", rate {to_text(v.rate)}"
-    return reworded(f"along {axis}: {f'if {when}' if when else 'not conserved'}{rate}", when)
+    told = (
+        Message("along {axis}: if {case}", axis=axis, case=when)
+        if when
+        else Message("along {axis}: not conserved", axis=axis)
+    )
+    if v.rate is not None:
+        told = Message("{case}, rate {rate}", case=told, rate=to_text(v.rate))
+    return reworded(told, when)
 
 
 # -- the search -------------------------------------------------------------------------------

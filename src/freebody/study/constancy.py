@@ -19,6 +19,7 @@ import numpy as np
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, Symbol, number, substitute
+from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import work_between
@@ -50,7 +51,7 @@ class Confirmation:
     motions: int
     largest_drift: float | None  # of a conserved quantity, by its size
     smallest_change: float | None  # of one that is not, by its size
-    route: str = "simulation from general poses and speeds at random admissible numbers"
+    route: str = Message("simulation from general poses and speeds at random admissible numbers")
 
     def to_plain(self) -> dict[str, Any]:
         return {
@@ -94,8 +95,12 @@ def confirm(
             for motion in runs.along(balance, case if case.equalities else None):
                 if motion.drift > TOLERANCE:
                     raise RoutesDisagree(
-                        f"the {name} should stay constant, and changes by {motion.drift:.2g} of its size in a "
-                        "simulation. No answer is shown. This is a defect of freebody; please report the model"
+                        Message(
+                            "the {name} should stay constant, and changes by {drift:.2g} of its size in a "
+                            "simulation. No answer is shown. This is a defect of freebody; please report the model",
+                            name=name,
+                            drift=motion.drift,
+                        )
                     )
                 drifts.append(motion.drift)
     if is_conserved is not True:
@@ -203,7 +208,7 @@ def _in_case(setup: Setup, draw: Draw, case: VanishingCase) -> Draw:
             others = {p.name: p.form for p in system.parameters.values() if p.form is not None}
             related = substitute(model.field.expression(element), others)
             if order or "rate(" in str(related):
-                raise CannotAnswer("the case relates rates of given functions to each other")
+                raise CannotAnswer(Message("the case relates rates of given functions to each other"))
             forms[name] = related
         elif isinstance(shown, Symbol) and shown.name in values:
             values[shown.name] = float(model.field.evaluate(model.field.element(element), numbers))
@@ -312,7 +317,7 @@ def _reader_of(
 ) -> Callable[[Snapshot], float]:
     if quantity.is_of_coordinates:
         if run.has_other_forms:
-            raise CannotAnswer("its formula is in the functions of the file, not in those of the case")
+            raise CannotAnswer(Message("its formula is in the functions of the file, not in those of the case"))
         return lambda s: element_at(setup, (balance.value,), run.draw, s)[0]
     return lambda s: float(quantity.value(setup.system, s))
 

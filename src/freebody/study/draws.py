@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -150,5 +151,5 @@ def draws(system: System, n: int, *, seed: int = SEED, widest: float = 1.0, near
                 first = first or error
                 spread *= 0.6
     if not found:
-        raise first or CannotAnswer("no admissible parameter values were found")
+        raise first or CannotAnswer(Message("no admissible parameter values were found"))
     return found

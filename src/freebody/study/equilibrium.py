@@ -17,6 +17,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
@@ -272,18 +273,28 @@ class _EquilibriumSearch:
         try:
             a = s.accelerations
         except CannotAnswer as error:
-            return f"no equilibrium was found; at the start {error}"
+            return Message("no equilibrium was found; at the start {why}", why=error)
         name = moved_most(self.reference, self.statics.geometry(start).of, a)
         measure = self.system.measures.get(name)
-        amount = ""
         if measure is not None:
             unit = {"m": "m/s^2", "rad": "rad/s^2"}.get(unit_of(measure), f"{unit_of(measure)}/s^2")
-            amount = f" (at {s.acceleration(measure):.6g} {unit} from rest at the start)"
+            told = Message(
+                "{x} keeps accelerating (at {a:.6g} {unit} from rest at the start)",
+                x=name,
+                a=s.acceleration(measure),
+                unit=unit,
+            )
+        else:
+            told = Message("{x} keeps accelerating", x=name)
         if guessed:
-            return f"no guess leads to an equilibrium; {name} keeps accelerating{amount}. Guess other values"
-        where = "on the branch of the start" if self.dof == 1 else "in reach of the start"
-        return (
-            f"there is no equilibrium {where}: {name} keeps accelerating{amount}. Guess a pose if there should be one"
+            return Message("no guess leads to an equilibrium; {what}. Guess other values", what=told)
+        if self.dof == 1:
+            return Message(
+                "there is no equilibrium on the branch of the start: {what}. Guess a pose if there should be one",
+                what=told,
+            )
+        return Message(
+            "there is no equilibrium in reach of the start: {what}. Guess a pose if there should be one", what=told
         )
 
 

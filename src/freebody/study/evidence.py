@@ -10,6 +10,7 @@ from functools import partial, singledispatch
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
@@ -85,13 +86,23 @@ class CrossCheck:
                 share = min(share, gap / max(OF_PARTS * parts(), LEAST))
             if not share <= self.tolerance:
                 values = ", ".join(f"{k} = {v:.6g}" for k, v in draw.values.items())
-                gives = f"the closed form gives {_shown(a)}, the numeric route {_shown(b)}"
-                raise disagreement(f"'{self.question}': {gives} at {values}", draw.reference)
+                gives = Message(
+                    "'{question}': the closed form gives {a}, the numeric route {b} at {values}",
+                    question=self.question,
+                    a=_shown(a),
+                    b=_shown(b),
+                    values=values,
+                )
+                raise disagreement(gives, draw.reference)
             worst = max(worst, share)
         if len(self.pairs) < MIN_DRAWS:
             raise CannotAnswer(
-                f"only {len(self.pairs)} of the {MIN_DRAWS} checks against the numeric route could be made, so the "
-                "closed form is not shown"
+                Message(
+                    "only {k} of the {n} checks against the numeric route could be made, so the "
+                    "closed form is not shown",
+                    k=len(self.pairs),
+                    n=MIN_DRAWS,
+                )
             )
         return Evidence(len(self.pairs), worst, self.route)
 
@@ -107,9 +118,9 @@ def element_at(setup: Setup, x: Ratio | tuple[Ratio, ...], draw: Draw, snapshot:
     try:
         return tuple(float(setup.model.field.evaluate(p, numbers)) for p in parts)
     except KeyError:
-        raise NotReal("a part of the closed form has no real value here") from None
+        raise NotReal(Message("a part of the closed form has no real value here")) from None
     except ZeroDivisionError:
-        raise NotReal("the closed form divides by zero") from None
+        raise NotReal(Message("the closed form divides by zero")) from None
 
 
 class NotReal(CannotAnswer):
@@ -125,8 +136,12 @@ def at_instants(
     at_start: bool,
 ) -> Evidence:
     """Compares at the start, or at a general pose and motion, of every draw."""
-    where = "at the start" if at_start else "at random poses and speeds"
-    witness = CrossCheck(question, f"floating-point solve of all bodies and constraints {where}", INSTANT_TOLERANCE)
+    route = (
+        Message("floating-point solve of all bodies and constraints at the start")
+        if at_start
+        else Message("floating-point solve of all bodies and constraints at random poses and speeds")
+    )
+    witness = CrossCheck(question, route, INSTANT_TOLERANCE)
     for k, draw in enumerate(setup.draws):
         snapshot = moving_for(quantity, draw.start()) if at_start else setup.anywhere[k]
         numeric = quantity.value(setup.system, draw.seen(snapshot))
@@ -145,7 +160,7 @@ def along_motion(
     conditions: Sequence[Condition],
 ) -> Evidence:
     """Integrates from the start to the event and compares the time, or the quantity there."""
-    witness = CrossCheck(question, "numerical integration from the start to the event", MOTION_TOLERANCE)
+    witness = CrossCheck(question, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -166,7 +181,13 @@ def along_motion(
         witness.compare(draw, numbers, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
     broken = [] if len(witness.pairs) >= MIN_DRAWS or not setup.has_values else _broken(setup, conditions)
     if broken:
-        raise CannotAnswer(f"'{event.text}' does not come at the model's own values: that needs {', '.join(broken)}")
+        raise CannotAnswer(
+            Message(
+                "'{event}' does not come at the model's own values: that needs {needs}",
+                event=event.text,
+                needs=", ".join(broken),
+            )
+        )
     return witness.evidence()
 
 
@@ -219,7 +240,7 @@ def _number(quantity: Quantity, setup: Setup, event: QuestionEvent | None, draw:
     if event is None:
         values = _tuple(quantity.value(setup.system, draw.seen(moving_for(quantity, start))))
     elif _rests(setup):
-        raise CannotAnswer("it starts at rest, and only round-off accelerates it: numbers would follow that")
+        raise CannotAnswer(Message("it starts at rest, and only round-off accelerates it: numbers would follow that"))
     else:
         values = _tuple(_at_event(setup, quantity, draw, start, 60.0, event))
     return values[0] if len(values) == 1 else values
@@ -241,13 +262,13 @@ def _small_number(
     )
     found = [float(w) for w in frequencies(small.M, small.K)]
     if not found:
-        raise CannotAnswer("nothing can move, so nothing oscillates")
+        raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     if quantity.what == "frequencies":
         return tuple(found) if len(found) > 1 else found[0]
     if len(found) > 1:
-        raise CannotAnswer(f"there are {len(found)} natural frequencies; ask for natural frequencies")
+        raise CannotAnswer(Message("there are {n} natural frequencies; ask for natural frequencies", n=len(found)))
     if not found[0] > 0.0:
-        raise CannotAnswer("it does not oscillate: nothing drives it back")
+        raise CannotAnswer(Message("it does not oscillate: nothing drives it back"))
     return 2.0 * math.pi / found[0] if quantity.what == "period" else found[0]
 
 
@@ -283,7 +304,7 @@ def small_oscillations(
     setup: Setup, question: str, x: Ratio | tuple[Ratio, ...], equilibrium: dict[int, Ratio], *, period: bool
 ) -> Evidence:
     """Compares angular frequencies, or the period, with a numerical linearisation of the full system."""
-    witness = CrossCheck(question, "numerical linearisation about the same equilibrium", 1e-5)
+    witness = CrossCheck(question, Message("numerical linearisation about the same equilibrium"), 1e-5)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -301,7 +322,7 @@ def small_oscillations(
 
 def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio) -> Evidence:
     """At the equilibrium the full system, at rest but for what is driven, must not accelerate."""
-    witness = CrossCheck(question, "accelerations of the full system at rest there", 1e-7)
+    witness = CrossCheck(question, Message("accelerations of the full system at rest there"), 1e-7)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
             break
@@ -321,7 +342,7 @@ def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio
 
 def freedom(setup: Setup, question: str, dof: int) -> Evidence:
     """Coordinates minus the rank of the constraint Jacobian at random poses."""
-    witness = CrossCheck(question, "rank of the constraint Jacobian at random poses", 1e-12)
+    witness = CrossCheck(question, Message("rank of the constraint Jacobian at random poses"), 1e-12)
     for draw, snapshot in zip(setup.draws, _general(setup), strict=True):
         witness.compare(draw, (float(dof),), (float(rank_freedoms(snapshot)),))
     return witness.evidence()

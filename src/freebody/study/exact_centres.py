@@ -20,6 +20,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import PI, Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.questions.centres import InstantCentre
@@ -47,7 +48,7 @@ class ExactPose:
         self.setup = Setup(system, 1)
         model, start = self.setup.model, self.setup.start
         if len(model.coordinates) != 1:
-            raise CannotAnswer("formulas of centres and ratios need exactly one freedom")
+            raise CannotAnswer(Message("formulas of centres and ratios need exactly one freedom"))
         told = {c.index: start.values[c.index] for c in model.coordinates if c.index in start.values}
         self._numbers = model.samples.numbers(self.setup.draws[0].sample())
         self._state = SymbolicState(model, told)

@@ -9,6 +9,7 @@ import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
+from freebody.language.sentences import Message
 from freebody.numeric.contact.start import assembled_touching, start_velocities
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -57,8 +58,12 @@ def _watched(now: float, steps: int) -> None:
     """Raises CannotAnswer once a motion takes more steps than a picture is worth."""
     if steps > allowed(_MOST_STEPS):
         raise CannotAnswer(
-            f"the motion takes more than {allowed(_MOST_STEPS)} steps, of which the last ended at t = {now:.4g} s; "
-            "draw an earlier instant; freebody simulate goes further"
+            Message(
+                "the motion takes more than {n} steps, of which the last ended at t = {t:.4g} s; "
+                "draw an earlier instant; freebody simulate goes further",
+                n=allowed(_MOST_STEPS),
+                t=now,
+            )
         )
 
 
@@ -75,7 +80,9 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
     _watched(result.t_end, result.course.n_steps)
     is_still = result.status.is_complete and len(result.course.times) == 1  # nothing can move
     if at and result.t_end < at * (1 - 1e-9) and not is_still:
-        raise CannotAnswer(f"the motion ends at t = {result.t_end:.6g} s: {result.message or result.status}")
+        raise CannotAnswer(
+            Message("the motion ends at t = {t:.6g} s: {why}", t=result.t_end, why=result.message or result.status)
+        )
     k = -1 if at else 0
     course, reference, engine = result.course, result.simulator.reference, result.simulator.engine
     q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))

@@ -23,11 +23,12 @@ from numpy.typing import ArrayLike
 from freebody.connections.driver import Driver
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import Expr, Symbol, number
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.equilibrium import CountedPose
 from freebody.numeric.jets import TIME, Array, Jet
-from freebody.numeric.placing import ACCEPTED, PoseEquation
+from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
@@ -200,7 +201,12 @@ class _Follower:
         self.extended = replace(system, held=(*system.held, *rows))
         for row in system.held:
             if isinstance(row.measure, NonholonomicForm):
-                raise CannotAnswer(f"{row.connection} binds velocities only, so no pose follows from the motion alone")
+                raise CannotAnswer(
+                    Message(
+                        "{connection} binds velocities only, so no pose follows from the motion alone",
+                        connection=row.connection,
+                    )
+                )
         self._check_freedom(self.start)
 
     def _check_freedom(self, pose: CountedPose) -> None:
@@ -217,14 +223,26 @@ class _Follower:
             own = left.T @ gradient
             if float(np.linalg.norm(own)) <= 1e-9 * float(np.linalg.norm(gradient * D)):
                 before = ", ".join(["the connections", *held] if dof - left.shape[1] == 0 or not held else held)
-                raise CannotAnswer(f"{row.component} is prescribed twice: {before} determine it already. Leave it out")
+                raise CannotAnswer(
+                    Message(
+                        "{component} is prescribed twice: {before} determine it already. Leave it out",
+                        component=row.component,
+                        before=before,
+                    )
+                )
             held.append(course.name)
             left = left @ np.linalg.qr(own[:, None], mode="complete")[0][:, 1:]
         if left.shape[1]:
             loose = moved_most(reference, g.of, left[:, 0])
             raise CannotAnswer(
-                f"the motion prescribes {len(held)} of {dof} degrees of freedom and leaves {loose} free. "
-                f"Prescribe {left.shape[1]} more"
+                Message(
+                    "the motion prescribes {n} of {dof} degrees of freedom and leaves {what} free. "
+                    "Prescribe {more} more",
+                    n=len(held),
+                    dof=dof,
+                    what=loose,
+                    more=left.shape[1],
+                )
             )
 
     def at(self, t: float) -> Reference:
@@ -257,8 +275,8 @@ class _Follower:
             ]
             fit = driven.placing.fit(here.q, equations + led, t * part / n_parts, here.branches)
             if fit is None or fit.error > ACCEPTED:
-                reached = "" if fit is None else f": at best {fit.worst}"
-                raise CannotAnswer(f"the motion cannot begin at t = {t:.6g} s from the start of the model{reached}")
+                told = Message("the motion cannot begin at t = {t:.6g} s from the start of the model", t=t)
+                raise CannotAnswer(told if fit is None else _at_best(told, fit))
             here = CountedPose(fit.q, fit.branches)
         return here
 
@@ -275,12 +293,12 @@ class _Follower:
                 s, split = self._stepped(s, goal if s.t + step >= goal * (1 - 1e-15) else s.t + step, kept)
                 n_strides += 1
                 if n_strides > _N_STRIDES:
-                    raise CannotAnswer(f"the motion runs too fast to be followed beyond t = {s.t:.6g} s")
+                    raise CannotAnswer(Message("the motion runs too fast to be followed beyond t = {t:.6g} s", t=s.t))
             yield s, split
 
     def _stepped(self, s: Snapshot, t: float, kept: Sequence[PoseEquation]) -> tuple[Snapshot, Split]:
         """The next pose, guessed from the velocities; the way is halved where that does not lead to one near."""
-        worst = ""
+        fit: Fit | None = None
         for _ in range(12):
             guess = self.free.frame.moved(s.q, (t - s.t) * s.v)
             fit = self.at(t).placing.fit(guess, kept, t, s.branches)
@@ -288,9 +306,9 @@ class _Follower:
                 away = float(self.free.sizes.relative(self.free.frame.difference(fit.q, guess)).max(initial=0.0))
                 if away <= 2.0 * _STRIDE:
                     return self._instant(CountedPose(fit.q, fit.branches), t)
-            worst = "" if fit is None else f": at best {fit.worst}"
             t = 0.5 * (s.t + t)
-        raise CannotAnswer(f"the mechanism cannot follow the motion beyond t = {s.t:.6g} s{worst}")
+        told = Message("the mechanism cannot follow the motion beyond t = {t:.6g} s", t=s.t)
+        raise CannotAnswer(told if fit is None else _at_best(told, fit))
 
     def _instant(self, pose: CountedPose, t: float) -> tuple[Snapshot, Split]:
         """The driven mechanism at a time, and what its rows determine."""
@@ -301,7 +319,11 @@ class _Follower:
         split = Split(stack([gap.row(n) for gap in gaps], n), driven.sizes.small_moves)
         if split.null.shape[1]:
             loose = moved_most(driven, g.of, split.null[:, 0])
-            raise CannotAnswer(f"at t = {t:.6g} s the prescribed motion does not determine {loose}: a dead centre")
+            raise CannotAnswer(
+                Message(
+                    "at t = {t:.6g} s the prescribed motion does not determine {what}: a dead centre", t=t, what=loose
+                )
+            )
         v = driven.velocities(pose.q, (), t, with_start=False)
         return Snapshot(driven, driven.geometry(pose.q, v, t, pose.branches), pose.q, v, t), split
 
@@ -351,3 +373,7 @@ def _multiplier(s: Snapshot, split: Split, k: int) -> float:
     if float(np.linalg.norm(split.left_null[k])) > UNIQUE:
         return float("nan")
     return s.multiplier(s.reference.system.held[k])
+
+
+def _at_best(what: str, fit: Fit) -> str:
+    return Message("{what}: at best {worst}", what=what, worst=fit.worst)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer, InputError, ModelError, RoutesDisagree
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -147,7 +148,11 @@ def motions_of(
         found = replace(found, **_at_pose(system, reference, q, drivers, given))
     if given is None or any(isinstance(row.measure, NonholonomicForm) for row in system.held):
         if along is not None:
-            raise CannotAnswer(f"{along} cannot be followed: connections that hold velocities have no curve of poses")
+            raise CannotAnswer(
+                Message(
+                    "{along} cannot be followed: connections that hold velocities have no curve of poses", along=along
+                )
+            )
         return found
     if system.space and free == 1:
         plane = "instant centres, Grashof's cases, transmission angles and assembly modes"

@@ -17,6 +17,7 @@ import numpy as np
 from freebody.assess.counts import judge_count
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import NonholonomicForm, Start
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.coordinates import independent_measures
@@ -174,13 +175,21 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
     count = gruebler(system)
     if system.unspecified:
         if along is not None:
-            raise CannotAnswer(f"to follow {along}, dimensions are needed: {', '.join(system.unspecified)} are open")
+            raise CannotAnswer(
+                Message(
+                    "to follow {along}, dimensions are needed: {names} are open",
+                    along=along,
+                    names=", ".join(system.unspecified),
+                )
+            )
         # in space the directions of axes count, and these are given: lengths alone are drawn
         return _answered(_of_symbols(system, count) if system.space else _of_topology(system, count))
     if not system.has_values:
         if along is not None:
             missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
-            raise CannotAnswer(f"to follow {along}, numbers need a value for {', '.join(missing)}")
+            raise CannotAnswer(
+                Message("to follow {along}, numbers need a value for {names}", along=along, names=", ".join(missing))
+            )
         return _answered(_of_symbols(system, count))
     reference = Reference(system)
     try:
@@ -194,7 +203,9 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
 def _of_topology(system: System, count: Gruebler) -> Mobility:
     rank = generic_rank(system)
     found = tuple(
-        Dependence(rows, tuple(dict.fromkeys(r.split(".")[0] for r in rows)), "generic", "holds for any dimensions")
+        Dependence(
+            rows, tuple(dict.fromkeys(r.split(".")[0] for r in rows)), "generic", Message("holds for any dimensions")
+        )
         for rows in rank.circuits
     )
     note = f"{', '.join(system.unspecified)} are open: the rank holds for all but special dimensions"
@@ -293,7 +304,7 @@ def _at_pose(
         rank,
         nearby,
         found,
-        {body: " and ".join(what) for body, what in idle.items()},
+        {body: in_turn(what, "{first} and {second}") for body, what in idle.items()},
         tuple(n for n, _m in independent),
         None,
         motions,
@@ -355,24 +366,38 @@ def _mistakes(found: Mobility) -> dict[int, str]:
     n, count = found.finite_freedom, found.gruebler
     told: dict[int, str] = {}
     for k in range(1, len(count.loads) + 1):
-        told[n - k] = f"would be so if {k} of the loads ({', '.join(count.loads)}) held something; a load holds nothing"
+        told[n - k] = Message(
+            "would be so if {k} of the loads ({loads}) held something; a load holds nothing",
+            k=k,
+            loads=", ".join(count.loads),
+        )
     pins = [c for c in count.connections if c.n == 2]
     slots = [c.connection for c in count.connections if c.n == 1 and not c.is_driver]
     if slots and not count.space:
-        told[n - len(slots)] = f"would be so if {', '.join(slots)} were fixed points; each holds one direction only"
+        told[n - len(slots)] = Message(
+            "would be so if {slots} were fixed points; each holds one direction only", slots=", ".join(slots)
+        )
     if count.drivers:
-        told[n + len(count.drivers)] = f"is without {', '.join(count.drivers)}, which is led and holds one freedom"
+        told[n + len(count.drivers)] = Message(
+            "is without {drivers}, which is led and holds one freedom", drivers=", ".join(count.drivers)
+        )
     if len(pins) > 1:
-        told.setdefault(n + 1, "is one too many: a constraint was not counted")
+        told.setdefault(n + 1, Message("is one too many: a constraint was not counted"))
     if found.n_idle:
-        who = " and ".join(f"{body} {what}" for body, what in found.idle.items())
-        told[found.useful_freedom] = f"leaves out that {who} with nothing else moving"
-    told[count.n_coordinates] = "counts the bodies as if nothing joined them"
+        who = in_turn(
+            [Message("{body} {does}", body=body, does=what) for body, what in found.idle.items()],
+            "{first} and {second}",
+        )
+        told[found.useful_freedom] = Message("leaves out that {who} with nothing else moving", who=who)
+    told[count.n_coordinates] = Message("counts the bodies as if nothing joined them")
     if count.count != n:
         told[count.count] = (
-            f"is the count n L - K, which does not see that {', '.join(found.redundant[0])} depend on each other"
+            Message(
+                "is the count n L - K, which does not see that {rows} depend on each other",
+                rows=", ".join(found.redundant[0]),
+            )
             if found.redundant
-            else "is the count n L - K"
+            else Message("is the count n L - K")
         )
     told.pop(n, None)
     return told

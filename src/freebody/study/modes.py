@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.model.names import did_you_mean
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
@@ -325,10 +326,14 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
         return np.concatenate([[gap.value, gap.rate, *gap.row(n)] for gap in gaps]) if gaps else np.zeros(1)
 
     if np.abs(held(1e-3) - held(0.0)).max() > 1e-12:
-        raise CannotAnswer(f"{name} changes the connections and not only loads, so it is no input; name a load")
+        raise CannotAnswer(
+            Message("{name} changes the connections and not only loads, so it is no input; name a load", name=name)
+        )
     masses = [x for body in reference.system.moving for x in (body.mass, body.inertia)]
     if not at.frozen and any(name in free_symbols(x) for x in masses):
-        raise CannotAnswer(f"{name} changes masses, which about a moving state is more than a load; name a load")
+        raise CannotAnswer(
+            Message("{name} changes masses, which about a moving state is more than a load; name a load", name=name)
+        )
 
     def pushed(s: float) -> Array:
         other = with_value(value + s * unit)
@@ -337,5 +342,5 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
     scale = np.full(n, float(np.abs(forces(reference, at.geometry(reference, at.q, at.v))).max(initial=0.0)))
     found = derivative(pushed, scale) / unit
     if not np.abs(found).max(initial=0.0) > 0.0:
-        raise CannotAnswer(f"{name} is in no load here, so it is no input")
+        raise CannotAnswer(Message("{name} is in no load here, so it is no input", name=name))
     return found

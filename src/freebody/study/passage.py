@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
@@ -18,7 +19,8 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 
-_COUNTED_ELSEWHERE = "that is counted where contacts or dry friction are; here ask for the "
+_WORK_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the work of a load")
+_ANGLE_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the change of angle")
 
 
 @dataclass(frozen=True)
@@ -44,22 +46,22 @@ class FormulaPassage:
         total = f.zero
         pushes = [p for p in self.setup.system.pushes if p.load == load]
         if not pushes:
-            raise CannotAnswer(f"{load} is no load; the work of a constraint is asked as power")
+            raise CannotAnswer(Message("{load} is no load; the work of a constraint is asked as power", load=load))
         for push in pushes:
             law_polynomial(push)
             total = total + before.potential(push) - after.potential(push)
         return f.lowest_terms(total)
 
     def heat(self) -> Ratio:
-        raise CannotAnswer(f"{_COUNTED_ELSEWHERE}work of a load")
+        raise CannotAnswer(_WORK_INSTEAD)
 
     def revolutions(self, body: str) -> Ratio:
-        raise CannotAnswer(f"{_COUNTED_ELSEWHERE}change of angle")
+        raise CannotAnswer(_ANGLE_INSTEAD)
 
     def there(self, quantity: Quantity) -> Ratio:
         x = self.elements(quantity, self._state)
         if isinstance(x, tuple):
-            raise CannotAnswer("ask for one component of the vector at an event")
+            raise CannotAnswer(Message("ask for one component of the vector at an event"))
         return x
 
     @property
@@ -87,10 +89,10 @@ class NumericPassage:
         return self.power_integral(load)
 
     def heat(self) -> float:
-        raise CannotAnswer(f"{_COUNTED_ELSEWHERE}work of a load")
+        raise CannotAnswer(_WORK_INSTEAD)
 
     def revolutions(self, body: str) -> float:
-        raise CannotAnswer(f"{_COUNTED_ELSEWHERE}change of angle")
+        raise CannotAnswer(_ANGLE_INSTEAD)
 
     def there(self, quantity: Quantity) -> Any:
         return quantity.value(self.setup.system, self.event)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
@@ -133,7 +134,9 @@ def _checked(system: System, show: Sequence[str]) -> tuple[str, ...]:
         if word not in SHOWN:
             raise InputError(f"there is no {word} to show.{did_you_mean(word, SHOWN)}")
     if system.space and "instant-centres" in show:
-        raise CannotAnswer("bodies have instant centres in the plane; in space they move about screws, see mobility")
+        raise CannotAnswer(
+            Message("bodies have instant centres in the plane; in space they move about screws, see mobility")
+        )
     return tuple(dict.fromkeys(show))
 
 

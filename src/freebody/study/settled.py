@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.contact.transition import HELD_ALONE, InstantTransition
 from freebody.numeric.options import Law
 from freebody.study.draws import SEED, draw_parameters
@@ -23,8 +24,11 @@ def settled(system: System, *, forces: bool = True) -> System:
     sliding = [name for name, state in mode.rubs if state != 0]
     if sliding and forces:
         raise CannotAnswer(
-            f"{', '.join(sliding)} slides at the start, and its force changes with the phases of the motion: "
-            "freebody solve derives them one by one, with the equations of each; freebody simulate follows them"
+            Message(
+                "{names} slides at the start, and its force changes with the phases of the motion: "
+                "freebody solve derives them one by one, with the equations of each; freebody simulate follows them",
+                names=", ".join(sliding),
+            )
         )
     kept = ContactMode.of(mode.closed, {name: state for name, state in mode.rubs if state == 0})
     return in_mode(system, kept)[0]
@@ -35,9 +39,13 @@ def without_friction(system: System) -> System:
     of poses and forces."""
     if system.rubs:
         raise CannotAnswer(
-            f"with dry friction ({', '.join(dict.fromkeys(rub.row.connection for rub in system.rubs))}) there is no "
-            "single equilibrium: a system rests in whole ranges of poses and forces. freebody statics tells whether it "
-            "holds, and what fails first"
+            Message(
+                "with dry friction ({names}) there is no "
+                "single equilibrium: a system rests in whole ranges of poses and forces. freebody statics tells "
+                "whether it "
+                "holds, and what fails first",
+                names=", ".join(dict.fromkeys(rub.row.connection for rub in system.rubs)),
+            )
         )
     return settled(system)
 
@@ -52,8 +60,8 @@ def start_mode(system: System) -> ContactMode:
     assert bounded is not None
     found = InstantTransition(bounded, Law.NEWTON).after(simulator.start, 0.0, simulator.engine.near(), None)
     if found.mode is None:
-        source = "" if found.why == HELD_ALONE else " (Painleve's paradox)"
-        raise CannotAnswer(f"no force is consistent at the start with {found.why}{source}")
+        told = Message("no force is consistent at the start with {why}", why=found.why)
+        raise CannotAnswer(told if found.why == HELD_ALONE else Message("{what} (Painleve's paradox)", what=told))
     ideal = {b.name for b in bounded.barriers if b.is_ideal}
     closed = {bounded.barriers[k].name for k in found.mode.closed} | ideal
     states = {d.name: s for d, s in zip(bounded.drags, found.mode.drags, strict=True) if s is not None}

@@ -10,11 +10,12 @@ from functools import cached_property
 import numpy as np
 
 from freebody.errors import CannotAnswer, ModelError, Problem
+from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.study.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
@@ -68,10 +69,23 @@ class Setup:
         if found <= model.degrees_of_freedom:
             return
         few = [b.name for b in self.system.moving if 0 < sum(bool(turn.name) for turn in b.chain) < 3]
-        named = f"of {', '.join(few)} " if few else ""
+        if few:
+            raise CannotAnswer(
+                Message(
+                    "the connections leave {n} degrees of freedom, but the angles of {bodies} named by turned only "
+                    "{m}: name three angles, or hold the body by a joint that leaves it no others",
+                    n=found,
+                    bodies=", ".join(few),
+                    m=model.degrees_of_freedom,
+                )
+            )
         raise CannotAnswer(
-            f"the connections leave {found} degrees of freedom, but the angles {named}named by turned only "
-            f"{model.degrees_of_freedom}: name three angles, or hold the body by a joint that leaves it no others"
+            Message(
+                "the connections leave {n} degrees of freedom, but the angles named by turned only {m}: name three "
+                "angles, or hold the body by a joint that leaves it no others",
+                n=found,
+                m=model.degrees_of_freedom,
+            )
         )
 
     def draw_stream(self) -> Iterator[Draw]:
@@ -139,12 +153,11 @@ class Setup:
         pull, contacts push. In the order of the names of connections, so that none in the file changes what is said."""
         found: list[Condition] = []
         for x in self.model.samples.assumed:
-            found += _open(state.here(self.model.express(x)), ">", "as at the start")
+            found += _open(state.here(self.model.express(x)), ">", Message("as at the start"))
         for row in sorted(self.system.held, key=lambda row: row.name):
             if row.unilateral and with_contacts:
-                what = {"tension": "stays taut", "normal force": "keeps touching"}.get(row.reaction, "holds")
                 with suppress(CannotAnswer):
-                    found += _open(row.sign * state.multiplier(row), ">=", f"{row.connection} {what}")
+                    found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
         return found
 
     @cached_property

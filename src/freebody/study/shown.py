@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
@@ -58,7 +59,7 @@ def _centres(system: System, found: Instant) -> list[tuple[str, Array]]:
     centres = instant_centres(system, found.snapshot).values()
     known = [(c.pair, c.at) for c in centres if c.at is not None]
     if not known:
-        raise CannotAnswer("all bodies move along without turning; their instant centres are at infinity")
+        raise CannotAnswer(Message("all bodies move along without turning; their instant centres are at infinity"))
     return [(b if a == GROUND else f"{a}\u2013{b}", np.array(at)) for (a, b), at in known]
 
 

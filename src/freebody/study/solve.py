@@ -14,6 +14,7 @@ from freebody.assess.options import judge
 from freebody.errors import BudgetExhausted, CannotAnswer, ModelError, NeverHappens, Problem, RoutesDisagree
 from freebody.language.expression import ZERO, Expr, Symbol, number
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
+from freebody.language.sentences import Message, further, in_turn
 from freebody.measures.combination import Composed
 from freebody.progress import busy_with
 from freebody.questions.base import Quantity
@@ -22,7 +23,7 @@ from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study import evidence as proof
-from freebody.study.answer import NOT_VALID, Answer, Evidence
+from freebody.study.answer import Answer, Evidence
 from freebody.study.assumed import assumed_at_start
 from freebody.study.eom import primitive_part
 from freebody.study.magnitude import magnitude
@@ -46,8 +47,8 @@ if TYPE_CHECKING:
 Elements = Ratio | tuple[Ratio, ...]
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 MOST_PLACES = 12  # at which bodies can touch, for formulas
-FOR_ALL = "for all positive parameters"
-FOR_ALL_VALUES = "for all values"
+FOR_ALL = Message("for all positive parameters")
+FOR_ALL_VALUES = Message("for all values")
 
 
 @dataclass(frozen=True)
@@ -112,12 +113,12 @@ def _without_gaps(system: System, answer: Answer) -> Answer:
     if answer.value is not None or answer.reason or answer.why_no_value:
         return answer
     if answer.expression is None:
-        return replace(answer, reason="there is no closed form and no number for it")
+        return replace(answer, reason=Message("there is no closed form and no number for it"))
     missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
     if missing:
-        why = f"no value is given for {', '.join(missing)}"
+        why = Message("no value is given for {names}", names=", ".join(missing))
     else:
-        why = "the formula is not valid, or has no value, at the given numbers; see the conditions and notes"
+        why = Message("the formula is not valid, or has no value, at the given numbers; see the conditions and notes")
     return replace(answer, why_no_value=why)
 
 
@@ -186,7 +187,9 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
 
 def _without_contacts(q: Question, transition: Transition) -> Answer:
     """A change of a contact, of a system in which nothing can touch or rub."""
-    reason = f"'{transition.text}' is a change of a contact or of dry friction, and the model has neither"
+    reason = Message(
+        "'{event}' is a change of a contact or of dry friction, and the model has neither", event=transition.text
+    )
     return Answer(q.id, q.text, None, q.quantity.unit, None, reason=reason, never=True)
 
 
@@ -271,9 +274,10 @@ def _without_form(question: Question, reason: str) -> Answer:
 
 def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
     """No formulas for a crowd: the questions are answered with the reason."""
-    reason = (
-        f"{len(system.bounds)} places can touch, and the formulas would be a case distinction over all of them that "
-        "nobody could read; freebody simulate follows the motion"
+    reason = Message(
+        "{n} places can touch, and the formulas would be a case distinction over all of them that "
+        "nobody could read; freebody simulate follows the motion",
+        n=len(system.bounds),
     )
     model = Setup(system, 2).model
     answers = tuple(_without_form(q, reason) for q in questions)
@@ -324,7 +328,7 @@ class _Solver:
         except (CannotAnswer, *FAILED) as error:
             reason = str(error) if isinstance(error, CannotAnswer) else cause(self.system, error)
             value, unfinished = self._number_instead()
-            return Answer(q.id, q.text, None, self._unit(), value, reason="; ".join((reason, *unfinished)))
+            return Answer(q.id, q.text, None, self._unit(), value, reason=further(reason, *unfinished))
         except RoutesDisagree as error:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
 
@@ -334,9 +338,9 @@ class _Solver:
 
         q = self.question
         found = Judge(self.setup).answer(q)
-        answer = "conserved for every motion" if found.is_conserved else "not conserved"
+        answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
         if found.is_conserved is None:
-            answer = reworded(f"conserved {found.when}", found.when)
+            answer = found.verdict
         c = found.confirmation
         return Answer(
             q.id,
@@ -345,13 +349,13 @@ class _Solver:
             q.quantity.unit,
             0.0 if found.rate == number(0) else None,
             conditions=() if found.reason else (answer,),
-            notes=("this is its rate", *found.notes) if found.rate is not None else found.notes,
-            reason=found.reason or ("; ".join(found.notes) if found.rate is None else ""),
+            notes=(Message("this is its rate"), *found.notes) if found.rate is not None else found.notes,
+            reason=found.reason or (further(*found.notes) if found.rate is None else ""),
             choice=found.choice,
             options=found.options,
             author_notes=found.author_notes,
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
-            why_no_value="the rate depends on the motion",
+            why_no_value=Message("the rate depends on the motion"),
         )
 
     def _number_instead(self) -> tuple[float | tuple[float, ...] | None, tuple[str, ...]]:
@@ -415,9 +419,9 @@ class _Solver:
         reached = self.setup.motion.reach(event)
         conditions: list[Condition] = []
         for x, relation in reached.conditions:
-            condition, possible = require(x, relation, f"{event.text} is reached")
+            condition, possible = require(x, relation, Message("{event} is reached", event=event.text))
             if not possible:
-                raise NeverHappens(f"{event.text} is never reached after the start")
+                raise NeverHappens(Message("{event} is never reached after the start", event=event.text))
             if condition is not None:
                 conditions.append(condition)
         x: Ratio = q.counted(FormulaPassage(self.setup, reached, self._elements))
@@ -440,8 +444,10 @@ class _Solver:
         left = [c for c in everything if model.field.ingredients(x) & {c.index, c.speed}]
         if left:
             raise CannotAnswer(
-                f"the quantity depends on {', '.join(c.name for c in left)} as well, for whose values at the event no "
-                "closed form was found"
+                Message(
+                    "the quantity depends on {names} as well, for whose values at the event no closed form was found",
+                    names=", ".join(c.name for c in left),
+                )
             )
 
     # -- small oscillations and equilibrium ---------------------------------------------------
@@ -453,13 +459,15 @@ class _Solver:
         for square in found.squares:
             if square.is_zero() and q.what == "frequencies":
                 continue  # it moves on evenly
-            condition, possible = require(square, ">", "oscillates")
+            condition, possible = require(square, ">", Message("oscillates"))
             if not possible:
-                raise CannotAnswer("; ".join([*found.notes, "there is no oscillation about it: it is unstable"]))
+                raise CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
             if condition is not None:
                 conditions.append(condition)
         if q.what != "frequencies" and len(found.squares) != 1:
-            raise CannotAnswer(f"there are {len(found.squares)} natural frequencies; ask for natural frequencies")
+            raise CannotAnswer(
+                Message("there are {n} natural frequencies; ask for natural frequencies", n=len(found.squares))
+            )
         is_period = q.what == "period"
         if is_period:
             element: Elements = 2 * f.pi * f.sqrt(1 / found.squares[0], self.model.samples.is_negative)
@@ -481,14 +489,20 @@ class _Solver:
     def _stability(self, rest: ClosedFormRest) -> list[str]:
         """What is to be said of it, with the condition where there is one."""
         if rest.is_stable is None:
-            return ["whether this equilibrium is stable does not follow from the linearised equations"]
+            return [Message("whether this equilibrium is stable does not follow from the linearised equations")]
         where = joined(texts([replace(c, purpose="") for c in rest.stable]))
         if not where:
-            return [] if rest.is_stable else ["this equilibrium is not stable"]
+            return [] if rest.is_stable else [Message("this equilibrium is not stable")]
         if not self.setup.has_values:
-            return [reworded(f"this equilibrium is stable if {where}", where)]
-        verdict = "stable" if rest.is_stable else "not stable"
-        return [reworded(f"this equilibrium is stable if {where}: with the given numbers it is {verdict}", where)]
+            return [reworded(Message("this equilibrium is stable if {condition}", condition=where), where)]
+        verdict = (
+            Message("this equilibrium is stable if {condition}: with the given numbers it is stable", condition=where)
+            if rest.is_stable
+            else Message(
+                "this equilibrium is stable if {condition}: with the given numbers it is not stable", condition=where
+            )
+        )
+        return [reworded(verdict, where)]
 
     # -- what goes on evenly ------------------------------------------------------------------
     def _steady(self) -> _ClosedForm:
@@ -550,7 +564,7 @@ class _Solver:
         if not any(self.model.field.ingredients(part) & bound for part in parts):
             return []
         zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
-        return [reworded(f"with {zero}", zero) for zero in zeros]
+        return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
     def _conditions(self, found: _ClosedForm, element: Elements) -> list[Condition]:
         """Everything without which the answer is not true."""
@@ -564,7 +578,7 @@ class _Solver:
             judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
             conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
-                found.notes.append("no load acts, so it is not judged whether contacts and strings hold")
+                found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
         conditions += self._as_written(q, state)
         return self.setup.in_free_coordinates(conditions, state)
 
@@ -598,7 +612,7 @@ class _Solver:
             with suppress(CannotAnswer, ArithmeticError, ValueError):
                 if not proof.holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
                     broken.append(c)
-        return [reworded(f"{NOT_VALID}: {text}", text) for text in texts(broken)]
+        return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in texts(broken)]
 
     def _judge(self, found: _ClosedForm) -> Any:
         element: Any = found.element
@@ -647,7 +661,9 @@ def for_all(system: System, elements: Sequence[Ratio] | None = None) -> str:
     if not declared or all(p.sign != "positive" for p in declared):
         return FOR_ALL_VALUES
     any_sign = ", ".join(to_text(Symbol(p.name)) for p in shown if p.sign != "positive")
-    scope = f"{FOR_ALL} and all values of {any_sign}" if any_sign else FOR_ALL
+    scope = FOR_ALL
+    if any_sign:
+        scope = Message("for all positive parameters and all values of {x}", x=any_sign)
     acute = [p.name for p in shown if p.acute]
     ranges = [Stated(f"0 < {to_text(Symbol(a))} < 90°", f"(0 < {a}) & ({a} < pi/2)") for a in acute]
-    return reworded(", ".join([scope, *ranges]), joined(ranges))
+    return reworded(in_turn([scope, *ranges]), joined(ranges))

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 
 from freebody.errors import RoutesDisagree, RoutesUntold
 from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, MASS
 from freebody.numeric.reference import Reference
 from freebody.system.system import System
@@ -22,27 +23,51 @@ FAR = 1e9  # a parameter of more than this, or less than its inverse, in SI unit
 _Named = tuple[str, float]
 
 
-def disagreement(message: str, reference: Reference, what: str = "No answer") -> RoutesDisagree:
-    """The error of a difference between both routes. message: without the full stop; what: that is not shown."""
+NO_ANSWER = Message("No answer is shown")
+NO_DERIVATION = Message("No derivation is shown")
+
+
+def disagreement(message: str, reference: Reference, what: str = NO_ANSWER) -> RoutesDisagree:
+    """The error of a difference between both routes. message: without the full stop; what: the sentence on
+    what is not shown."""
     far = far_apart(reference.system, reference.number)
     if far:
-        return RoutesUntold(f"{message}; {far}: numbers of 16 digits do not tell which is right. {what} is shown")
-    return RoutesDisagree(f"{message}. {what} is shown. This is a defect of freebody; please report the model")
+        return RoutesUntold(
+            Message(
+                "{difference}; {sizes}: numbers of 16 digits do not tell which is right. {what}",
+                difference=message,
+                sizes=far,
+                what=what,
+            )
+        )
+    return RoutesDisagree(
+        Message(
+            "{difference}. {what}. This is a defect of freebody; please report the model",
+            difference=message,
+            what=what,
+        )
+    )
 
 
 def far_apart(system: System, number: Callable[[Expr], float]) -> str:
     """Two sizes of one kind, or a parameter, that are further from each other, or from one, than half of sixteen digits
     hold; "" where none are."""
-    for kind, unit, sizes in (("lengths", "m", _lengths(system, number)), ("masses", "kg", _masses(system, number))):
+    for is_length, sizes in ((True, _lengths(system, number)), (False, _masses(system, number))):
         known = [(name, abs(x)) for name, x in sizes if x and math.isfinite(x)]
         if known:
             (small, least), (large, most) = (f(known, key=lambda named: named[1]) for f in (min, max))
             if most > APART * least:
-                return f"the {kind} go from {least:.3g} {unit} ({small}) to {most:.3g} {unit} ({large})"
+                if is_length:
+                    return Message(
+                        "the lengths go from {a:.3g} m ({b}) to {c:.3g} m ({d})", a=least, b=small, c=most, d=large
+                    )
+                return Message(
+                    "the masses go from {a:.3g} kg ({b}) to {c:.3g} kg ({d})", a=least, b=small, c=most, d=large
+                )
     for p in system.parameters.values():
         x = abs(number(Symbol(p.name))) if p.form is None else 0.0
         if x and not 1.0 / FAR < x < FAR:
-            return f"{p.name} is {x:.3g} in SI units"
+            return Message("{parameter} is {x:.3g} in SI units", parameter=p.name, x=x)
     return ""
 
 

@@ -8,6 +8,7 @@ from typing import Any
 from freebody.assess.verdict import Verdict
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded, stated_plain, to_python
+from freebody.language.sentences import Message, in_turn
 from freebody.study.constancy import Confirmation, CounterMotion
 from freebody.system.system import System
 
@@ -45,6 +46,20 @@ class Verdicts:
         given = f" (for {', '.join(self.provided)} ≠ 0)" if self.provided else ""
         conditions = joined(self.conditions, " or ")
         return reworded(f"{word} {conditions}{given}", conditions)
+
+    @property
+    def verdict(self) -> str:
+        """The same as a sentence."""
+        case, p = joined(self.conditions, " or "), in_turn(self.provided)
+        if self.is_exact and p:
+            told = Message("conserved if and only if {case} (for {p} ≠ 0)", case=case, p=p)
+        elif self.is_exact:
+            told = Message("conserved if and only if {case}", case=case)
+        elif p:
+            told = Message("conserved if {case} (for {p} ≠ 0)", case=case, p=p)
+        else:
+            told = Message("conserved if {case}", case=case)
+        return reworded(told, case)
 
     @property
     def is_answered(self) -> bool:

@@ -12,8 +12,9 @@ from functools import cached_property
 
 import numpy as np
 
-from freebody.budgets import allowed, exhausted
+from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.engine import dynamics
 from freebody.numeric.engine.course import Status, Trajectory
@@ -93,10 +94,20 @@ def motion_to(
     if turn is not None:
         return turn
     if course.status is Status.TOO_LONG:
-        raise BudgetExhausted(f"the event was {exhausted(MOST_STEPS, 'steps')} (t = {course.t_end:.6g} s is reached)")
+        raise BudgetExhausted(
+            Message(
+                "the event was not found within {n} steps; raise the effort (--effort) to look further (t = {t:.6g} "
+                "s is "
+                "reached)",
+                n=allowed(MOST_STEPS),
+                t=course.t_end,
+            )
+        )
     if course.status is not Status.EVENT:
-        why = course.message if course.status is not Status.FINISHED else ""
-        raise CannotAnswer(f"the event does not happen until t = {until:.6g} s" + (f": {why}" if why else ""))
+        told = Message("the event does not happen until t = {until:.6g} s", until=until)
+        if course.status is not Status.FINISHED and course.message:
+            told = Message("{what}: {why}", what=told, why=course.message)
+        raise CannotAnswer(told)
     found = Found(course.happenings[-1].time, links[-1], links)
     soon = _until_turn(found.event, event, size)
     if soon is not None:  # crossed just before it turns, by no more than round-off: the turn itself is meant

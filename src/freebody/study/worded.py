@@ -16,6 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.reference import Reference
@@ -39,7 +40,9 @@ def in_words(study: Callable[Concatenate[System, P], T]) -> Callable[Concatenate
         except FAILED as error:
             raise CannotAnswer(cause(system, error)) from error
         except RecursionError as error:
-            raise CannotAnswer("the formulas of this model are nested too deeply to be calculated with") from error
+            raise CannotAnswer(
+                Message("the formulas of this model are nested too deeply to be calculated with")
+            ) from error
 
     return told
 
@@ -48,17 +51,24 @@ def cause(system: System, error: Exception) -> str:
     """Why the arithmetic of a study failed: the measure without a value at the start, if there is one."""
     undefined = next(without_value(system), "")
     if undefined:
-        return f"{undefined}, so that nothing can be said here; start the model where it has a value"
+        return Message("{what}, so that nothing can be said here; start the model where it has a value", what=undefined)
     if isinstance(error, DivisorVanishes):
-        return f"the formulas divide by {_shown(error)}, which is zero in the state that is asked about"
-    what = "divides by zero" if isinstance(error, ZeroDivisionError) else "leaves the range of floating point"
-    return f"the arithmetic of this study {what} for this model, and no measure of it is without a value at its start"
+        return Message("the formulas divide by {x}, which is zero in the state that is asked about", x=_shown(error))
+    what = (
+        Message("divides by zero")
+        if isinstance(error, ZeroDivisionError)
+        else Message("leaves the range of floating point")
+    )
+    return Message(
+        "the arithmetic of this study {what} for this model, and no measure of it is without a value at its start",
+        what=what,
+    )
 
 
 def _shown(error: DivisorVanishes) -> str:
     """The divisor, if anybody would read it."""
     divisor = error.divisor
-    return to_text(tidy(divisor)) if len(divisor.num) <= _MOST_TERMS else "a long expression"
+    return to_text(tidy(divisor)) if len(divisor.num) <= _MOST_TERMS else Message("a long expression")
 
 
 def without_value(system: System) -> Iterator[str]:
@@ -76,7 +86,7 @@ def without_value(system: System) -> Iterator[str]:
             except FreebodyError as error:
                 yield str(error)
             except (ArithmeticError, ValueError):
-                yield f"{name} has no value at the start"
+                yield Message("{x} has no value at the start", x=name)
             else:
                 if not math.isfinite(jet.value) or not np.isfinite(jet.row(len(q))).all():
-                    yield f"{name} has no finite value at the start"
+                    yield Message("{x} has no finite value at the start", x=name)

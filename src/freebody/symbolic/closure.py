@@ -16,6 +16,7 @@ from functools import cached_property
 from itertools import combinations
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -132,7 +133,7 @@ class Closure:
     def _values(self, q: Coordinate, cos: Ratio, sin: Ratio) -> dict[int, Ratio]:
         f = self.field
         if any(len(f.terms(part.num)) > _MOST_TERMS for part in (cos, sin)):
-            raise CannotAnswer(f"the formula of {q.name} would be too long")
+            raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
         return {c: cos, s: sin, q.index: f.angle_with(cos, sin)}
 
@@ -140,7 +141,7 @@ class Closure:
         """The sign of an element that is the branch on which the loop is assembled."""
         signs = {v > 0 for v in self.model.samples.at_starts(x) if not math.isnan(v) and abs(v) > ROUND_OFF}
         if len(signs) != 1:
-            raise CannotAnswer("which way the loop is assembled depends on the parameter values")
+            raise CannotAnswer(Message("which way the loop is assembled depends on the parameter values"))
         return 1 if signs.pop() else -1
 
     # -- what it is for -----------------------------------------------------------------------
@@ -154,7 +155,10 @@ class Closure:
         names = [d.name for d in self.model.dependent if d.index in self._inside(x)]
         if names:
             raise CannotAnswer(
-                f"it depends on {', '.join(names)}, which follow only through closed loops that have no short solution"
+                Message(
+                    "it depends on {names}, which follow only through closed loops that have no short solution",
+                    names=", ".join(names),
+                )
             )
         return x
 
@@ -162,7 +166,7 @@ class Closure:
         """Where the loops close, as far as that is known. Raises CannotAnswer where they have no short solution."""
         found: list[Condition] = []
         for x in self._solved[1]:
-            condition, _possible = require(x, ">=", "can be assembled")
+            condition, _possible = require(x, ">=", Message("can be assembled"))
             if condition is not None:
                 found.append(condition)
         return found

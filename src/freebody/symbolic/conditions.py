@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add, multiply, negate
 from freebody.language.notation import Stated, compared, reworded
+from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign
@@ -26,10 +27,19 @@ class Condition:
 
     def text(self) -> str:
         shown = relation_text(tidy(self.element), self.relation)
-        return reworded(f"{shown} ({self.purpose})", shown) if self.purpose else shown
+        return with_purposes(shown, [self.purpose] if self.purpose else [])
 
 
 _FLIPPED = {">": "<", ">=": "<=", "!=": "!=", "<": ">", "<=": ">=", "=": "="}
+
+
+def closed(connection: str, reaction: str) -> str:
+    """What a one-sided connection does while it is closed, as the purpose of a condition."""
+    if reaction == "tension":
+        return Message("{string} stays taut", string=connection)
+    if reaction == "normal force":
+        return Message("{contact} keeps touching", contact=connection)
+    return Message("{contact} holds", contact=connection)
 
 
 def relation_text(e: Expr, relation: str) -> Stated:
@@ -124,4 +134,11 @@ def merged(conditions: Sequence[Condition]) -> list[str]:
         known = purposes.setdefault(text, [])
         if c.purpose and c.purpose not in known:
             known.append(c.purpose)
-    return [reworded(f"{text} ({', '.join(why)})", text) if why else text for text, why in purposes.items()]
+    return [with_purposes(text, why) for text, why in purposes.items()]
+
+
+def with_purposes(text: str, purposes: Sequence[str]) -> str:
+    """A condition, and what it is for."""
+    if not purposes:
+        return text
+    return reworded(Message("{condition} ({purposes})", condition=text, purposes=in_turn(purposes)), text)

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.field import Ratio
@@ -120,7 +121,10 @@ class SymbolicDynamics:
                 c.name for c, a in zip(self._speeds.coordinates, accelerations, strict=True) if a in solved.free
             )
             raise CannotAnswer(
-                f"nothing with mass moves with {names}, so its acceleration is not determined. Give the body "
-                "a mass or an inertia, or connect it"
+                Message(
+                    "nothing with mass moves with {x}, so its acceleration is not determined. Give the body "
+                    "a mass or an inertia, or connect it",
+                    x=names,
+                )
             )
         return {a: solved.pivots[a].get(RHS, self.field.zero) for a in accelerations}

@@ -16,7 +16,8 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
-from freebody.symbolic.conditions import Condition, require
+from freebody.language.sentences import Message
+from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
@@ -62,15 +63,19 @@ def small_oscillations(model: SymbolicModel, start: StartState) -> ClosedFormOsc
     """M x'' + K x = 0 about the equilibrium that is stable (else nearest to the start); roots of
     det(K - s M) = 0, in closed form where its factors are linear or quadratic."""
     if not model.coordinates:
-        raise CannotAnswer("nothing can move, so nothing oscillates")
+        raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     if model.dependent:
         names = ", ".join(c.name for c in model.dependent)
-        raise CannotAnswer(f"{names} follow only through a closed loop; no closed form of the frequencies is found")
+        raise CannotAnswer(
+            Message(
+                "{names} follow only through a closed loop; no closed form of the frequencies is found", names=names
+            )
+        )
     rest = find_equilibrium(model, start)
     notes: list[str] = []
     if not _is_start(model, rest, start):
         shown = joined((compared(Symbol(c.name), "=", tidy(rest.values[c.index])) for c in model.coordinates), ", ")
-        notes.append(reworded(f"about the equilibrium {shown}", shown))
+        notes.append(reworded(Message("about the equilibrium {place}", place=shown), shown))
     M, K = linearised(model, rest.values)
     n = len(M)
     s = model.field.parameter("@s")
@@ -107,7 +112,7 @@ def _determinant(A: list[list[Ratio]]) -> Ratio:
     if len(A) == 1:
         return A[0][0]
     if len(A) > 6:
-        raise CannotAnswer("more than six degrees of freedom; ask for numbers")
+        raise CannotAnswer(Message("more than six degrees of freedom; ask for numbers"))
     total = A[0][0].field.zero
     for k, entry in enumerate(A[0]):
         if not entry.is_zero():
@@ -123,8 +128,11 @@ def _polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
         root = model.field.sqrt(c[1] * c[1] - 4 * c[0] * c[2], model.samples.is_negative)
         return [(-c[1] - root) / (2 * c[2]), (-c[1] + root) / (2 * c[2])]
     raise CannotAnswer(
-        f"the frequencies are roots of a polynomial of degree {len(c) - 1} in the squared frequency, which does not "
-        "factor; ask for numbers"
+        Message(
+            "the frequencies are roots of a polynomial of degree {n} in the squared frequency, which does not "
+            "factor; ask for numbers",
+            n=len(c) - 1,
+        )
     )
 
 
@@ -143,7 +151,7 @@ def find_equilibrium(model: SymbolicModel, start: StartState, *, stable_first: b
     others = [r for values in _zeros(model, forces, list(model.coordinates)) if (r := _judged(model, values))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
-        raise CannotAnswer("no equilibrium could be found in closed form; start the model at one")
+        raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
     good = [s for s in solutions if s.is_stable is not False]
     return min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
 
@@ -158,16 +166,13 @@ def _judged(model: SymbolicModel, at: dict[int, Ratio]) -> ClosedFormRest | None
                 force = row.sign * state.multiplier(row)
             except CannotAnswer:
                 continue
-            condition, possible = require(force, ">=", f"{row.connection} {_HOLDS.get(row.reaction, 'holds')}")
+            condition, possible = require(force, ">=", closed(row.connection, row.reaction))
             if not possible:
                 return None
             conditions += [] if condition is None else [condition]
     if not all(_at_first(model, c) for c in conditions):
         return None
     return _with_stability(model, at, tuple(conditions))
-
-
-_HOLDS = {"tension": "stays taut", "normal force": "keeps touching"}
 
 
 def _at_first(model: SymbolicModel, c: Condition) -> bool:

@@ -11,11 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 
-DIVISOR, ROOT, LOG = "divisor", "under the root", "logarithm of a positive number"
-FORMAL = (DIVISOR, ROOT, LOG, *(f"{arc} of at {end}" for arc in ("asin", "acos") for end in ("most 1", "least -1")))
+DIVISOR, ROOT, LOG = Message("divisor"), Message("under the root"), Message("logarithm of a positive number")
+_ARCS = {
+    "asin": (Message("asin of at most 1"), Message("asin of at least -1")),
+    "acos": (Message("acos of at most 1"), Message("acos of at least -1")),
+}
+FORMAL = (DIVISOR, ROOT, LOG, *_ARCS["asin"], *_ARCS["acos"])
 
 
 def exists(elements: Iterable[Ratio]) -> list[Condition]:
@@ -52,7 +57,7 @@ def _needs(x: Ratio, seen: set[int]) -> Iterator[tuple[Ratio, str, str]]:
             name, u = f.arguments[g]
             yield from _needs(u, seen)
             if name in ("asin", "acos"):
-                yield 1 - u, ">=", f"{name} of at most 1"
-                yield 1 + u, ">=", f"{name} of at least -1"
+                yield 1 - u, ">=", _ARCS[name][0]
+                yield 1 + u, ">=", _ARCS[name][1]
             elif name == "log":
                 yield u, ">", LOG

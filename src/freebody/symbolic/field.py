@@ -29,6 +29,7 @@ import flint
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.tolerances import ROUND_OFF
 
 _flint: Any = flint
@@ -47,7 +48,7 @@ class NoValue(CannotAnswer, KeyError):
     """A part of a formula has no real value at the numbers that are put in."""
 
     def __init__(self, name: str) -> None:
-        super().__init__(f"{name} has no real value here")
+        super().__init__(Message("{x} has no real value here", x=name))
 
     __str__ = Exception.__str__
 
@@ -132,12 +133,12 @@ class Ratio:
         if isinstance(exponent, Ratio):
             fraction = exponent.fraction()
             if fraction is None or fraction.denominator > 2:
-                raise CannotAnswer(f"the exponent {exponent} is neither a whole nor a half number")
+                raise CannotAnswer(Message("the exponent {e} is neither a whole nor a half number", e=exponent))
             if fraction.denominator == 2:
                 return self.field.sqrt(self) ** fraction.numerator
             exponent = fraction.numerator
         if abs(exponent) > MAX_POWER:
-            raise CannotAnswer(f"the exponent {exponent} is larger than {MAX_POWER}")
+            raise CannotAnswer(Message("the exponent {e} is larger than {most}", e=exponent, most=MAX_POWER))
         if exponent < 0:
             return 1 / (self**-exponent)
         result = self.field.one
@@ -191,7 +192,7 @@ class Ratio:
         """c_0, c_1, ... with self = sum c_k g^k; the denominator must be free of g."""
         parts = self.field.split(self.num, generator)
         if self.den is not None and generator in self.field.used(self.den):
-            raise CannotAnswer(f"{self.field.generators[generator].display} stands in a denominator")
+            raise CannotAnswer(Message("{x} stands in a denominator", x=self.field.generators[generator].display))
         return [self.field.quotient(p, self.den) for p in parts]
 
     def __repr__(self) -> str:
@@ -313,8 +314,11 @@ class Field:
         """Normal form modulo the relations g^2 = r."""
         if len(poly) > TERM_LIMIT:
             raise CannotAnswer(
-                f"the closed form would have more than {TERM_LIMIT} terms; ask for numbers or for the "
-                "equations of motion instead"
+                Message(
+                    "the closed form would have more than {n} terms; ask for numbers or for the "
+                    "equations of motion instead",
+                    n=TERM_LIMIT,
+                )
             )
         if not self._relations or poly.is_constant():
             return poly
@@ -523,7 +527,7 @@ class Field:
         if inside == 1:
             return outside
         if (inside.fraction() or 1) < 0:
-            raise CannotAnswer(f"square root of the negative number {x}")
+            raise CannotAnswer(Message("square root of the negative number {x}", x=x))
         return outside * self._root(inside, is_negative if is_kept else None)
 
     def _with_sines(self, unit: int, factors: Sequence[tuple[Ratio, int]]) -> tuple[int, list[tuple[Ratio, int]]]:

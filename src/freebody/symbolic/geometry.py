@@ -10,6 +10,7 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, domain, evaluate
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.functions import atan2, functions
@@ -266,7 +267,9 @@ def _dual_functions(plain: FieldGeometry) -> dict[str, Any]:
             try:
                 return x.chain(value, slope(x.value, value))
             except ZeroDivisionError as error:  # acos where its argument is one, sqrt where it is zero
-                raise CannotAnswer(f"{name} has no finite slope where its argument is {_text(x.value)}") from error
+                raise CannotAnswer(
+                    Message("{name} has no finite slope where its argument is {x}", name=name, x=_text(x.value))
+                ) from error
 
         return call
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from math import inf, isnan
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
@@ -265,7 +266,7 @@ def first(model: SymbolicModel, instants: Sequence[LawInstant]) -> FirstInstant 
         if found or not all(isnan(column[s]) for column in times):
             picks.add(min(found)[1:] if found else None)
     if len(picks) > 1:
-        raise CannotAnswer("which root is the first time after the start depends on the parameter values")
+        raise CannotAnswer(Message("which root is the first time after the start depends on the parameter values"))
     pick = picks.pop() if picks else None
     if pick is None:
         return None

@@ -18,6 +18,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import Stated, to_python, to_text
+from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.field import Ratio
@@ -32,10 +33,8 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath
 from freebody.symbolic.zeros import solve_linear
 
-_TOO = " (an unstable equilibrium is left only if something disturbs it)"
-_HOLDS_ONCE = "it holds at the start (t = 0), and never again"
-_HOLDS_ALWAYS = "it holds at the start (t = 0) and all the time after it"
-_INTEGRAL = "it is the integral of the coordinate's differential over the speed; simulate the motion for a number"
+_HOLDS_ONCE = Message("it holds at the start (t = 0), and never again")
+_HOLDS_ALWAYS = Message("it holds at the start (t = 0) and all the time after it")
 
 
 @dataclass
@@ -80,11 +79,18 @@ class SmoothMotion:
         begins = self.field.follow(self.model.in_independent_speeds(value - target), self.start.values).is_zero()
         if self.stands_still and not self.field.ingredients(value) & self._in_time:
             raise NeverHappens(
-                _HOLDS_ALWAYS if begins else f"it starts at rest in an equilibrium, and stays there{_TOO}"
+                _HOLDS_ALWAYS
+                if begins
+                else Message(
+                    "it starts at rest in an equilibrium, and stays there (an unstable equilibrium is left only if "
+                    "something disturbs it)"
+                )
             )
         reached = self._reach_rate(value, target) if event.order == 1 else self._reach_place(value, target, event)
         if begins:
-            reached.notes.insert(0, f"'{event.text}' holds at the start as well (t = 0); this is the next time")
+            reached.notes.insert(
+                0, Message("'{event}' holds at the start as well (t = 0); this is the next time", event=event.text)
+            )
         return reached
 
     def known_at(self, reached: Reached) -> dict[int, Ratio]:
@@ -176,22 +182,31 @@ class SmoothMotion:
                 return together
         if len(found) != 1 or bound:
             raise CannotAnswer(
-                f"'{event.text}' involves {len(found) + len(bound)} coordinates"
-                f" ({', '.join(c.name for c in (*found, *bound)) or 'none'}); a closed form is found for one only"
+                Message(
+                    "'{event}' involves {n} coordinates ({names}); a closed form is found for one only",
+                    event=event.text,
+                    n=len(found) + len(bound),
+                    names=", ".join(c.name for c in (*found, *bound)) or "none",
+                )
             )
         (c,) = found
         at = solve_linear(value - target, c.index)
         if at is None:
             raise CannotAnswer(
-                f"'{event.text}' is not linear in the coordinate {c.name}; name a measure that is, or ask for "
-                f"the value of {c.name}"
+                Message(
+                    "'{event}' is not linear in the coordinate {x}; name a measure that is, or ask for "
+                    "the value of {y}",
+                    event=event.text,
+                    x=c.name,
+                    y=c.name,
+                )
             )
         at = self.field.lowest_terms(at)
         law = self.law_of(c)
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
             raise NeverHappens(
-                _HOLDS_ALWAYS if holds else f"{c.name} stays where it starts: at rest, and not accelerated"
+                _HOLDS_ALWAYS if holds else Message("{x} stays where it starts: at rest, and not accelerated", x=c.name)
             )
         if isinstance(law, UniformLaw):
             return self._uniform(c.name, law, at).of(c, at)
@@ -221,7 +236,9 @@ class SmoothMotion:
         a, u0, distance = law.a, law.u0, self.field.lowest_terms(at - law.q0)
         if a.is_zero():
             if u0.is_zero():
-                raise NeverHappens(_HOLDS_ALWAYS if distance.is_zero() else f"it does not change: {name}")
+                raise NeverHappens(
+                    _HOLDS_ALWAYS if distance.is_zero() else Message("it does not change: {event}", event=name)
+                )
             if distance.is_zero():
                 raise NeverHappens(_HOLDS_ONCE)
             return _Passage(distance / u0, u0, [], [(distance / u0, ">")])
@@ -232,7 +249,7 @@ class SmoothMotion:
         # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
         if u0.is_zero():
             time = self._sqrt(2 * distance / a)
-            note = "the root with the negative sign is a time before the start and is rejected"
+            note = Message("the root with the negative sign is a time before the start and is rejected")
             return _Passage(time, a * time, [note], [(distance / a, ">")])
         return self._one_of_two(name, law, distance, at)
 
@@ -248,21 +265,25 @@ class SmoothMotion:
         picks = {_first_positive(p, m) for p, m in pairs} or {None}
         if len(picks) != 1:
             raise CannotAnswer(
-                f"which root is the first time at which {name} is reached depends on the parameter values"
+                Message("which root is the first time at which {x} is reached depends on the parameter values", x=name)
             )
         pick = picks.pop()
         if pick is None:
             raise CannotAnswer(
-                f"{name} is never {to_text(tidy(at))} after the start at any of the parameter values that were tried"
+                Message(
+                    "{x} is never {value} after the start at any of the parameter values that were tried",
+                    x=name,
+                    value=to_text(tidy(at)),
+                )
             )
         chosen, other = (plus, minus) if pick == 0 else (minus, plus)
         shown = to_text(tidy(other))
         needs = [(square, ">=")]
         if all(v < 0 for v in self.model.samples.at_starts(other)):
-            words = f"rejected root: t = {shown} is negative, a time before the start"
+            words = Message("rejected root: t = {t} is negative, a time before the start", t=shown)
             needs.append((distance / a, ">"))
         else:
-            words = f"other root: t = {shown} is later, when {name} passes again on the way back"
+            words = Message("other root: t = {t} is later, when {x} passes again on the way back", t=shown, x=name)
             needs.append((chosen, ">"))
         if not sign_of(a).is_strict:  # it decides which root is the larger one
             rises = all(v > 0 for v in self.model.samples.at_starts(a))
@@ -274,10 +295,12 @@ class SmoothMotion:
         found = first(self.model, instants)
         if found is None:
             if any(sign_of(x) is Sign.NEGATIVE for x, _relation in needs):
-                raise NeverHappens(f"{c.name} does not get that far")
+                raise NeverHappens(Message("{x} does not get that far", x=c.name))
             if all(i.time.is_zero() and i.period is None for i in instants):
-                raise NeverHappens(_HOLDS_ONCE if instants else f"{c.name} only tends to that")
-            raise CannotAnswer(f"{c.name} does not get there at any of the parameter values that were tried")
+                raise NeverHappens(_HOLDS_ONCE if instants else Message("{x} only tends to that", x=c.name))
+            raise CannotAnswer(
+                Message("{x} does not get there at any of the parameter values that were tried", x=c.name)
+            )
         i = found.instant
         lowest = self.field.lowest_terms
         return Reached(lowest(i.time), c, lowest(i.place), lowest(i.rate), [], [*needs, *found.conditions])
@@ -287,18 +310,20 @@ class SmoothMotion:
         speeds = [c for c in self.model.coordinates if c.speed in rate.generators()]
         inside = self.field.ingredients(rate) & {c.index for c in (*self.model.coordinates, *self.model.dependent)}
         if len(speeds) != 1 or inside or any(c.speed in rate.generators() for c in self.model.dependent):
-            raise CannotAnswer("the rate depends on several coordinates; a closed form is found for one only")
+            raise CannotAnswer(Message("the rate depends on several coordinates; a closed form is found for one only"))
         (c,) = speeds
         wanted = solve_linear(rate - target, c.speed)
         if wanted is None:
-            raise CannotAnswer(f"the rate is not linear in the rate of {c.name}")
+            raise CannotAnswer(Message("the rate is not linear in the rate of {x}", x=c.name))
         law = self.law_of(c)
         if law is not None and law.is_still:
-            raise NeverHappens(_HOLDS_ALWAYS if wanted.is_zero() else f"{c.name} stays at rest: nothing accelerates it")
+            raise NeverHappens(
+                _HOLDS_ALWAYS if wanted.is_zero() else Message("{x} stays at rest: nothing accelerates it", x=c.name)
+            )
         if isinstance(law, UniformLaw):
             if law.a.is_zero():
                 same = (wanted - law.u0).is_zero()
-                raise NeverHappens(_HOLDS_ALWAYS if same else f"the rate of {c.name} is constant")
+                raise NeverHappens(_HOLDS_ALWAYS if same else Message("the rate of {x} is constant", x=c.name))
             time = self.field.lowest_terms((wanted - law.u0) / law.a)
             if time.is_zero():
                 raise NeverHappens(_HOLDS_ONCE)
@@ -313,13 +338,21 @@ class SmoothMotion:
     def _place_by_energy(self, c: Coordinate, at: Ratio, event: QuestionEvent) -> Reached:
         """The speed at a place, from M u^2/2 + V = const, with the sign of the way there."""
         speed, needs, says = self._way(c).to(at)
-        why = f"no closed form was found for the time to '{event.text}': {_INTEGRAL}"
+        why = Message(
+            "no closed form was found for the time to '{event}': it is the integral of the coordinate's differential "
+            "over the speed; simulate the motion for a number",
+            event=event.text,
+        )
         return Reached(None, c, at, speed, [], needs, why, says)
 
     def _rate_by_energy(self, c: Coordinate, wanted: Ratio) -> Reached:
         """The place at which the speed has a value: a zero of u(q)^2 - u^2 = 0, the first on the way."""
         at, needs, says = self._way(c).where(wanted)
-        return Reached(None, c, at, wanted, [], needs, f"no closed form was found for the time: {_INTEGRAL}", says)
+        why = Message(
+            "no closed form was found for the time: it is the integral of the coordinate's differential over the "
+            "speed; simulate the motion for a number"
+        )
+        return Reached(None, c, at, wanted, [], needs, why, says)
 
     def _way(self, c: Coordinate) -> EnergyPath:
         square = self.speed_squared(c, self.field.variable(c.index))
@@ -330,11 +363,14 @@ class SmoothMotion:
         """u^2 at q = at."""
         if self.model.degrees_of_freedom != 1:
             raise CannotAnswer(
-                f"there are {self.model.degrees_of_freedom} degrees of freedom; energy alone gives the speed of one"
+                Message(
+                    "there are {n} degrees of freedom; energy alone gives the speed of one",
+                    n=self.model.degrees_of_freedom,
+                )
             )
         if self.model.dependent:
             names = ", ".join(d.name for d in self.model.dependent)
-            raise CannotAnswer(f"{names} follow from {c.name} only through the closed loop")
+            raise CannotAnswer(Message("{names} follow from {x} only through the closed loop", names=names, x=c.name))
         values = {c.index: at}
         M, M0 = (self.field.follow(self.model.dynamics.mass_matrix[0][0], v) for v in (values, self.start.values))
         V, V0 = (self._potential(v) for v in (values, self.start.values))
@@ -345,7 +381,7 @@ class SmoothMotion:
         """Minus the work function of all loads; each must be a function of its own measure."""
         state = SymbolicState(self.model, values)
         if _is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
-            raise CannotAnswer("a driver or a velocity constraint is at work, so energy is no first integral")
+            raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
         total = self.field.zero
         for push in self.model.system.pushes:
             total = total + state.potential(push)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
@@ -77,7 +78,12 @@ class Reactions:
         if column in solved.free or len(with_it) > 1:
             rows = ", ".join(sorted(names[c] for c in with_it))
             raise CannotAnswer(
-                f"the reaction {row.name} is not unique: the constraints {rows} depend on each other, so rigid-body "
-                "mechanics fixes only a combination of their reactions. Remove one of them or make one part flexible"
+                Message(
+                    "the reaction {row} is not unique: the constraints {rows} depend on each other, so rigid-body "
+                    "mechanics fixes only a combination of their reactions. Remove one of them or make one part "
+                    "flexible",
+                    row=row.name,
+                    rows=rows,
+                )
             )
         return solved.pivots[column].get(RHS, self.field.zero)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
@@ -24,7 +25,7 @@ def determinant(A: Sequence[Sequence[Ratio]]) -> Ratio:
     if len(A) == 1:
         return A[0][0]
     if len(A) > MOST_ROWS:
-        raise CannotAnswer(f"more than {MOST_ROWS} degrees of freedom; ask for numbers")
+        raise CannotAnswer(Message("more than {n} degrees of freedom; ask for numbers", n=MOST_ROWS))
     total = A[0][0].field.zero
     for k, entry in enumerate(A[0]):
         if not entry.is_zero():
@@ -42,7 +43,7 @@ def hurwitz(c: Sequence[Ratio]) -> list[Ratio]:
     column: list[Ratio] = []
     for _ in range(n):
         if not row or row[0].is_zero():
-            raise CannotAnswer("a root of the characteristic polynomial does not lie in the left half plane")
+            raise CannotAnswer(Message("a root of the characteristic polynomial does not lie in the left half plane"))
         column.append(row[0])
         after = [*row[1:], field.zero]
         below = [field.lowest_terms(x - above[0] * y / row[0]) for x, y in zip(above[1:], after, strict=False)]
@@ -56,7 +57,7 @@ def oscillating(c: Sequence[Ratio]) -> list[Ratio]:
     n = len(c) - 1
     if n > _MOST_SQUARES:
         raise CannotAnswer(
-            f"the characteristic polynomial is of degree {n} in the squared exponent and does not factor"
+            Message("the characteristic polynomial is of degree {n} in the squared exponent and does not factor", n=n)
         )
     ratios = [x / c[-1] for x in c[:-1]]
     if n == 1:

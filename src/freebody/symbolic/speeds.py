@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.elimination import Elimination
@@ -45,7 +46,10 @@ class Speeds:
         solved = solve(self.field, rows, preference, samples.vanishes, in_order=True)
         if solved.contradictory:
             raise CannotAnswer(
-                f"the constraints contradict each other in {', '.join(names[k] for k in solved.contradictory)}"
+                Message(
+                    "the constraints contradict each other in {rows}",
+                    rows=", ".join(names[k] for k in solved.contradictory),
+                )
             )
         # the rows that follow from others, holonomic ones first
         self.redundant: list[str] = [*elimination.redundant, *(names[k] for k in solved.redundant)]
@@ -111,7 +115,7 @@ class Speeds:
             rows.append(row)
         found = solve(self.field, rows, speeds, self._samples.vanishes)
         if len(found.pivots) < len(speeds):
-            raise CannotAnswer("the loops determine the speeds, but not the accelerations that go with them")
+            raise CannotAnswer(Message("the loops determine the speeds, but not the accelerations that go with them"))
         for speed in speeds:
             self.field.set_rate(self.field.variable(speed), total_of(self.field, found.pivots[speed]))
 

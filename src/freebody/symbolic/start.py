@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.geometry import Pose
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
@@ -69,7 +70,9 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
 
 def rate_not_given(name: str) -> str:
     """What is assumed about a rate that nobody gave."""
-    return f"rate({name}) at the start is not given; it is taken to be that of the least kinetic energy"
+    return Message(
+        "rate({name}) at the start is not given; it is taken to be that of the least kinetic energy", name=name
+    )
 
 
 @dataclass(frozen=True)
@@ -125,11 +128,15 @@ def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int,
         rows.append(row)
     solved = solve(f, rows, [*speeds, *multipliers], Ratio.is_zero)
     if solved.contradictory:
-        raise CannotAnswer("the velocities of the start contradict each other")
+        raise CannotAnswer(Message("the velocities of the start contradict each other"))
     if set(solved.free) & set(speeds):
         names = [c.name for c in model.coordinates if c.speed in solved.free]
         raise CannotAnswer(
-            f"the start does not say how fast {', '.join(names)} changes; give rate({names[0]}) in start"
+            Message(
+                "the start does not say how fast {names} changes; give rate({name}) in start",
+                names=", ".join(names),
+                name=names[0],
+            )
         )
     return {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
 
@@ -148,7 +155,7 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
     """Start values where the model gives a full pose and motion of every body: of the measure that a coordinate is, and
     of its gradient times the velocities. Raises CannotAnswer for a coordinate that is no measure."""
     if model.system.space:
-        raise CannotAnswer("the start of a phase is put together from bodies in the plane only")
+        raise CannotAnswer(Message("the start of a phase is put together from bodies in the plane only"))
     f, scalar = model.field, model.geometry.scalar
     poses: dict[str, AnyPose] = {}
     velocities: dict[tuple[str, str], Ratio] = {}
@@ -172,7 +179,9 @@ def start_from_bodies(model: SymbolicModel) -> StartState:
     for c in everything:
         measure = measures[c.index]
         if measure is None:
-            raise CannotAnswer(f"{c.name} is no measure of the model, so its value at the start is not known")
+            raise CannotAnswer(
+                Message("{x} is no measure of the model, so its value at the start is not known", x=c.name)
+            )
         values[c.index] = f.lowest_terms(measure.value(there))
     for c in everything:
         measure = measures[c.index]

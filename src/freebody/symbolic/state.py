@@ -20,6 +20,7 @@ from freebody.language.expression import (
     substitute,
     whole_exponent,
 )
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
@@ -104,12 +105,16 @@ class SymbolicState:
 def law_polynomial(push: AppliedLoad) -> list[Expr]:
     """Coefficients c_k of a law sum c_k value^k. Raises CannotAnswer if the load has no such potential."""
     if isinstance(push.measure, NonholonomicForm):
-        raise CannotAnswer(f"{push.load} turns with a body and has no potential energy")
+        raise CannotAnswer(Message("{load} turns with a body and has no potential energy", load=push.load))
     symbols = free_symbols(push.law)
     if push.measures or push.general is not None or {"@rate", "t"} & symbols or "rate(" in str(push.law):
-        raise CannotAnswer(f"{push.load} depends on time, a rate or another measure and has no potential energy")
+        raise CannotAnswer(
+            Message("{load} depends on time, a rate or another measure and has no potential energy", load=push.load)
+        )
     if not _is_polynomial(push.law):
-        raise CannotAnswer(f"the law of {push.load} is no polynomial in its measure, so its potential is not closed")
+        raise CannotAnswer(
+            Message("the law of {load} is no polynomial in its measure, so its potential is not closed", load=push.load)
+        )
     coefficients: list[Expr] = []
     derivative = push.law
     factorial = 1
@@ -117,14 +122,18 @@ def law_polynomial(push: AppliedLoad) -> list[Expr]:
         try:
             coefficients.append(substitute(derivative, {"@value": number(0)}) * Fraction(1, factorial))
         except ZeroDivisionError:
-            raise CannotAnswer(f"the law of {push.load} is singular at 0 and no polynomial") from None
+            raise CannotAnswer(
+                Message("the law of {load} is singular at 0 and no polynomial", load=push.load)
+            ) from None
         derivative = differentiate(derivative, "@value")
         if "@value" not in free_symbols(derivative):
             if derivative != number(0):
                 coefficients.append(derivative * Fraction(1, factorial * (k + 1)))
             return coefficients
         factorial *= k + 1
-    raise CannotAnswer(f"the law of {push.load} is no polynomial in its measure, so its potential is not closed")
+    raise CannotAnswer(
+        Message("the law of {load} is no polynomial in its measure, so its potential is not closed", load=push.load)
+    )
 
 
 def _is_polynomial(law: Expr) -> bool:

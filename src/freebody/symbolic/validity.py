@@ -14,7 +14,8 @@ from dataclasses import replace
 
 from freebody.language.expression import Call, n_operations
 from freebody.language.notation import Stated, compared, reworded, to_text
-from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.language.sentences import Message, in_turn, turns
+from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
 from freebody.symbolic.decide import decide, possible, sign_given
 from freebody.symbolic.existence import FORMAL
 from freebody.symbolic.field import Field, Ratio
@@ -23,8 +24,8 @@ from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.waves import square_variants
 
-NEVER = "for no values of the parameters"
-TAKEN = "as at the start"  # a sign that the formulas take as it is at the first sample
+NEVER = Message("for no values of the parameters")
+TAKEN = Message("as at the start")  # a sign that the formulas take as it is at the first sample
 _MOST = 24  # conditions of which each is compared with all others
 _MOVING = ("coordinate", "speed", "acceleration", "time")
 
@@ -125,9 +126,9 @@ def _merged(parts: Sequence[Condition]) -> list[Condition]:
 
 def _both_purposes(*purposes: str) -> str:
     """What a condition is for: that something stands below a bar or under a root is said where nothing else is."""
-    every = [p for text in purposes for p in text.split(", ") if p]
+    every = [p for text in purposes for p in turns(text)]
     telling = [p for p in every if p not in (*FORMAL, TAKEN)]
-    return ", ".join(dict.fromkeys(telling or [p for p in every if p in FORMAL] or every))
+    return in_turn([*dict.fromkeys(telling or [p for p in every if p in FORMAL] or every)])
 
 
 def _same(a: Condition, b: Condition) -> bool:
@@ -159,19 +160,22 @@ def _shorter(c: Condition, others: Sequence[Condition]) -> Condition:
 def _text(c: Condition) -> str:
     shown = shortest(c)
     if _is_never(c):
-        return reworded(f"for no values of the parameters: {c.purpose}" if c.purpose else NEVER, shown)
-    purpose = f" ({c.purpose})" if c.purpose else ""
-    return reworded(f"{_where(c.element)}{shown}{purpose}", shown)
+        return reworded(
+            Message("for no values of the parameters: {purpose}", purpose=c.purpose) if c.purpose else NEVER, shown
+        )
+    return reworded(_placed(c.element, with_purposes(shown, [c.purpose] if c.purpose else [])), shown)
 
 
-def _where(x: Ratio) -> str:
-    """What is said before a condition that is not one on parameters alone."""
+def _placed(x: Ratio, condition: str) -> str:
+    """A condition with what is said before it where it is not one on parameters alone."""
     kinds = {x.field.generators[g].kind for g in x.field.ingredients(x)} & set(_MOVING)
     if not kinds:
-        return ""
+        return condition
     if kinds == {"coordinate"}:
-        return "at every pose of the motion with "
-    return "at every time with " if kinds == {"time"} else "at every instant of the motion with "
+        return Message("at every pose of the motion with {condition}", condition=condition)
+    if kinds == {"time"}:
+        return Message("at every time with {condition}", condition=condition)
+    return Message("at every instant of the motion with {condition}", condition=condition)
 
 
 def shortest(c: Condition) -> Stated:

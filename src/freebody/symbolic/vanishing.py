@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call, Symbol
 from freebody.language.notation import Stated, compared, joined, to_python, to_text
+from freebody.language.sentences import Message
 from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.signs import Sign, sign_of
@@ -41,7 +42,7 @@ class VanishingCase:
         try:
             return x.field.follow(x, self.values) if self.values else x
         except ZeroDivisionError:
-            raise CannotAnswer(f"it has no value for {joined(self.texts())}") from None
+            raise CannotAnswer(Message("it has no value for {case}", case=joined(self.texts()))) from None
 
     def with_more(self, more: VanishingCase) -> VanishingCase:
         """Both cases together."""
@@ -70,7 +71,7 @@ def equality_text(x: Ratio) -> Stated:
         return angle
     if isinstance(shown, Call) and shown.function == "rate":
         zero = compared(shown, "=", ZERO)
-        return Stated(f"{zero} ({to_text(shown.argument)} is constant)", zero.expression)
+        return Stated(Message("{zero} ({x} is constant)", zero=zero, x=to_text(shown.argument)), zero.expression)
     return relation_text(shown, "=")
 
 

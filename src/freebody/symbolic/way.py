@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
@@ -34,7 +35,7 @@ class EnergyPath:
         self.q0, self.u0 = q0, u0
         self._drive = a0 if u0.is_zero() else u0
         if self._drive.is_zero():
-            raise CannotAnswer(f"{c.name} starts at rest where nothing accelerates it")
+            raise CannotAnswer(Message("{x} starts at rest where nothing accelerates it", x=c.name))
 
     # -- what is asked ------------------------------------------------------------------------
     def to(self, at: Ratio) -> tuple[Ratio, list[Need], list[str]]:
@@ -50,8 +51,15 @@ class EnergyPath:
             return way * speed, needs, says
         if self.u0.is_zero() and side:
             is_proved = sign_of(self._drive).is_strict and sign_of(distance).is_strict
-            why = f"{self.c.name} starts at rest and sets out the other way; it comes back to its start, and no further"
-            raise NeverHappens(why) if is_proved else CannotAnswer(f"{why} (at the parameter values that were tried)")
+            why = Message(
+                "{x} starts at rest and sets out the other way; it comes back to its start, and no further",
+                x=self.c.name,
+            )
+            raise (
+                NeverHappens(why)
+                if is_proved
+                else CannotAnswer(Message("{why} (at the parameter values that were tried)", why=why))
+            )
         _turn, back, says = self._turning
         if not side:
             return (self.field.zero if self.u0.is_zero() else -self.u0), [*needs, *back], says
@@ -92,7 +100,7 @@ class EnergyPath:
             return 1 if sign is Sign.POSITIVE else -1
         ways = {(v > 0) - (v < 0) for v in self.model.samples.at_starts(x)}
         if len(ways) != 1 or 0 in ways:
-            raise CannotAnswer(f"which way {self.c.name} goes depends on the parameter values")
+            raise CannotAnswer(Message("which way {x} goes depends on the parameter values", x=self.c.name))
         return ways.pop()
 
     @cached_property
@@ -125,12 +133,16 @@ class EnergyPath:
                 picks.add(min(ahead)[1])
         if not picks:
             raise CannotAnswer(
-                f"{self.c.name} does not come to such a place at any of the parameter values that were tried"
+                Message(
+                    "{x} does not come to such a place at any of the parameter values that were tried", x=self.c.name
+                )
                 if places
-                else f"no closed form was found for the place of {self.c.name} at which that is so"
+                else Message("no closed form was found for the place of {x} at which that is so", x=self.c.name)
             )
         if len(picks) > 1:
-            raise CannotAnswer(f"at which place of {self.c.name} that is so first depends on the parameter values")
+            raise CannotAnswer(
+                Message("at which place of {x} that is so first depends on the parameter values", x=self.c.name)
+            )
         return places[picks.pop()][0]
 
     def _arrives(self, at: Ratio) -> Need:
@@ -169,12 +181,14 @@ class EnergyPath:
             steps = [p + (q - p) * (k + 0.5) / _N_STEPS for k in range(_N_STEPS)]
             heights = [self.model.samples.at_start_with(self.square, s, {self.c.index: v}) for v in steps]
             if not all(h > 0 for h in heights):
-                raise CannotAnswer(f"whether {self.c.name} gets there depends on more than could be told in formulas")
+                raise CannotAnswer(
+                    Message("whether {x} gets there depends on more than could be told in formulas", x=self.c.name)
+                )
             near = 2 * abs(q - p) / _N_STEPS
             for before, v, h, after in zip(heights, steps[1:], heights[1:], heights[2:], strict=False):
                 if h < before and h < after and not any(abs(valley[s] - v) < near for valley in valleys):
                     is_told = False
-        return needs, [] if is_told else [f"{self.c.name} does not turn back on the way there"]
+        return needs, [] if is_told else [Message("{x} does not turn back on the way there", x=self.c.name)]
 
     def _square_at(self, place: Ratio) -> Ratio:
         return self.field.follow(self.square, {self.c.index: place})

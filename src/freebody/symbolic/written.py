@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.model.elements import NonholonomicForm
@@ -35,8 +36,14 @@ def has_values(state: SymbolicState, measures: Iterable[Measure], *, with_loads:
         here = state.here(x)
         condition, possible = require(here, relation, purpose)
         if not possible:
-            what = f"{to_text(tidy(x))} is {to_text(tidy(here))} there"
-            raise HasNoValue(f"the {purpose} has no value in this state, as it is written: {what}")
+            raise HasNoValue(
+                Message(
+                    "the {what} has no value in this state, as it is written: {x} is {y} there",
+                    what=purpose,
+                    x=to_text(tidy(x)),
+                    y=to_text(tidy(here)),
+                )
+            )
         found += [] if condition is None else [condition]
     return found
 
@@ -44,13 +51,13 @@ def has_values(state: SymbolicState, measures: Iterable[Measure], *, with_loads:
 def _needs(model: SymbolicModel, measures: Iterable[Measure], with_loads: bool) -> Iterator[Need]:
     for expr in model.lengths:
         for x, relation in model.geometry.needs(expr, {}):
-            yield x, relation, "geometry"
+            yield x, relation, Message("geometry")
     rows = [row.measure for row in model.system.held if not isinstance(row.measure, NonholonomicForm)]
     for measure in (*rows, *measures):
         yield from _of_measure(model, measure)
     for push in model.system.pushes if with_loads else ():
         for x, relation in model.loads.needs(push):
-            yield x, relation, f"law of {push.load}"
+            yield x, relation, Message("law of {load}", load=push.load)
         if not isinstance(push.measure, NonholonomicForm):
             yield from _of_measure(model, push.measure)
 
@@ -60,6 +67,6 @@ def _of_measure(model: SymbolicModel, measure: Measure) -> Iterator[Need]:
         return
     values = {name: model.value_of(part) for name, part in measure.measures}
     for x, relation in model.geometry.needs(measure.expression, values):
-        yield x, relation, "measure"
+        yield x, relation, Message("measure")
     for _name, part in measure.measures:
         yield from _of_measure(model, part)

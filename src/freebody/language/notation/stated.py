@@ -12,6 +12,7 @@ from typing import Any
 
 from freebody.language.expression import Expr
 from freebody.language.notation.one_line import PYTHON, TEXT
+from freebody.language.sentences import in_turn
 
 _SHOWN = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
 
@@ -19,15 +20,17 @@ _SHOWN = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠", "=": "="}
 class Stated(str):
     """A text with the same statement as an `expression` in parameter names and Python's operators."""
 
+    words: str  # as they were handed over: a message, perhaps
     expression: str
 
     def __new__(cls, text: str, expression: str) -> Stated:
         stated = super().__new__(cls, text)
+        stated.words = text.words if isinstance(text, Stated) else text
         stated.expression = expression
         return stated
 
     def __reduce__(self) -> tuple[type[Stated], tuple[str, str]]:
-        return Stated, (str(self), self.expression)
+        return Stated, (self.words, self.expression)
 
 
 def compared(left: Expr, relation: str, right: Expr) -> Stated:
@@ -47,7 +50,7 @@ def joined(statements: Iterable[str], between: str = " and ") -> str:
     texts = list(statements)
     if len(texts) == 1:
         return texts[0]
-    text = between.join(texts)
+    text = in_turn(texts, f"{{first}}{between}{{second}}")
     if not texts or not all(isinstance(t, Stated) for t in texts):
         return text
     sign = " | " if between == " or " else " & "

@@ -14,6 +14,7 @@ from fractions import Fraction
 from freebody.errors import UnitError
 from freebody.language.expression import Call, Expr, Number, PowerOf, ProductOf, Sum, Symbol
 from freebody.language.notation import to_python
+from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, TIME, Dimension
 
 
@@ -67,11 +68,15 @@ def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimensio
 def _dimension_of_power(base: Expr, exponent: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | None:
     below, above = _dimension_of(base, dimensions), _dimension_of(exponent, dimensions)
     if above is not None and above != DIMENSIONLESS:
-        raise UnitError(f"the exponent {_labelled(exponent, above)} must be without a unit")
+        raise UnitError(Message("the exponent {x} must be without a unit", x=_labelled(exponent, above)))
     if below is None or below == DIMENSIONLESS:
         return below
     if not isinstance(exponent, Number):
-        raise UnitError(f"{_labelled(base, below)} has a unit, so its exponent {to_python(exponent)} must be a number")
+        raise UnitError(
+            Message(
+                "{x} has a unit, so its exponent {e} must be a number", x=_labelled(base, below), e=to_python(exponent)
+            )
+        )
     return below**exponent.value
 
 
@@ -88,7 +93,11 @@ def _dimension_of_call(function: str, argument: Expr, dimensions: Mapping[str, D
             return DIMENSIONLESS
         case _:
             if dimension is not None and dimension != DIMENSIONLESS:
-                raise UnitError(f"{function} of {_labelled(argument, dimension)}: its argument must be without a unit")
+                raise UnitError(
+                    Message(
+                        "{f} of {x}: its argument must be without a unit", f=function, x=_labelled(argument, dimension)
+                    )
+                )
             return DIMENSIONLESS
 
 

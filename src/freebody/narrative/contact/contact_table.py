@@ -13,6 +13,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Sentence
@@ -92,7 +93,11 @@ def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
     model = phase.model
     pressing = [name for name in rub.load if not model.reactions.multiplier(phase.rows[name]).is_zero()]
     if len(pressing) > 1:
-        raise CannotAnswer(f"the friction of {rub.row.connection} is proportional to a resultant of two components")
+        raise CannotAnswer(
+            Message(
+                "the friction of {contact} is proportional to a resultant of two components", contact=rub.row.connection
+            )
+        )
     name = (pressing or list(rub.load))[0]
     row = phase.rows[name]
     return name, not row.unilateral and model.samples.is_negative(row.sign * model.reactions.multiplier(row))

@@ -13,6 +13,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, add
+from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
@@ -148,7 +149,7 @@ class _Tell:
     @singledispatchmethod
     def answer(self, q: Quantity) -> None:
         if q.scope == "course":
-            raise CannotAnswer("what is counted on the way is derived from no line here")
+            raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
         with self.stage() as left:
             _instant(self.script, self.way, left, self.given, self.lines, self.forces)
 
@@ -160,7 +161,9 @@ class _Tell:
     @answer.register(EnergyLost)
     def _lost(self, q: EnergyLost) -> None:
         if not all(only_friction_takes_energy(leg.phase.system) for leg in self.way.legs):
-            raise CannotAnswer("other loads do work as well, and the heat of friction is derived from no line here")
+            raise CannotAnswer(
+                Message("other loads do work as well, and the heat of friction is derived from no line here")
+            )
         uses = _energies(self.script, self.way, self.ends)
         with self.stage() as left:
             self.line(left, "answer.lost", uses)
@@ -185,7 +188,9 @@ def _time(script: Script, way: PhaseSequence, left: Any, answer: Answer, ends: l
     times = tuple(end["time"] for end in ends if "time" in end)
     if len(times) < len(way.legs):
         assert answer.expression is not None
-        raise CannotAnswer("the time at which the event comes has a closed form, but is derived from no line here")
+        raise CannotAnswer(
+            Message("the time at which the event comes has a closed form, but is derived from no line here")
+        )
     total = add(*(leg.end for leg in way.legs))
     sides = (left, total, answer.expression) if len(way.legs) > 1 else (left, answer.expression)
     script.line(*sides, why="answer.time", args={"lines": times}, uses=times, when="event")  # type: ignore[arg-type]
@@ -271,7 +276,9 @@ def _instant(
     reached = tuple(way.home(leg, f.lowest_terms(there.here(g))) for g in general)
     wanted = way.piece.value if isinstance(way.piece.value, tuple) else (way.piece.value,)
     if any(not (a - b).is_zero() for a, b in zip(reached, wanted, strict=True)):
-        raise RoutesDisagree("the derivation ends in another formula than the solver. This is a defect of freebody")
+        raise RoutesDisagree(
+            Message("the derivation ends in another formula than the solver. This is a defect of freebody")
+        )
     shown = shown_parts(general)
     asked = {g for part in parts for g in f.ingredients(part)}
     used = tuple(dict.fromkeys((*(line for unknown, (_v, line) in forces.items() if unknown in asked), *lines)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol, add, negate
 from freebody.language.notation.parts import signed_terms
+from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_contacts import ZERO, slip_symbol
 from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -37,7 +38,7 @@ def tell_event(
             elif isinstance(course, EnergyMotion) and zero.at is not None:
                 found = _on_the_way(script, way, leg, course, symbol, element, uses)
             else:
-                raise CannotAnswer("the event has no closed form")
+                raise CannotAnswer(Message("the event has no closed form"))
             return {**found, **_state(script, way, leg, told, found)}
 
 
@@ -185,7 +186,7 @@ def _on_the_way(
     if not (difference - f.variable(c.index) + zero.at).is_zero() and not _is_told(leg, symbol):
         value = course.as_function(element)
         if course.is_odd(element):
-            raise CannotAnswer("the event is told by the direction of the motion alone")
+            raise CannotAnswer(Message("the event is told by the direction of the motion alone"))
         line = script.line(
             symbol, shown_in_home(way, leg, value), why="event.at_place", args={"lines": uses}, uses=uses
         )

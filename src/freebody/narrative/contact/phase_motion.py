@@ -8,6 +8,7 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context
@@ -188,7 +189,7 @@ def _energy_integral(
             mass = f.lowest_terms(kinetic / f.variable(c.speed) ** 2)
             square = f.lowest_terms((right - potential) / mass)
             if not (square - course.square).is_zero():
-                raise RoutesDisagree("the integral of energy is another one than the solver's")
+                raise RoutesDisagree(Message("the integral of energy is another one than the solver's"))
             told.square = script.line(
                 power(Call("rate", Symbol(c.name)), number(2)),
                 shown_in_home(way, leg, course.square),
@@ -223,4 +224,4 @@ def require_course(leg: PhaseSegment) -> None:
     try:
         _ = leg.phase.course
     except CannotAnswer as error:
-        raise CannotAnswer(f"phase {leg.number} has no motion in closed form: {error}") from None
+        raise CannotAnswer(Message("phase {n} has no motion in closed form: {why}", n=leg.number, why=error)) from None

@@ -11,6 +11,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.narrative.contact.contact_newton import ContactNewton
 from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, WorldRuns
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
@@ -106,7 +107,7 @@ class PhaseSequence:
         for edge in node.edges:
             if any(after.phase is following.phase for after in edge.nodes):
                 return edge.first
-        raise CannotAnswer("the phases do not follow each other")
+        raise CannotAnswer(Message("the phases do not follow each other"))
 
     @cached_property
     def following(self) -> PhaseNode | None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import Glossary, World
 from freebody.narrative.lines.script import When
 from freebody.numeric.jets import Array
@@ -78,7 +79,9 @@ class WorldRuns:
                 if seen is not None:
                     runs.append(WorldRun(int(k), tuple(seen)))
         if len(runs) < 2:
-            raise CannotAnswer("the motion could be followed in numbers at too few parameter sets to check its lines")
+            raise CannotAnswer(
+                Message("the motion could be followed in numbers at too few parameter sets to check its lines")
+            )
         return runs
 
     def _seen(self, k: int) -> Sequence[PhaseSnapshot] | None:

@@ -7,6 +7,7 @@ the law of friction, the motion, and the event that ends it with the state there
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_answer import asked_side, shown_parts, tell_answer
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
@@ -14,7 +15,7 @@ from freebody.narrative.contact.phase_event import tell_event
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
 from freebody.study.phases.words import summary
@@ -28,16 +29,16 @@ Values = dict[int, tuple[Ratio, int]]
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about a system with contacts or dry friction. Raises CannotAnswer where there is
     none."""
-    refuse(method, ("newton",), "a motion in phases")
+    refuse(method, ("newton",), Message("a motion in phases"))
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "there is no closed form")
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     if context.system.space:
-        raise CannotAnswer("no derivation of a motion in phases is written for space yet")
+        raise CannotAnswer(Message("no derivation of a motion in phases is written for space yet"))
     way = PhaseSequence(context.system, question)
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
     if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
         raise CannotAnswer(
-            "the answer lies behind an impact or the end of an edge, of which no derivation is written yet"
+            Message("the answer lies behind an impact or the end of an edge, of which no derivation is written yet")
         )
     script = Script(way.legs[0].glossary, context.next_number)
     if way.piece.first is None:
@@ -68,7 +69,7 @@ def _overview(script: Script, way: PhaseSequence) -> None:
         script.say("phases.plan")
         header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
         rows = tuple(
-            (str(leg.number), Sentence("phases.does", {"what": f"@{summary(leg.phase)}"}), _end_words(leg))
+            (str(leg.number), Sentence("phases.does", {"what": ready(summary(leg.phase))}), _end_words(leg))
             for leg in way.legs
         )
         script.add(FormulaTable(header, rows))

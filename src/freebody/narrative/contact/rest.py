@@ -12,6 +12,7 @@ from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
+from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced, solved_argument
@@ -19,7 +20,7 @@ from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_table import RestTable
 from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import DerivationStage, Listing, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, Listing, Script, Sentence, ready
 from freebody.narrative.principles.places import place_of
 from freebody.present.report.blocks import Relation
 from freebody.questions.base import Quantity
@@ -42,9 +43,9 @@ _AT: dict[int, Relation] = {1: "≤", -1: "≥"}
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about rest. Raises CannotAnswer where there is none."""
-    refuse(method, ("newton",), "rest under dry friction")
+    refuse(method, ("newton",), Message("rest under dry friction"))
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "there is no closed form")
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     telling = _RestTelling(context, question, answer)
     telling.tell()
     return telling.script.stages
@@ -65,7 +66,7 @@ class _RestTelling:
 
     @singledispatchmethod
     def _tell(self, q: Quantity) -> None:
-        raise CannotAnswer("this is no question about rest")
+        raise CannotAnswer(Message("this is no question about rest"))
 
     @_tell.register(RestLimit)
     def _limit(self, q: RestLimit) -> None:
@@ -124,7 +125,7 @@ class _RestTelling:
             line, glossary = self._case(ends, limit, limit.main, symbol, name, row)
             told.append((sign, limit.main, line, glossary))
         if not told:
-            raise CannotAnswer("no end of the values with which it stays at rest has a derivation")
+            raise CannotAnswer(Message("no end of the values with which it stays at rest has a derivation"))
         with self.script.stage("stage.value", "hint.rest_value"):
             self._together(symbol, told)
 
@@ -135,7 +136,9 @@ class _RestTelling:
         shown = [tidy(case.element) for _s, case, _l, _g in told]
         expected = self.answer.expression if isinstance(self.answer.expression, tuple) else (self.answer.expression,)
         if tuple(shown) != tuple(expected):
-            raise RoutesDisagree("the derivation ends in another formula than the solver. This is a defect of freebody")
+            raise RoutesDisagree(
+                Message("the derivation ends in another formula than the solver. This is a defect of freebody")
+            )
         if len(told) == 2:
             sides: tuple[Expr, ...] = (shown[0], symbol, shown[1])
             relations: tuple[Relation, ...] = ("≤", "≤")
@@ -155,14 +158,14 @@ class _RestTelling:
         newton = RestNewton(table, glossary, case.failure, (row,) if row else ())
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
-            script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=f"@{case.words}", name=symbol)
+            script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=ready(case.words), name=symbol)
         rows, said = newton.tell(script)
         with script.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
             solver = newton.solver(script)
             if row:
                 value, line = solver.solve(solver.with_said(rows, said), [newton.index(row)])[newton.index(row)]
                 if not (value - case.element).is_zero():
-                    raise RoutesDisagree("the derivation ends in another formula than the solver's")
+                    raise RoutesDisagree(Message("the derivation ends in another formula than the solver's"))
             else:
                 line = solver.residual(rows, said)
                 if solver.condition != (symbol, tidy(case.element)):
@@ -210,12 +213,12 @@ class _RestTelling:
         row = next((r for r in table.rows.values() if r.unilateral and place_of(r) == place), None)
         rub = next((r for r in self.touching.rubs if r.load and row is not None and r.load[0] == row.name), None)
         if row is None or (sticks and rub is None):
-            raise CannotAnswer("there is no such contact")
+            raise CannotAnswer(Message("there is no such contact"))
         asked = (row.name, rub.name) if sticks and rub is not None else (row.name,)
         eq = table.equations
         reduced = eq.reactions(case.failure)
         if any(set(reduced.pivots.get(eq.columns[n], {eq.columns[n]: None})) - {RHS} for n in asked):
-            raise CannotAnswer("it is not unique")
+            raise CannotAnswer(Message("it is not unique"))
         newton = RestNewton(table, glossary, case.failure, asked)
         trial = Script(glossary, self.script.next_number)
         rows, said = newton.tell(trial)
@@ -231,7 +234,7 @@ class _RestTelling:
         """Every way to fail as the parameter grows; the smallest limit comes first."""
         limit = ends.limit(1)
         if limit.main is None:
-            raise CannotAnswer("the failure that comes first has no closed form")
+            raise CannotAnswer(Message("the failure that comes first has no closed form"))
         symbol = Symbol(name)
         told: list[tuple[FailureCase, int, RestGlossary]] = []
         for case in sorted(limit.cases, key=lambda c: c is limit.main):
@@ -249,7 +252,7 @@ class _RestTelling:
                     tidy(other.element),
                     relations=("≤",),
                     why="rest.earlier",
-                    args={"lines": (line, _line), "words": f"@{main.words}"},
+                    args={"lines": (line, _line), "words": ready(main.words)},
                     uses=(line, _line),
                 )
             self.script.line(symbol, tidy(main.element), why="rest.first", args={"line": line}, uses=(line,))
@@ -263,12 +266,14 @@ class _RestTelling:
         assert not isinstance(answer, tuple)
         name = next((n for n in coefficients_of_friction(self.context.system) if n in free_symbols(answer)), "")
         if not name:
-            raise CannotAnswer("the reserve contains no coefficient of friction that could be followed to its limit")
+            raise CannotAnswer(
+                Message("the reserve contains no coefficient of friction that could be followed to its limit")
+            )
         ends = ParameterEnds(self.touching, self.setup, name)
         self._contacts(ends)
         limit = ends.limit(-1)
         if limit.main is None:
-            raise CannotAnswer("the limit of friction has no closed form")
+            raise CannotAnswer(Message("the limit of friction has no closed form"))
         line, glossary = self._case(ends, limit, limit.main, Symbol(name), name)
         self.script.glossary = glossary
         with self.script.stage("stage.value", "hint.rest_value"):

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, add, multiply, negate
+from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_contacts import ZERO
 from freebody.narrative.contact.phase_event import balanced, vanishing
 from freebody.narrative.contact.rest_table import FrictionLimit, RestPlanner, RestTable
@@ -135,7 +136,7 @@ class Eliminator(Solver):
                 return left[0].number
             work = [row for row in work if row.entries]
             if not work:
-                raise CannotAnswer("the chosen equations say nothing about the limit")
+                raise CannotAnswer(Message("the chosen equations say nothing about the limit"))
             self._step(work)
 
     def with_said(self, rows: Sequence[EliminationRow], said: Sequence[EliminationRow]) -> list[EliminationRow]:

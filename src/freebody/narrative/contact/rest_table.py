@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, DryFriction, NonholonomicForm
 from freebody.narrative.principles.planner import Array, Entry, Plan, is_multiple
@@ -76,8 +77,11 @@ class RestTable(PrincipleTable):
             rub = self.equations.rubs[name]
             if len(rub.load) > 1:
                 raise CannotAnswer(
-                    f"the friction of {rub.row.connection} is proportional to a resultant of two components, for which "
-                    "the equations are not linear"
+                    Message(
+                        "the friction of {contact} is proportional to a resultant of two components, for which "
+                        "the equations are not linear",
+                        contact=rub.row.connection,
+                    )
                 )
             c = self.equations.coefficient(rub, sense)
             factor, load = -sense * rub.row.sign * c, ""

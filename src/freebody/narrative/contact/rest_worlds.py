@@ -13,6 +13,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Sentence, When
 from freebody.numeric.friction_branches import margin
@@ -69,7 +70,7 @@ class RestGlossary(Glossary):
             problem = rest_problem(reference, q, self.touching.rubs)
             found = margin(problem)
             if found is None:
-                raise CannotAnswer("nothing holds the system at its limit")
+                raise CannotAnswer(Message("nothing holds the system at its limit"))
             optimum = found
         forces = dict(zip(problem.names, map(float, optimum.forces), strict=True))
         return RestWorld(self, draw, reference.snapshot(q, np.zeros_like(q)), forces)

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols
-from freebody.language.notation import to_text
-from freebody.language.sentences import Argument, Sentence
+from freebody.language.notation import Stated, to_text
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
-from freebody.study.spread import disagreement
+from freebody.study.spread import NO_DERIVATION, disagreement
 
 if TYPE_CHECKING:
     from freebody.narrative.lines.glossary import Glossary
@@ -73,6 +73,11 @@ class Diagram:
 
     bodies: tuple[str, ...]  # nothing: the whole system
     caption: Sentence
+
+
+def ready(text: str) -> Argument:
+    """A ready-made sentence, as it stands within another one."""
+    return text if isinstance(text, Message | Stated) else f"@{text}"
 
 
 Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Diagram
@@ -171,13 +176,20 @@ class Script:
             for k, (left, right) in enumerate(pairwise(known)):
                 for a, b in zip(left, right, strict=True):
                     if not _agrees(a, b, relations[k], scale, room):
-                        step = f"the step {_shown(expressions)} does not hold: {a:.10g} against {b:.10g}"
-                        raise disagreement(step, world.draw.reference, "No derivation")
+                        step = Message(
+                            "the step {line} does not hold: {a:.10g} against {b:.10g}",
+                            line=_shown(expressions),
+                            a=a,
+                            b=b,
+                        )
+                        raise disagreement(step, world.draw.reference, NO_DERIVATION)
         if n_held < FEWEST:
-            raise CannotAnswer(
-                f"the step {_shown(expressions)} could be checked at {n_held} random motions only, so the derivation "
-                f"is not shown{': ' + trouble if trouble else ''}"
+            told = Message(
+                "the step {line} could be checked at {n} random motions only, so the derivation is not shown",
+                line=_shown(expressions),
+                n=n_held,
             )
+            raise CannotAnswer(Message("{what}: {why}", what=told, why=trouble) if trouble else told)
 
 
 def _agrees(a: float, b: float, relation: Relation, scale: float, share: float = ROUND_OFF) -> bool:

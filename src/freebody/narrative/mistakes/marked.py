@@ -13,6 +13,7 @@ from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, multiply
+from freebody.language.sentences import Message
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.questions.base import Quantity
@@ -122,7 +123,7 @@ class Marked:
             motion = SmoothMotion(model, start)
             reached = motion.reach(replace(question.event, value=value))
             if reached.coordinate is None:
-                raise CannotAnswer("the event involves several coordinates")
+                raise CannotAnswer(Message("the event involves several coordinates"))
             k = model.coordinates.index(reached.coordinate)
             is_uniform = model.dynamics.solved_accelerations[model.accelerations[k]].is_constant()
             if q.is_of_event:

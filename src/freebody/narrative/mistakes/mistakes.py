@@ -14,6 +14,7 @@ from itertools import combinations
 
 from freebody.assess.points import working_precision
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.marked import Marked
@@ -84,9 +85,9 @@ class _MistakeSearch:
         system = self.context.system
         is_reaction = self.question.quantity.is_reaction
         if system.space or system.bounds or system.rubs or self.question.transition is not None:
-            raise CannotAnswer("factors are for systems in the plane that do not change")
+            raise CannotAnswer(Message("factors are for systems in the plane that do not change"))
         if is_reaction and len(system.held) > MOST_ROWS:
-            raise CannotAnswer("too many reactions depend on each other")
+            raise CannotAnswer(Message("too many reactions depend on each other"))
         marked = Marked(self.context.setup, with_speeds=not is_reaction)
         groups: list[tuple[str, ...]] = []
         with suppress(*FAILURES):
@@ -95,7 +96,7 @@ class _MistakeSearch:
         self.one = dict.fromkeys(marked.factors.values(), marked.model.field.one)
         plain = Mistake(Sentence(""), self.one)
         if not all((plain.of(x) - own).is_zero() for x, own in zip(answers, self.options.answer, strict=True)):
-            raise CannotAnswer("the answer is another one")
+            raise CannotAnswer(Message("the answer is another one"))
         return answers, list(omissions)
 
     # -- the search ---------------------------------------------------------------------------

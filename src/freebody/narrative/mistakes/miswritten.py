@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Argument, Sentence
@@ -43,24 +44,24 @@ class BodyEquations:
     def __init__(self, context: Context, question: Question) -> None:
         system = context.system
         if question.event is not None or question.at_start or question.transition is not None:
-            raise CannotAnswer("equations of bodies are for the general instant")
+            raise CannotAnswer(Message("equations of bodies are for the general instant"))
         if system.space or system.bounds or system.rubs:
-            raise CannotAnswer("equations of bodies are for systems in the plane that do not change")
+            raise CannotAnswer(Message("equations of bodies are for systems in the plane that do not change"))
         self.newton = context.newton
         self.model = context.setup.model
         self.field = self.model.field
         table = self.newton.table
         if self.newton.merged or self.model.redundant:
-            raise CannotAnswer("reactions depend on each other")
+            raise CannotAnswer(Message("reactions depend on each other"))
         self.parts = self.newton.asked(question.quantity)
         self.reactions = {name: self.field.index(r) for name, r in table.reactions.items()}
         self.columns = [*self.model.accelerations, *self.reactions.values()]
         if not self.field.ingredients(sum(self.parts[1:], self.parts[0])) & set(self.columns):
-            raise CannotAnswer("what is asked follows from the state")
+            raise CannotAnswer(Message("what is asked follows from the state"))
         places = [(b, slot) for b in self.model.system.moving for slot in ("x", "y", "angle")[: 3 if b.turns else 2]]
         self.places = [(b.name, slot) for b, slot in places]
         if not len(self.columns) == len(self.places) <= MOST_EQUATIONS:
-            raise CannotAnswer("there are not as many equations as unknowns")
+            raise CannotAnswer(Message("there are not as many equations as unknowns"))
         self.rows = [self._row(body, slot) for body, slot in self.places]
 
     def _row(self, body: str, slot: str) -> Row:
@@ -139,7 +140,7 @@ class BodyEquations:
             rows.append(changed)
         solved = solve(self.field, rows, self.columns, self.model.samples.vanishes)
         if solved.free or solved.contradictory:
-            raise CannotAnswer("the equations do not tell")
+            raise CannotAnswer(Message("the equations do not tell"))
         values = {column: row.get(RHS, self.field.zero) for column, row in solved.pivots.items()}
         found = (self.field.substitute(part, values) for part in self.parts)
         return [self.field.lowest_terms(self.model.in_independent_speeds(x)) for x in found]

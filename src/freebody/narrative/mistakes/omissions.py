@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import AppliedLoad, RigidBody
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Marked, MarkedFactor
@@ -212,7 +213,7 @@ def marked_omissions(
     """The answer in the factors, and what can go wrong with them. Raises CannotAnswer without a closed form."""
     answers, is_uniform = marked.closed_form(question)
     if not answers:
-        raise CannotAnswer("nothing is asked")
+        raise CannotAnswer(Message("nothing is asked"))
     return answers, Omissions(marked, question, is_uniform=is_uniform, groups=groups)
 
 

@@ -14,6 +14,7 @@ from freebody.assess.verdict import Settled
 from freebody.errors import CannotAnswer, ExpressionError, RoutesDisagree, UnitError
 from freebody.language.expression import Expr
 from freebody.language.parser import parse
+from freebody.language.sentences import Message
 from freebody.language.units import dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
@@ -100,12 +101,12 @@ class WrongOptions:
     def _elements(self, exprs: Sequence[Expr]) -> Elements:
         """Raises CannotAnswer for what the field cannot say."""
         if any(key not in self.setting.names for expr in exprs for key in named_in(expr)):
-            raise CannotAnswer("it names what is not given")
+            raise CannotAnswer(Message("it names what is not given"))
         found: list[Ratio] = []
         for expr in exprs:
             option = as_option(self.setting, expr)
             if option.element is None or option.is_sign_open:
-                raise CannotAnswer("not an element of the field")
+                raise CannotAnswer(Message("not an element of the field"))
             found.append(self.model.field.lowest_terms(self.model.in_independent_speeds(option.element)))
         return tuple(found)
 
@@ -114,7 +115,7 @@ class WrongOptions:
         parts = inside[1:-1].split(",") if inside.startswith("[") and inside.endswith("]") else [inside]
         exprs = [self.setting.names.with_rates(parse(part.strip())) for part in parts]
         if len(exprs) != len(self.answer):
-            raise CannotAnswer("it has another number of components")
+            raise CannotAnswer(Message("it has another number of components"))
         return exprs
 
     def _breaks_units(self, text: str) -> bool:
@@ -143,7 +144,7 @@ class WrongOptions:
                 values = self.model.samples.numbers(sample, draw.sample())
                 found.append(self._faster(values) if later else self.model.field.complete(values))
         if not found:
-            raise CannotAnswer("there are no random motions")
+            raise CannotAnswer(Message("there are no random motions"))
         return found
 
     def _faster(self, values: dict[int, Any]) -> Point:

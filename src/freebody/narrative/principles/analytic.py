@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add
+from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
@@ -31,7 +32,7 @@ def by_lagrange(context: Context, script: Script, asked: Sequence[int]) -> dict[
     """The accelerations of coordinates by Lagrange's equations. Raises CannotAnswer for reactions, closed loops and
     velocity constraints."""
     model = context.setup.model
-    _check(model, asked, "Lagrange's equations")
+    _check(model, asked, Message("Lagrange's equations"))
     T = kinetic_energy(context)
     with script.stage("stage.lagrange", "hint.lagrange"):
         t_line = _kinetic_line(context, script, T)
@@ -48,11 +49,13 @@ def by_lagrange(context: Context, script: Script, asked: Sequence[int]) -> dict[
 def by_energy(context: Context, script: Script, asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
     """The acceleration by the rate of energy, for one degree of freedom."""
     model = context.setup.model
-    _check(model, asked, "the rate of energy")
+    _check(model, asked, Message("the rate of energy"))
     if model.degrees_of_freedom != 1:
         raise CannotAnswer(
-            f"energy gives one equation, and there are {model.degrees_of_freedom} degrees of freedom; take newton or "
-            "lagrange"
+            Message(
+                "energy gives one equation, and there are {n} degrees of freedom; take newton or lagrange",
+                n=model.degrees_of_freedom,
+            )
         )
     f, (c,) = model.field, model.coordinates
     T = kinetic_energy(context)
@@ -132,17 +135,23 @@ def generalized_force(model: SymbolicModel, c: Coordinate) -> Ratio:
 
 def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
     if not set(asked) <= set(model.accelerations):
-        raise CannotAnswer(f"{what} know no reactions; take newton, or ask for an acceleration")
+        raise CannotAnswer(Message("{what} know no reactions; take newton, or ask for an acceleration", what=what))
     if model.dependent:
         names = ", ".join(c.name for c in model.dependent)
         raise CannotAnswer(
-            f"{names} are bound by closed loops, and {what} are written for independent coordinates here"
+            Message(
+                "{names} are bound by closed loops, and {what} are written for independent coordinates here",
+                names=names,
+                what=what,
+            )
         )
     rows = model.system.held
     if any(isinstance(row.measure, NonholonomicForm) for row in rows):
-        raise CannotAnswer(f"a constraint on velocities is at work; {what} are written for holonomic systems here")
+        raise CannotAnswer(
+            Message("a constraint on velocities is at work; {what} are written for holonomic systems here", what=what)
+        )
     if what.startswith("the rate") and any(is_driven(row) for row in rows):
-        raise CannotAnswer("a driver does work that is not known beforehand; take newton or lagrange")
+        raise CannotAnswer(Message("a driver does work that is not known beforehand; take newton or lagrange"))
 
 
 def _kinetic_line(context: Context, script: Script, T: Ratio) -> int:

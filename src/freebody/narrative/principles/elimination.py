@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, add
+from freebody.language.sentences import Message
 from freebody.narrative.lines.script import Script, When
 from freebody.narrative.principles.kinematics import scaled
 from freebody.symbolic.field import Ratio
@@ -153,7 +154,7 @@ class Solver:
             if unknown in needed:
                 values[unknown] = self._value(row, unknown, values)
         if not set(asked) <= set(values):
-            raise CannotAnswer("the chosen equations do not contain what is asked for")
+            raise CannotAnswer(Message("the chosen equations do not contain what is asked for"))
         return {unknown: values[unknown] for unknown in asked}
 
     def _value(self, row: EliminationRow, unknown: int, values: dict[int, tuple[Ratio, int]]) -> tuple[Ratio, int]:
@@ -163,7 +164,7 @@ class Solver:
             if u == unknown:
                 continue
             if u not in values:
-                raise CannotAnswer("the chosen equations do not determine what is asked for")
+                raise CannotAnswer(Message("the chosen equations do not determine what is asked for"))
             rest = rest - x * values[u][0]
             uses.append(values[u][1])
         value = self.field.lowest_terms(rest / entry)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, Symbol, add, negate, number
 from freebody.language.notation.parts import signed_terms
+from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
@@ -86,7 +87,9 @@ def balanced(x: Expr) -> tuple[Expr, Expr]:
 def readable(x: Ratio) -> Ratio:
     """The element; raises CannotAnswer for one that is too long to read."""
     if len(x.num) + len(x.denominator().num) > MOST_TERMS:
-        raise CannotAnswer("its equations of motion are longer than anybody reads; freebody eom writes them out")
+        raise CannotAnswer(
+            Message("its equations of motion are longer than anybody reads; freebody eom writes them out")
+        )
     return x
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from freebody.errors import RoutesDisagree
 from freebody.language.expression import Expr, Sum, Symbol, add, negate
 from freebody.language.notation.parts import signed_terms
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Argument, Diagram, Legend, Script, Sentence
@@ -483,4 +484,6 @@ def same_answer(found: Sequence[Ratio], wanted: Sequence[Ratio]) -> None:
     """Raises RoutesDisagree unless a derivation ends in the solver's answer."""
     for a, b in zip(found, wanted, strict=True):
         if not (a - b).is_zero():
-            raise RoutesDisagree("the derivation ends in another formula than the solver. This is a defect of freebody")
+            raise RoutesDisagree(
+                Message("the derivation ends in another formula than the solver. This is a defect of freebody")
+            )

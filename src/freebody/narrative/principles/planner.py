@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.narrative.principles.table import PrincipleTable, Slot, WritablePrinciple
 from freebody.symbolic.field import Ratio
 from freebody.tolerances import ROUND_OFF
@@ -76,7 +77,7 @@ class Planner:
         try:
             return float(self.model.field.evaluate(x, self.numbers))
         except (KeyError, ValueError, ArithmeticError):
-            raise CannotAnswer("a principle has no real value at a random motion") from None
+            raise CannotAnswer(Message("a principle has no real value at a random motion")) from None
 
     # -- rows ---------------------------------------------------------------------------------
     def column(self, row: str) -> int:
@@ -114,7 +115,7 @@ class Planner:
         entries = self._entries(frozenset(among) if among is not None else None)
         chosen = self._search(entries, target)
         if chosen is None:
-            raise CannotAnswer("no closed set of principles was found")
+            raise CannotAnswer(Message("no closed set of principles was found"))
         ordered = self._in_order([entries[k] for k in chosen], target)
         avoided = tuple(self._avoided(e) for e in ordered)
         contained = tuple(tuple(r for r, k in self.columns.items() if e.row[k]) for e in ordered)

@@ -12,11 +12,12 @@ from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, n_operations, number
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.narrative.principles.reactions import introduce_reactions
@@ -45,9 +46,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     asked = question.quantity
     assert isinstance(asked, Conserved)
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "its rate has no closed form")
+        raise CannotAnswer(answer.reason or Message("its rate has no closed form"))
     if context.system.bounds or context.system.rubs:
-        raise CannotAnswer("the law of motion changes on the way; conservation is derived for one law only")
+        raise CannotAnswer(Message("the law of motion changes on the way; conservation is derived for one law only"))
     telling = _ConservingTelling(context, asked, answer)
     telling.tell()
     return telling.script.stages
@@ -172,9 +173,9 @@ class _ConservingTelling:
         own_centre = q.about is None and isinstance(q.body, str)
         key = "conserved.about_moving" if moves else "conserved.about_centre" if own_centre else "conserved.about"
         about = "" if own_centre or q.about is None else str(q.about)
-        self.script.say(key, point=f"@{about or 'the origin'}")
+        self.script.say(key, point=f"@{about}" if about else Message("the origin"))
         if moves:
-            self.script.say("conserved.why_moving", point=f"@{about or 'the origin'}")
+            self.script.say("conserved.why_moving", point=f"@{about}" if about else Message("the origin"))
 
     def _by_principle(self, part: _Part) -> None:
         """The rate as a sum over what acts, reactions as symbols."""
@@ -260,7 +261,7 @@ class _ConservingTelling:
                 lines += loop_lines(self.context, self.script)
                 lines += [row.number for row in motion_equations(self.context, self.script)]
             except CannotAnswer as error:
-                self.script.say("conserved.no_equations", reason=f"@{error}")
+                self.script.say("conserved.no_equations", reason=ready(str(error)))
             for part in self.parts:
                 rate = self._last(part)
                 if rate is not None:
@@ -327,8 +328,8 @@ def _either(cases: Sequence[str]) -> Sentence:
     """a or b or c"""
     first, *rest = cases
     if not rest:
-        return Sentence("conserved.case", {"case": f"@{first}"})
-    return Sentence("conserved.or", {"first": f"@{first}", "rest": _either(rest)})
+        return Sentence("conserved.case", {"case": ready(first)})
+    return Sentence("conserved.or", {"first": ready(first), "rest": _either(rest)})
 
 
 @singledispatch

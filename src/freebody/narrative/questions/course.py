@@ -12,8 +12,9 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
@@ -54,7 +55,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     context.glossary.at_event(event)
     c = reached.coordinate
     if c is None:
-        raise CannotAnswer("a measure of several coordinates that move independently is told without a derivation")
+        raise CannotAnswer(
+            Message("a measure of several coordinates that move independently is told without a derivation")
+        )
     k = setup.model.coordinates.index(c)
     acceleration = setup.model.field.lowest_terms(
         setup.model.dynamics.solved_accelerations[setup.model.accelerations[k]]
@@ -62,7 +65,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     script = context.script()
     by_energy = reached.time is None or method == "energy"
     if by_energy and reached.time is not None and question.quantity.is_of_event:
-        raise CannotAnswer("energy tells the speed, not the time; there is: auto, newton, lagrange")
+        raise CannotAnswer(Message("energy tells the speed, not the time; there is: auto, newton, lagrange"))
     line = 0
     if not by_energy:
         line = _acceleration(context, script, setup.model.accelerations[k], method)
@@ -166,7 +169,7 @@ def _time_lines(way: _EventWay, x_line: int, u_line: int, square: int | None, at
         source = script.next_number - 1
     script.line(TIME, tidy(reached.time), why="course.time", args={"line": source}, uses=(source, at), when="event")
     for note in reached.notes:
-        script.say("course.note", text=f"@{note}")
+        script.say("course.note", text=ready(note))
 
 
 def _linear(way: _EventWay) -> list[int]:
@@ -198,7 +201,7 @@ def _linear(way: _EventWay) -> list[int]:
         uses = (*lines, at)
         script.line(TIME, tidy(reached.time), why="course.first_time", args={"lines": uses}, uses=uses, when="event")
         for note in reached.notes:
-            script.say("course.note", text=f"@{note}")
+            script.say("course.note", text=ready(note))
     return lines
 
 
@@ -243,7 +246,7 @@ def _energy(way: _EventWay) -> list[int]:
     script, c, reached, context = way.script, way.coordinate, way.reached, way.context
     model, f = context.setup.model, context.setup.model.field
     if reached.speed is None:
-        raise CannotAnswer("the motion to the event has no closed form")
+        raise CannotAnswer(Message("the motion to the event has no closed form"))
     lines = energy_terms(context, script)
     u = rates_of(c.name, 1)
     event = way.question.event
@@ -289,7 +292,7 @@ def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
     if q.is_of_event:
         return
     if q.scope == "course":
-        raise CannotAnswer("what is counted on the way is derived from no line here")
+        raise CannotAnswer(Message("what is counted on the way is derived from no line here"))
     model, f = context.setup.model, context.setup.model.field
     parts, unknowns = parts_of(context, question.quantity)
     found = by_momentum(context, script, unknowns) if unknowns else {}
@@ -297,7 +300,7 @@ def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
     state = SymbolicState(model, context.setup.motion.known_at(reached))
     there = [f.lowest_terms(state.here(g)) for g in general]
     if len(there) != 1:
-        raise CannotAnswer("a vector at an event is told by its components")
+        raise CannotAnswer(Message("a vector at an event is told by its components"))
     c = way.coordinate
     shown, last = tidy(there[0]), script.next_number - 1
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, ProductOf, Sum, negate, number
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -21,9 +22,9 @@ MOST_ROWS = 6  # of a dependent set, that are listed one by one
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The count, the dependent constraints, the number. Raises CannotAnswer where the solver has no number."""
-    refuse(method, (), "a count of freedoms")
+    refuse(method, (), Message("a count of freedoms"))
     if answer.value is None:
-        raise CannotAnswer(answer.reason or "the solver found no number of freedoms")
+        raise CannotAnswer(answer.reason or Message("the solver found no number of freedoms"))
     found = mobility(context.system)
     n = int(answer.value) if not isinstance(answer.value, tuple) else 0
     script = context.script()
@@ -96,7 +97,7 @@ def _dependences(script: Script, found: Mobility, n: int) -> int:
         connections = tuple(dict.fromkeys(row.split(".")[0] for row in d.rows))
         few = Sentence("mobility.rows", {"rows": d.rows})
         many = Sentence("mobility.of", {"connections": connections, "n": len(d.rows)})
-        args: dict[str, Argument] = {"of": few if len(d.rows) <= MOST_ROWS else many, "reason": f"@{d.why}"}
+        args: dict[str, Argument] = {"of": few if len(d.rows) <= MOST_ROWS else many, "reason": ready(d.why)}
         told.append(Sentence(key, args))
     if told:
         script.say("mobility.sets")
@@ -121,7 +122,7 @@ def _what_moves(script: Script, found: Mobility) -> None:
     if found.independent_coordinates:
         script.say("mobility.coordinates", names=found.independent_coordinates)
     for body, what in found.idle.items():
-        script.say("mobility.idle", body=body, what=f"@{what}")
+        script.say("mobility.idle", body=body, what=ready(what))
     if found.n_idle:
         script.say("mobility.useful", n=found.useful_freedom)
     if found.reachable is not None and found.reachable > found.finite_freedom:

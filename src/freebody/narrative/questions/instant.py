@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, Script, Sentence
@@ -39,7 +40,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         loop_lines(context, script)
         found = newton.write(script, newton.plan(unknowns), unknowns)
     else:
-        refuse(method, (), "what follows from the state alone")
+        refuse(method, (), Message("what follows from the state alone"))
         before = parts_of_state(context, script, question)
     finish(context, script, question, parts, found, before)
     return script.stages

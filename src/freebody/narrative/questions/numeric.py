@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Derive, Method
-from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.lines.script import DerivationStage, Script, ready
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.questions.reading import Question
 from freebody.study.answer import Answer
@@ -42,16 +42,16 @@ def in_numbers(context: Context, answer: Answer) -> list[DerivationStage]:
             _constraints(context.setup, script, str(error))
     if answer.never:
         with script.stage("stage.value"):
-            script.say("unclosed.never", reason=f"@{answer.reason}")
+            script.say("unclosed.never", reason=ready(answer.reason))
         return script.stages
     with script.stage("stage.numeric"):
-        script.say("unclosed.why", reason=f"@{answer.reason}")
+        script.say("unclosed.why", reason=ready(answer.reason))
         script.say("unclosed.number" if answer.value is not None else "unclosed.simulate")
     return script.stages
 
 
 def _constraints(setup: Setup, script: Script, reason: str) -> None:
     """Where even the speeds have no short formula: what is solved instead."""
-    script.say("unclosed.no_coordinates", reason=f"@{reason}")
+    script.say("unclosed.no_coordinates", reason=ready(reason))
     script.say("unclosed.bodies", n=sum(6 if setup.system.space else 3 for _b in setup.system.moving))
     script.say("unclosed.rows", n=len(setup.system.held))

@@ -17,6 +17,7 @@ from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, multiply, number, power, substitute
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
@@ -41,9 +42,9 @@ from freebody.symbolic.tidy import tidy
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """Equations of motion, the equilibrium, what is linear beside it, the frequencies. Raises CannotAnswer where the
     solver has no formula."""
-    refuse(method, ("newton", "lagrange"), "small motion")
+    refuse(method, ("newton", "lagrange"), Message("small motion"))
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "there is no closed form")
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     telling = _SmallTelling(context, question, answer, method)
     telling.equations()
     telling.equilibrium()
@@ -129,7 +130,7 @@ class _SmallTelling:
     @singledispatchmethod
     def asked(self, q: Quantity) -> None:
         """By the kind of question."""
-        raise CannotAnswer("this is no question about small motion")
+        raise CannotAnswer(Message("this is no question about small motion"))
 
     @asked.register(Equilibrium)
     def _place(self, q: Equilibrium) -> None:
@@ -263,7 +264,7 @@ class _SmallTelling:
                 return
             left: Expr | tuple[Expr, ...] = symbols[0] if len(symbols) == 1 else tuple(symbols)
             if isinstance(expression, tuple) != isinstance(left, tuple):
-                raise CannotAnswer("the solver shows another number of frequencies")
+                raise CannotAnswer(Message("the solver shows another number of frequencies"))
             script.line(left, expression, why="small.take_root", args=args, uses=roots, when="never")
 
 

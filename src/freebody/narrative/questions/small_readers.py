@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
@@ -38,7 +39,9 @@ class SmallMotions:
         for c in setup.model.coordinates:
             measure = setup.model.measure_of(c)
             if measure is None:
-                raise CannotAnswer(f"{c.name} is no measure of the model, so small motions along it cannot be checked")
+                raise CannotAnswer(
+                    Message("{x} is no measure of the model, so small motions along it cannot be checked", x=c.name)
+                )
             self.measures.append(measure)
 
     # -- readers ------------------------------------------------------------------------------

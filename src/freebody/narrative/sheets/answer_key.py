@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr
-from freebody.narrative.lines.script import Sentence
+from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import raised
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
@@ -56,7 +56,7 @@ def _key_row(catalogue: Catalogue, key: KeyEntry) -> tuple[Text, ...]:
     letter: Text = (f"({key.letter})",) if key.letter else ()
     formula: Text = () if key.expression is None else (Formula((key.expression,)),)
     if key.reason and key.expression is None:
-        formula = catalogue.tell(Sentence("sheet.unanswered", {"reason": f"@{key.reason}"}))
+        formula = catalogue.tell(Sentence("sheet.unanswered", {"reason": ready(key.reason)}))
     elif key.expression is None and key.conditions:
         formula = (", ".join(map(catalogue.said, key.conditions)),)
     values = key.value if isinstance(key.value, tuple) else (() if key.value is None else (key.value,))

@@ -13,7 +13,7 @@ from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
-from freebody.narrative.lines.script import Sentence
+from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import raised
@@ -45,7 +45,7 @@ class ExerciseStatement:
         yield from self._bodies()
         yield from self._connections()
         for text in system.assumptions:
-            yield Paragraph(self._say("system.assumed", text=f"@{text}"))
+            yield Paragraph(self._say("system.assumed", text=ready(text)))
         yield from self._symbols()
         yield from self._start()
         yield from self._given()

@@ -9,6 +9,7 @@ from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry
@@ -34,7 +35,7 @@ from freebody.symbolic.tidy import tidy
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an instant. Raises CannotAnswer where the solver has no formula."""
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "there is no closed form")
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     script = context.script()
     table = PrincipleTable(context.setup.model)
     parts, unknowns = asked(context, question.quantity, table)
@@ -48,7 +49,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
             before = telling.parts(question.quantity)
         found = _unknowns(context, script, telling.kinematics, table, unknowns, method)
     else:
-        refuse(method, (), "what follows from the state alone")
+        refuse(method, (), Message("what follows from the state alone"))
         before = telling.parts(question.quantity)
     if question.at_start and not found and before.total is not None and telling.is_formal:
         finish_at_start(context, script, question, parts, before)
@@ -226,6 +227,6 @@ def _turns_by_itself(q: Quantity, telling: SpatialTelling, question: Question, m
 def _told_by_euler(q: AngularVelocity, telling: SpatialTelling, question: Question, method: Method) -> bool:
     if not turns_freely(telling.context, q):
         return False
-    refuse(method, ("newton",), "the turning of a free body")
+    refuse(method, ("newton",), Message("the turning of a free body"))
     by_euler(telling.context, telling.script, telling.kinematics, question, q)
     return True

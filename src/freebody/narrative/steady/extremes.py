@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
@@ -127,7 +128,7 @@ class _Sweep:
         if id(world) not in self._known:
             turn = FullTurn(self.context.setup, world.draw, self.c, self.q.of)
             if not all(holds(self.context.setup, k, world.draw, turn.start) for k in self.search.conditions):
-                raise CannotAnswer("these numbers do not meet the conditions of the answer")
+                raise CannotAnswer(Message("these numbers do not meet the conditions of the answer"))
             step = math.tau / N_POSES
             poses: list[tuple[float, float, Array]] = []
             for sense in (1.0, -1.0):

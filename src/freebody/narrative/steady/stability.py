@@ -9,6 +9,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
@@ -42,7 +43,7 @@ def tell_spin(context: Context, question: Question, answer: Answer, q: SpinStabi
     tensor = model.dynamics.inertias[q.body][3:]
     if not tensor[_PRODUCTS[frozenset((i, j))]].is_zero():
         raise CannotAnswer(
-            "the axes across the spin are no principal axes; the answer is that of the general equations"
+            Message("the axes across the spin are no principal axes; the answer is that of the general equations")
         )
     script = context.script()
     spin = next(s for s in sorted(free_symbols(expression)) if s not in context.system.parameters)
@@ -157,7 +158,9 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
     expression = answer.expression
     assert expression is not None
     if answer.unit == "":
-        raise CannotAnswer("stability is decided here by the signs in Routh's array, which are not told step by step")
+        raise CannotAnswer(
+            Message("stability is decided here by the signs in Routh's array, which are not told step by step")
+        )
     steady = Steady(context.setup.model)
     linear = linear_at_start(context.setup, steady)
     script = context.script()

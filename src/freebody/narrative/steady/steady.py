@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.base import Quantity
@@ -15,15 +16,15 @@ from freebody.study.answer import Answer
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a question about steady motion. Raises CannotAnswer where the solver has no formula."""
-    refuse(method, (), "steady motion")
+    refuse(method, (), Message("steady motion"))
     if answer.expression is None:
-        raise CannotAnswer(answer.reason or "there is no closed form")
+        raise CannotAnswer(answer.reason or Message("there is no closed form"))
     return _told(question.quantity, context, question, answer)
 
 
 @singledispatch
 def _told(q: Quantity, context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
-    raise CannotAnswer("this is no question about steady motion")
+    raise CannotAnswer(Message("this is no question about steady motion"))
 
 
 @_told.register(SteadyValue)

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, rate_key
+from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, When
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, When, ready
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
 from freebody.questions.motion import rates_of
@@ -148,7 +149,7 @@ def _roots(
         script.say("steady.roots", n=len(general))
         sides = (_root_symbols(telling, script, glossary, symbol, len(general)), general)
     for note in solutions.notes:
-        script.say("result.note", text=f"@{note}")
+        script.say("result.note", text=ready(note))
     line = script.line(*sides, why="steady.solved", args=args, uses=tuple(uses), when="event")
     if sides[-1] != expression:
         given: dict[str, Argument] = {"lines": (line,)}
@@ -188,7 +189,7 @@ def _during(telling: _SteadyTelling, script: Script, q: SteadyValue, uses: list[
     expression = telling.answer.expression
     assert expression is not None
     if question.at_start:
-        raise CannotAnswer("what a steady motion has at the start is derived for rates and places only")
+        raise CannotAnswer(Message("what a steady motion has at the start is derived for rates and places only"))
     n = len(expression) if isinstance(expression, tuple) else 1
     symbol = asked_symbol(context, question, n)
     for k, name in enumerate(names_of(symbol, n) if n > 1 else (symbol,)):

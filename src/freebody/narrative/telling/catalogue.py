@@ -16,9 +16,11 @@ from typing import Any, cast
 
 from freebody.errors import InputError
 from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, Symbol
+from freebody.language.notation import Stated
+from freebody.language.sentences import Message
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Argument, Sentence
-from freebody.narrative.telling.phrases import GENERAL, TABLE, phrases_of
+from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
 
 _REFERENCES = ("line", "lines", "given")
@@ -113,6 +115,10 @@ class Catalogue:
         unless its place is that of what a system does."""
         if place == "title":
             return text
+        text = text.words if isinstance(text, Stated) else text
+        if isinstance(text, Message):
+            form = "does" if place == "what" else _FIRST.get(place, GENERAL)
+            return self._phrases.said(text, form) or text
         if " " not in text:
             return self._phrases.said(text, "does") or text if place == "what" else text
         kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
@@ -129,6 +135,8 @@ class Catalogue:
             return list(self.tell(value))
         if isinstance(value, _EXPRESSIONS):
             return [Formula((value,))]
+        if isinstance(value, (Message, Stated)):
+            return [self.said(value, name)]
         if isinstance(value, int):
             if name == "figure":
                 return [Reference(value, "figure")]
@@ -178,8 +186,8 @@ def _read(language: str) -> dict[str, str]:
 
 def _flatten(table: dict[str, Any], prefix: str, found: dict[str, str]) -> None:
     for key, value in table.items():
-        if prefix + key == TABLE:
-            continue  # of phrases
+        if prefix + key in (TABLE, MESSAGES):
+            continue
         if isinstance(value, dict):
             _flatten(cast("dict[str, Any]", value), f"{prefix}{key}.", found)
         else:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.errors import FreebodyError
 from freebody.narrative.derivation import Derivation, WorkedSolutions
-from freebody.narrative.lines.script import Sentence
+from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import Telling
@@ -61,9 +61,9 @@ def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivati
     else:
         blocks += telling.stages(d.stages)
     if d.reason:
-        blocks.append(Remark(catalogue.tell(Sentence("report.no_derivation", {"reason": f"@{d.reason}"})), "warning"))
+        blocks.append(Remark(catalogue.tell(Sentence("report.no_derivation", {"reason": ready(d.reason)})), "warning"))
     if d.answer.evidence is not None:
         e = d.answer.evidence
-        args = {"n": e.draws, "route": f"@{e.route}", "worst": f"@{e.worst_relative_difference:.0e}"}
+        args = {"n": e.draws, "route": ready(e.route), "worst": f"@{e.worst_relative_difference:.0e}"}
         blocks.append(Remark(catalogue.tell(Sentence("report.evidence", args)), "evidence"))
     return Section(title, tuple(blocks))

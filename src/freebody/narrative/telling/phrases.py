@@ -1,12 +1,21 @@
 """Sentences that the layers below hand over ready-made, in another language.
 
-A language states them as a table of phrases in its files, a pattern of the original and what is said for it:
+A `Message` knows the template that it was made of; a language has what is said for it in a table of its files. A place
+may ask for a form that stands there, {event:happens}, which has a table of its own:
+
+    [message]
+    "just before {event}" = "unmittelbar bevor {event:happens}"
+
+    [message.happens]
+    "{contact} opens" = "sich {contact} öffnet"
+
+What people write themselves, measures, questions and options, is recognised by its pattern, in a table of phrases:
 
     [phrase]
-    "equal for {where}: proved exactly" = "gleich für {where}: exakt bewiesen"
+    "travel of {p:name} along {d:along}" = "Weg von {p} {d}"
 
-    [phrase.case]
-    "as {p} grows" = "mit wachsendem {p}"
+    [phrase.along]
+    "up" = "nach oben"
 
 A place {p} stands for a formula or a name, which nothing alters; {p:most} for one that reaches as far as it can, and
 {p:name} for one word. {p:words} is a sentence that is looked up in turn, {p:list} several of them; any other word
@@ -25,12 +34,27 @@ from importlib.resources import files
 from itertools import zip_longest
 from typing import Any, cast
 
+from freebody.language.notation import Stated
+from freebody.language.sentences import Message
+
 GENERAL = ""
 TABLE = "phrase"  # of a file of words
+MESSAGES = "message"
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
 _BETWEEN = re.compile(r"(, then |, | and | or )")
+
+
+@dataclass(frozen=True)
+class _Place:
+    """What was put into a place of a message, as format() asks for it."""
+
+    phrases: Phrases
+    value: object
+
+    def __format__(self, form: str) -> str:
+        return self.phrases.put(self.value, form)
 
 
 @dataclass(frozen=True)
@@ -55,7 +79,8 @@ class TextPattern:
 class Phrases:
     """The phrases of a language, in the order in which they are tried."""
 
-    def __init__(self, phrases: tuple[TextPattern, ...]) -> None:
+    def __init__(self, phrases: tuple[TextPattern, ...], messages: Mapping[str, Mapping[str, str]]) -> None:
+        self.messages = messages
         ordered = sorted(phrases, key=lambda p: -p.n_own)
         self.kinds: dict[str, list[TextPattern]] = {}
         for p in ordered:
@@ -65,10 +90,28 @@ class Phrases:
 
     def said(self, text: str, kind: str = GENERAL) -> str | None:
         """A sentence in this language; None where no phrase fits, or none changes anything."""
+        text = text.words if isinstance(text, Stated) else text
+        if isinstance(text, Message):
+            return self._told(text, kind)
         key = (text, kind)
         if key not in self._known:
             self._known[key] = self._find(text, kind)
         return self._known[key]
+
+    def _told(self, message: Message, kind: str) -> str | None:
+        """A message by its template; in its own words around what is said in its places where there is none."""
+        general = self.messages.get(GENERAL, {}).get(message.template, message.template)
+        own = self.messages.get(kind, {}).get(message.template, general)
+        places = {name: _Place(self, value) for name, value in message.arguments.items()}
+        said = own.format_map(places)
+        return None if said == message else said
+
+    def put(self, value: object, form: str) -> str:
+        """What stands in a place of a message."""
+        value = value.words if isinstance(value, Stated) else value
+        if isinstance(value, Message):
+            return self._told(value, form) or value
+        return self._inside(value, form) if isinstance(value, str) else format(value, form)
 
     def _find(self, text: str, kind: str) -> str | None:
         if kind == GENERAL and (several := self._listed(text, strict=True)) is not None:
@@ -136,10 +179,14 @@ def phrases_of(language: str) -> Phrases:
     """The phrases of a language, from all of its files; none for the language in which they are handed over."""
     folder = files("freebody.narrative.words")
     found: list[TextPattern] = []
+    messages: dict[str, dict[str, str]] = {}
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.name.partition(".")[0] == language and entry.name.endswith(".toml"):
-            found += _flat(tomllib.loads(entry.read_text("utf-8")).get(TABLE, {}), GENERAL)
-    return Phrases(tuple(found))
+            tables = tomllib.loads(entry.read_text("utf-8"))
+            found += _flat(tables.get(TABLE, {}), GENERAL)
+            for p in _flat(tables.get(MESSAGES, {}), GENERAL):
+                messages.setdefault(p.kind, {})[p.english] = p.text
+    return Phrases(tuple(found), messages)
 
 
 def _flat(table: Mapping[str, Any], kind: str) -> Iterator[TextPattern]:

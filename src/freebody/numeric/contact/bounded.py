@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
@@ -100,10 +101,19 @@ class Bounded:
         system = numbers.system
         n_sites = sum(len(p.first.rounds) * (len(p.second.straights) + 1) for p in system.contacts)
         if n_sites > MOST_BOUNDS:
-            way_out = "Take fewer bodies" if system.space else "Use time stepping: method moreau, with a step"
+            way_out = (
+                Message("Take fewer bodies")
+                if system.space
+                else Message("Use time stepping: method moreau, with a step")
+            )
             raise CannotAnswer(
-                f"{len(system.contacts)} pairs can touch at more than {MOST_BOUNDS} places; events of so many are not "
-                f"followed one by one. {way_out}"
+                Message(
+                    "{n} pairs can touch at more than {most} places; events of so many are not "
+                    "followed one by one. {way_out}",
+                    n=len(system.contacts),
+                    most=MOST_BOUNDS,
+                    way_out=way_out,
+                )
             )
         self.numbers, self.watches, self.tracked = numbers, tuple(watches), tuple(tracked)
         self._packing = packing = packed(numbers, watches, tracked)

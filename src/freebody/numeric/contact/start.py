@@ -10,6 +10,7 @@ import numpy as np
 
 from freebody.connections.planar import Planar
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message, further
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -229,8 +230,10 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         found = _overlaps(reference, g, bounds)
     if found:
         raise CannotAnswer(
-            f"at the start {'; '.join(found)}. Move them apart, or let the assembly do it: touching: true in the "
-            "contact"
+            Message(
+                "at the start {what}. Move them apart, or let the assembly do it: touching: true in the contact",
+                what=further(*found),
+            )
         )
 
 

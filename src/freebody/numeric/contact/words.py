@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from freebody.language.sentences import Message
 from freebody.numeric.contact.bounded import Bounded, FrictionRow, ModeOf, UnilateralRow
 from freebody.numeric.contact.transition import After
 from freebody.numeric.engine.course import Event
@@ -58,7 +59,7 @@ def _closes(b: UnilateralRow) -> tuple[str, str]:
 
 def _opens(b: UnilateralRow) -> tuple[str, str]:
     if b.kind == "string":
-        return f"{b.words[0]} goes slack", "goes slack"
+        return Message("{contact} goes slack", contact=b.words[0]), "goes slack"
     if b.kind == "stop":
         return f"{b.words[0]} leaves its {b.words[1]}", "parts"
     return _pair(b.words, "leaves"), "parts"

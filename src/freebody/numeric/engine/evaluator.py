@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, NonholonomicForm
 from freebody.numeric.engine import dynamics, stepping
@@ -216,7 +217,7 @@ class Evaluator(Packed):
         stepping.visit(self.layout, self.room, self.idle, -1.0, y, t, out, n_times)
         multipliers = self.room.multiplier[self.place_of]
         if not (np.isfinite(out).all() and np.isfinite(multipliers).all()):
-            raise CannotAnswer(f"the accelerations at t = {t:.6g} s are not finite")
+            raise CannotAnswer(Message("the accelerations at t = {t:.6g} s are not finite", t=t))
         return self.room.acceleration.reshape(self.n_bodies + 1, -1).copy(), multipliers
 
     @property

@@ -9,6 +9,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, differentiate, free_symbols, has_jump, number, substitute
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
@@ -232,7 +233,11 @@ class Packing:
                 ),
                 ZERO,
             )
-        raise CannotAnswer(f"no kernel is written for the measure {type(measure).__name__}; run tools/write_kernels.py")
+        raise CannotAnswer(
+            Message(
+                "no kernel is written for the measure {name}; run tools/write_kernels.py", name=type(measure).__name__
+            )
+        )
 
     def bearings(self) -> list[tuple[int, Measure, float, float | None]]:
         """Measures that count turns: their place in the layout, the measure, what the angle of a fixed body adds to it,

@@ -18,6 +18,7 @@ from freebody.language.expression import (
     rate_key,
     whole_exponent,
 )
+from freebody.language.sentences import Message
 from freebody.numeric.engine import tape
 
 _NAMES = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs", "sign")
@@ -109,7 +110,7 @@ class Tapes:
             case Call(function, argument) if function in _OPS:
                 return self._emit(_OPS[function], place(argument))
             case _:
-                raise CannotAnswer(f"{expr} cannot be evaluated along a motion")
+                raise CannotAnswer(Message("{x} cannot be evaluated along a motion", x=expr))
 
     def _power(self, base: int, n: int) -> int:
         return base if n == 1 else self._emit(tape.WHOLE_POWER, base, constant=float(n))

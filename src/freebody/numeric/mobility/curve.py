@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.model.names import did_you_mean
@@ -92,7 +93,7 @@ class Mechanism:
         """The same near the given pose. Raises CannotAnswer where a measure has no value."""
         seen = self.see(x, self.near)
         if seen is None:
-            raise CannotAnswer("a held measure has no value in this pose; start from another one")
+            raise CannotAnswer(Message("a held measure has no value in this pose; start from another one"))
         return seen
 
     def corrected(self, x: Array, across: Array, near: Mapping[Branch, float]) -> tuple[Array, Seen] | None:
@@ -136,7 +137,7 @@ class Mechanism:
         across = np.linalg.svd(seen[1])[2][-1]
         found = self.corrected(x, across, self.near)
         if found is None:
-            raise CannotAnswer("the pose does not hold what is held; assemble it first")
+            raise CannotAnswer(Message("the pose does not hold what is held; assemble it first"))
         here = self.station(*found, across)
         return here if here.rates[0] >= 0.0 else here.reversed()
 
@@ -200,8 +201,11 @@ def _refuse(reference: Reference, released: Sequence[str]) -> None:
     rates = [row.name for row in held if isinstance(row.measure, NonholonomicForm) and row.connection not in released]
     if rates:
         raise CannotAnswer(
-            f"{', '.join(rates)} holds a velocity, not a place, so poses alone do not say where the motion leads. "
-            "Leave it out, or replace it by a connection that holds a place"
+            Message(
+                "{names} holds a velocity, not a place, so poses alone do not say where the motion leads. "
+                "Leave it out, or replace it by a connection that holds a place",
+                names=", ".join(rates),
+            )
         )
 
 
@@ -210,16 +214,26 @@ def regular_start(mechanism: Mechanism, x: Array) -> tuple[Array, str]:
     not one."""
     here, poses = mechanism.nullity(x), mechanism.nearby(x)
     if here == 0 or not poses:
-        why = "nothing moves" if here == 0 else "nothing moves beyond an infinitesimal motion"
+        why = Message("nothing moves") if here == 0 else Message("nothing moves beyond an infinitesimal motion")
         raise CannotAnswer(
-            f"a path needs one freedom, and {mechanism.without} there is none: {why}. "
-            "Release the driver, or remove a connection"
+            Message(
+                "a path needs one freedom, and {without} there is none: {why}. "
+                "Release the driver, or remove a connection",
+                without=mechanism.without,
+                why=why,
+            )
         )
     n_free, k = min((mechanism.nullity(y), k) for k, y in enumerate(poses))
     if n_free != 1:
         raise CannotAnswer(
-            f"a path needs one freedom, and {mechanism.without} there are {n_free} (moving most: "
-            f"{mechanism.movers(poses[k])}). Hold {n_free - 1} more, for example by a driver"
+            Message(
+                "a path needs one freedom, and {without} there are {n} (moving most: "
+                "{movers}). Hold {more} more, for example by a driver",
+                without=mechanism.without,
+                n=n_free,
+                movers=mechanism.movers(poses[k]),
+                more=n_free - 1,
+            )
         )
     if here == 1:
         return x, ""

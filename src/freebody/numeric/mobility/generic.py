@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
@@ -130,7 +131,7 @@ class Framework:
                 return found if found.is_exact else best
         if best is not None:
             return best
-        raise CannotAnswer(f"no random geometry was found in which all rows have a gradient: {why}")
+        raise CannotAnswer(Message("no random geometry was found in which all rows have a gradient: {why}", why=why))
 
     def rows_of(self, names: Iterable[str] | None) -> tuple[Sequence[ConstraintRow], Sequence[ConstraintRow]]:
         """The held rows of these names (None: all), and the rows that close where their connections are assembled."""

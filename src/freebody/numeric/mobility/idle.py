@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, position, unit
 from freebody.model.elements import ConstraintRow
@@ -104,9 +105,9 @@ class _Alone:
                 place = position(g, m.of)
                 away = math.hypot(place.x.value - center[0], place.y.value - center[1])
                 if away <= SAME_PLACE * max(1.0, self.reference.sizes.length):
-                    return f"turns about its pin {row.connection}"
+                    return Message("turns about its pin {pin}", pin=row.connection)
         x, y = (0.0 if abs(c) <= SAME_PLACE * self.reference.sizes.length else float(c) for c in center)
-        return f"turns about ({x:.6g}, {y:.6g}) m"
+        return Message("turns about ({x:.6g}, {y:.6g}) m", x=x, y=y)
 
     def _sliding(self, along: Array) -> str:
         g = self._geometry(self.q)
@@ -115,9 +116,9 @@ class _Alone:
                 if isinstance(m, Displacement) and m.along not in (RIGHT, UP):
                     across = unit(g, m.along)
                     if abs(across.x.value * along[0] + across.y.value * along[1]) <= SAME_PLACE:
-                        return f"slides along the guide of {row.connection}"
+                        return Message("slides along the guide of {guide}", guide=row.connection)
         angle = math.degrees(math.atan2(along[1], along[0])) % 180.0
-        return f"slides at {angle:.6g} deg from the x axis"
+        return Message("slides at {angle:.6g} deg from the x axis", angle=angle)
 
 
 def _rotated(u: Array, angle: float) -> Array:

@@ -10,6 +10,7 @@ from itertools import combinations
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
@@ -112,15 +113,22 @@ class AloneInSpace:
     # -- words --------------------------------------------------------------------------------
     def _words(self, screw: ScrewLine) -> str:
         if screw.pitch is None:
-            return f"slides along {_numbers(screw.direction)}"
+            return Message("slides along {direction}", direction=_numbers(screw.direction))
         on = [name for name, center in self._centers.items() if screw.passes(center, self.size)]
         if screw.pitch == 0.0 and len(on) > 1:
-            return f"turns about the line from {on[0]} to {on[1]}"
+            return Message("turns about the line from {a} to {b}", a=on[0], b=on[1])
         alike = [name for name, line in self._lines.items() if _is_same(line, screw, self.size)]
         if screw.pitch == 0.0 and alike:
-            return f"turns about the axis of {alike[0]}"
-        what = "turns about" if screw.pitch == 0.0 else f"moves {screw.pitch:.6g} m a radian along and about"
-        return f"{what} the line through {_numbers(screw.point)} m along {_numbers(screw.direction)}"
+            return Message("turns about the axis of {joint}", joint=alike[0])
+        point, direction = _numbers(screw.point), _numbers(screw.direction)
+        if screw.pitch == 0.0:
+            return Message("turns about the line through {point} m along {direction}", point=point, direction=direction)
+        return Message(
+            "moves {pitch:.6g} m a radian along and about the line through {point} m along {direction}",
+            pitch=screw.pitch,
+            point=point,
+            direction=direction,
+        )
 
 
 def _is_same(a: ScrewLine, b: ScrewLine, size: float) -> bool:

@@ -17,12 +17,13 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message, listed
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.mobility.generic import Framework
 from freebody.numeric.mobility.momentary import Neighbourhood
 from freebody.numeric.mobility.rank import Rank, n_independent, scaled_rows
-from freebody.numeric.mobility.reasons import listed, why_momentary, why_special
+from freebody.numeric.mobility.reasons import why_momentary, why_special
 from freebody.numeric.mobility.reasons_in_space import SpatialScene, why_momentary_in_space, why_special_in_space
 from freebody.numeric.mobility.scene import CircuitScene, numbers_at
 from freebody.numeric.reference import Reference
@@ -87,8 +88,12 @@ class _Study:
                 raise
             is_generic, self.why_not = False, str(error)
         if is_generic:
-            hold = "hold" if len(connections) > 1 else "holds"
-            why = f"In every geometry {listed(connections)} {hold} the same thing more than once."
+            names = listed(connections)
+            why = (
+                Message("In every geometry {connections} hold the same thing more than once.", connections=names)
+                if len(connections) > 1
+                else Message("In every geometry {connections} holds the same thing more than once.", connections=names)
+            )
             return Dependence(tuple(circuit), connections, "generic", why)
         is_momentary, is_shaky = self._momentary(rows, connections)
         if self.reference.system.space:
@@ -107,7 +112,7 @@ class _Study:
             why = why_momentary_in_space(scene, is_shaky=is_shaky)
             return Dependence(tuple(circuit), connections, "momentary", why, is_shaky)
         if self.why_not:
-            why = f"Whether it is so in other geometry too is not decided: {self.why_not}."
+            why = Message("Whether it is so in other geometry too is not decided: {why}.", why=self.why_not)
             return Dependence(tuple(circuit), connections, "not decided", why)
         return Dependence(tuple(circuit), connections, "special geometry", why_special_in_space(scene))
 

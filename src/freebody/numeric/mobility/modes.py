@@ -24,6 +24,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point, position
@@ -77,7 +78,9 @@ def assembly_modes(
     At most `n_starts` starts. Raises CannotAnswer for velocity constraints, if the mechanism keeps a freedom, and if
     no pose is found. Source: see the module."""
     if reference.system.space:
-        raise CannotAnswer("assembly modes are looked for in the plane only; in space choose one by at, turned or near")
+        raise CannotAnswer(
+            Message("assembly modes are looked for in the plane only; in space choose one by at, turned or near")
+        )
     search = _ModeSearch(reference, q, fixed, t)
     rng, poses = np.random.default_rng(seed), list[Fit]()
     n_since, n_done = 0, 0
@@ -96,7 +99,11 @@ def assembly_modes(
             break
     if not poses:
         raise CannotAnswer(
-            f"no pose was found in {n_done} starts in which {search.wanted}. Change the values, or the lengths"
+            Message(
+                "no pose was found in {n} starts in which {wanted}. Change the values, or the lengths",
+                n=n_done,
+                wanted=search.wanted,
+            )
         )
     # names do not depend on where the search began, so that a mode that was chosen keeps its own
     named = _named(reference, _in_order(search, poses), t)
@@ -113,7 +120,9 @@ def chosen(reference: Reference, q: Array, name: str) -> Array:
         if mode.name == name:
             return mode.q
     names = ", ".join(mode.name for mode in modes)
-    raise CannotAnswer(f"there is no assembly mode {name} at this start; there is: {names}")
+    raise CannotAnswer(
+        Message("there is no assembly mode {name} at this start; there is: {names}", name=name, names=names)
+    )
 
 
 # -- the search -------------------------------------------------------------------------------
@@ -124,8 +133,11 @@ class _ModeSearch:
         rates = [row.name for row in reference.system.held if isinstance(row.measure, NonholonomicForm)]
         if rates:
             raise CannotAnswer(
-                f"{', '.join(rates)} holds a velocity, not a place, so poses are not finitely many. "
-                "Leave it out, or replace it by a connection that holds a place"
+                Message(
+                    "{names} holds a velocity, not a place, so poses are not finitely many. "
+                    "Leave it out, or replace it by a connection that holds a place",
+                    names=", ".join(rates),
+                )
             )
         self.reference, self.t, self.origin = reference, t, q
         self.near: Mapping[Branch, float] = reference.geometry(q, np.zeros_like(q), t).angles
@@ -175,9 +187,23 @@ class _ModeSearch:
                 moving.append(self.reference.most_moved(direction))
         if moving:
             names = ", ".join(dict.fromkeys(moving))
+            if n_free == 1:
+                raise CannotAnswer(
+                    Message(
+                        "the mechanism keeps 1 freedom while {wanted} (moving most: {names}), so its poses are not "
+                        "finitely many. Fix as many measures more",
+                        wanted=self.wanted,
+                        names=names,
+                    )
+                )
             raise CannotAnswer(
-                f"the mechanism keeps {n_free} freedom{'s' * (n_free > 1)} while {self.wanted} (moving "
-                f"most: {names}), so its poses are not finitely many. Fix as many measures more"
+                Message(
+                    "the mechanism keeps {n} freedoms while {wanted} (moving most: {names}), so its poses are not "
+                    "finitely many. Fix as many measures more",
+                    n=n_free,
+                    wanted=self.wanted,
+                    names=names,
+                )
             )
 
 

@@ -16,6 +16,7 @@ from typing import Literal
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
@@ -135,8 +136,12 @@ def _must_move(mechanism: Mechanism, stations: Sequence[Station]) -> None:
     size = mechanism.reference.sizes.length if mechanism.measures[0].dimension == LENGTH else 1.0
     if max(abs(float(station.rates[0])) for station in stations) < 1e-9 * size:
         raise CannotAnswer(
-            f"{mechanism.name} stays at {stations[0].values[0]:.6g} while the rest moves, so it is no input of this "
-            "motion. Name a measure that moves"
+            Message(
+                "{x} stays at {value:.6g} while the rest moves, so it is no input of this "
+                "motion. Name a measure that moves",
+                x=mechanism.name,
+                value=stations[0].values[0],
+            )
         )
 
 

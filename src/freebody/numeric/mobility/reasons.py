@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message, further, listed
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
@@ -32,9 +33,12 @@ def why_special(scene: CircuitScene) -> str:
     for found in (_parallel_bars, _guides_alike, _round_bodies, _equal_bars, _points_together, _points_in_line):
         sentences = list(found(scene))
         if sentences:
-            return "; ".join(sentences) + "."
+            return Message("{what}.", what=further(*sentences))
     bodies = [body for body in scene.bodies if body != GROUND]
-    return f"The rows are independent in other geometry; the sizes or places of {listed(bodies)} are special."
+    return Message(
+        "The rows are independent in other geometry; the sizes or places of {bodies} are special.",
+        bodies=listed(bodies),
+    )
 
 
 def why_momentary(scene: CircuitScene, *, is_shaky: bool) -> str:
@@ -44,15 +48,15 @@ def why_momentary(scene: CircuitScene, *, is_shaky: bool) -> str:
         _concurrent(scene),
         _in_line_here(scene),
         _stretched(scene),
-        "the rows are independent at poses near by",
+        Message("the rows are independent at poses near by"),
     )
-    end = "; the freedom that comes with it is only infinitesimal" if is_shaky else ""
-    return f"At this pose {next(filter(None, sentences))}{end}."
+    return at_this_pose(next(filter(None, sentences)), is_shaky=is_shaky)
 
 
-def listed(names: Sequence[str]) -> str:
-    """a, b and c"""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+def at_this_pose(what: str, *, is_shaky: bool) -> str:
+    if is_shaky:
+        return Message("At this pose {what}; the freedom that comes with it is only infinitesimal.", what=what)
+    return Message("At this pose {what}.", what=what)
 
 
 # -- special geometry -------------------------------------------------------------------------
@@ -60,14 +64,16 @@ def _parallel_bars(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b) and _is_parallel(a.along, b.along)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
-            yield f"{listed(names)} are equally long ({group[0].length:.6g} m) and parallel"
+            length = f"{group[0].length:.6g} m"
+            yield Message("{bodies} are equally long ({length}) and parallel", bodies=listed(names), length=length)
 
 
 def _equal_bars(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(scene.bars, lambda a, b: _same_length(scene, a, b)):
         names = [bar.name for bar in group if scene.rests_on(bar.change)]
         if len(names) > 1:
-            yield f"{listed(names)} are equally long ({group[0].length:.6g} m)"
+            length = f"{group[0].length:.6g} m"
+            yield Message("{bodies} are equally long ({length})", bodies=listed(names), length=length)
 
 
 def _same_length(scene: CircuitScene, a: Bar, b: Bar) -> bool:
@@ -81,7 +87,11 @@ def _guides_alike(scene: CircuitScene) -> Iterator[str]:
             continue
         first = kept[0]
         is_one = all(abs(_cross(first.along, g.place - first.place)) <= SAME_PLACE * scene.size for g in kept)
-        yield f"the guides of {listed([g.name for g in kept])} are {'in one line' if is_one else 'parallel'}"
+        guides = listed([g.name for g in kept])
+        if is_one:
+            yield Message("the guides of {guides} are in one line", guides=guides)
+        else:
+            yield Message("the guides of {guides} are parallel", guides=guides)
 
 
 def _round_bodies(scene: CircuitScene) -> Iterator[str]:
@@ -96,7 +106,7 @@ def _round_bodies(scene: CircuitScene) -> Iterator[str]:
     for group in in_groups(wheels, lambda a, b: _is_near(scene, a[2], b[2])):
         names = [name for name, _r, _place in group]
         if len(group) > 1 and any(scene.rests_on(_recentred(scene, name)) for name in names):
-            yield f"{listed(names)} are concentric"
+            yield Message("{wheels} are concentric", wheels=listed(names))
     for group in in_groups(wheels, lambda a, b: abs(a[1] - b[1]) <= SAME_PLACE * scene.size):
         names = [
             name
@@ -104,7 +114,7 @@ def _round_bodies(scene: CircuitScene) -> Iterator[str]:
             if scene.rests_on(dict.fromkeys(scene.columns(name, "radius"), CHANGE * radius))
         ]
         if len(names) > 1:
-            yield f"{listed(names)} have equal radii ({group[0][1]:.6g} m)"
+            yield Message("{wheels} have equal radii ({r})", wheels=listed(names), r=f"{group[0][1]:.6g} m")
 
 
 def _measures(measure: Measure | NonholonomicForm) -> Iterator[Measure]:
@@ -137,7 +147,7 @@ def _points_together(scene: CircuitScene) -> Iterator[str]:
     placed = [(name, point, scene.place(point)) for name, point in points.items()]
     for group in in_groups(placed, lambda a, b: a[1].body == b[1].body and _is_near(scene, a[2], b[2])):
         if len(group) > 1 and any(scene.rests_on(scene.shift(point)) for _name, point, _place in group):
-            yield f"{listed([name for name, *_rest in group])} are at the same place"
+            yield Message("{joints} are at the same place", joints=listed([name for name, *_rest in group]))
 
 
 def _points(measure: Measure) -> Iterator[Point]:
@@ -154,8 +164,11 @@ def _points_in_line(scene: CircuitScene) -> Iterator[str]:
             at.setdefault(point.body, {})[joint.name] = joint.place
     for body, places in at.items():
         if len(places) > 2 and _in_line(list(places.values()), scene.size):
-            where = "on the ground" if body == GROUND else f"of {body}"
-            yield f"the joints {listed(list(places))} {where} are in line"
+            joints = listed(list(places))
+            if body == GROUND:
+                yield Message("the joints {joints} on the ground are in line", joints=joints)
+            else:
+                yield Message("the joints {joints} of {body} are in line", joints=joints, body=body)
 
 
 # -- special poses ----------------------------------------------------------------------------
@@ -178,7 +191,7 @@ def _stretched(scene: CircuitScene) -> str:
     """Two bars with a common joint that are in line."""
     for a, b in itertools.combinations(scene.bars, 2):
         if set(a.ends) & set(b.ends) and _in_line([a.start, a.end, b.start, b.end], scene.size):
-            return f"{a.name} and {b.name} are in line"
+            return Message("{links} are in line", links=listed([a.name, b.name]))
     return ""
 
 
@@ -195,9 +208,10 @@ def _concurrent(scene: CircuitScene) -> str:
             # (x, y) with  x e_y - y e_x = m  for every line (e_x, e_y, m)
             names = listed([bar.name for bar in some])
             if abs(c) <= SAME_PLACE:
-                return f"{names} are parallel"
+                return Message("{links} are parallel", links=names)
             x, y = (0.0 if abs(k) <= SAME_PLACE else float(k) * scene.size for k in (-b / c, a / c))
-            return f"the lines of {names} meet in one point ({x:.6g}, {y:.6g}) m"
+            point = f"{x:.6g}, {y:.6g}"
+            return Message("the lines of {links} meet in one point ({point}) m", links=names, point=point)
     return ""
 
 
@@ -226,7 +240,7 @@ def _in_line(places: Sequence[Array], size: float) -> bool:
 def _lie_in_line(places: Mapping[str, Array], size: float) -> str:
     """That places lie in line, three of them or more, if they do."""
     is_line = len(places) > 2 and _in_line(list(places.values()), size)
-    return f"{listed(list(places))} lie in line" if is_line else ""
+    return Message("{links} lie in line", links=listed(list(places))) if is_line else ""
 
 
 def in_groups(items: Iterable[T], alike: Callable[[T, T], bool]) -> list[list[T]]:

@@ -13,11 +13,12 @@ from functools import cached_property
 
 import numpy as np
 
+from freebody.language.sentences import Message, further, listed
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, position
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.numeric.mobility.reasons import in_groups, listed
+from freebody.numeric.mobility.reasons import at_this_pose, in_groups
 from freebody.numeric.mobility.scene import joined, leaves
 from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
 from freebody.numeric.reference import Reference
@@ -88,25 +89,27 @@ def why_special_in_space(scene: SpatialScene) -> str:
     for found in (_arranged, _alike_links):
         sentence = found(scene)
         if sentence:
-            return f"{sentence}."
+            return Message("{what}.", what=sentence)
     bodies = dict.fromkeys(b for name in scene.connections for b in scene.bodies(name) if b != GROUND)
-    return f"The rows are independent in other geometry; the sizes or places of {listed(list(bodies))} are special."
+    return Message(
+        "The rows are independent in other geometry; the sizes or places of {bodies} are special.",
+        bodies=listed(list(bodies)),
+    )
 
 
 def why_momentary_in_space(scene: SpatialScene, *, is_shaky: bool) -> str:
     """What is special about this pose, as far as it has a simple name."""
     looked_for = (_in_line, _in_plane, _axes_in_plane, _arranged)
     sentences = (found(scene) for found in looked_for)
-    what = next(filter(None, sentences), "the rows are independent at poses near by")
-    end = "; the freedom that comes with it is only infinitesimal" if is_shaky else ""
-    return f"At this pose {what}{end}."
+    what = next(filter(None, sentences), Message("the rows are independent at poses near by"))
+    return at_this_pose(what, is_shaky=is_shaky)
 
 
 # -- how axes lie -----------------------------------------------------------------------------
 def _arranged(scene: SpatialScene) -> str:
     """How the axes of joints lie to each other."""
     sentences = [*_coaxial(scene)] or [*_concurrent(scene)] or [*_parallel(scene)]
-    return "; ".join(sentences)
+    return further(*sentences)
 
 
 def _coaxial(scene: SpatialScene) -> Iterator[str]:
@@ -115,7 +118,7 @@ def _coaxial(scene: SpatialScene) -> Iterator[str]:
 
     groups = in_groups(scene.lines.items(), one_line)
     if len(scene.lines) == len(scene.freedoms) and len(groups) == 1 and len(groups[0]) > 1:
-        yield f"the axes of {listed([name for name, _ in groups[0]])} are one line"
+        yield Message("the axes of {joints} are one line", joints=listed([name for name, _ in groups[0]]))
 
 
 def _concurrent(scene: SpatialScene) -> Iterator[str]:
@@ -130,15 +133,22 @@ def _concurrent(scene: SpatialScene) -> Iterator[str]:
     place = np.asarray(found, np.float64)
     meets = rank == 3 and all(_passes(scene, line, place) for line in lines)
     if meets and all(float(np.linalg.norm(c - place)) <= SAME * scene.size for c in scene.centers.values()):
-        yield f"the axes of {listed(list(scene.lines))} meet in one point {_place(place, scene.size)}"
+        yield Message(
+            "the axes of {joints} meet in one point {point}",
+            joints=listed(list(scene.lines)),
+            point=_place(place, scene.size),
+        )
 
 
 def _parallel(scene: SpatialScene) -> Iterator[str]:
     groups = in_groups(scene.axes.items(), lambda a, b: _is_parallel(a[1], b[1]))
     names = [[name for name, _axis in group] for group in groups if len(group) > 1]
     if names:
-        first, *others = (f"of {listed(group)}" for group in names)
-        yield f"the axes {first} are parallel{''.join(f', and so are those {other}' for other in others)}"
+        first, *others = map(listed, names)
+        told = Message("the axes of {joints} are parallel", joints=first)
+        for other in others:
+            told = Message("{what}, and so are those of {joints}", what=told, joints=other)
+        yield told
 
 
 def _alike_links(scene: SpatialScene) -> str:
@@ -156,9 +166,14 @@ def _alike_links(scene: SpatialScene) -> str:
         lambda a, b: abs(a[1][0] - b[1][0]) <= SAME * scene.size and abs(a[1][1] - b[1][1]) <= SAME,
     )
     pairs = [(listed([name for name, _ in group]), *group[0][1]) for group in alike if len(group) > 1]
-    found = [f"{names} have axes equally far apart ({apart:.6g} m) and at the same angle" for names, apart, _ in pairs]
+    found = [
+        Message(
+            "{links} have axes equally far apart ({apart}) and at the same angle", links=names, apart=f"{apart:.6g} m"
+        )
+        for names, apart, _ in pairs
+    ]
     if len(pairs) > 1 and len({round(sine / apart * scene.size, 6) for _, apart, sine in pairs if apart > 0.0}) == 1:
-        found.append("the sines of these angles are as the distances")
+        found.append(Message("the sines of these angles are as the distances"))
     return "; ".join(found)
 
 
@@ -184,7 +199,7 @@ def _in_line(scene: SpatialScene) -> str:
         line = ScrewLine(along / length, places[a], 0.0)
         on = [name for name, place in places.items() if _passes(scene, line, place)]
         best = on if len(on) > max(2, len(best)) else best
-    return f"{listed(best)} lie in line" if best else ""
+    return Message("{links} lie in line", links=listed(best)) if best else ""
 
 
 def _in_plane(scene: SpatialScene) -> str:
@@ -193,7 +208,11 @@ def _in_plane(scene: SpatialScene) -> str:
     if len(places) < 4:
         return ""
     singular = np.asarray(np.linalg.svd(places - places.mean(axis=0), compute_uv=False), np.float64)
-    return f"{listed(list(scene.ends))} lie in one plane" if singular[-1] <= SAME * scene.size else ""
+    return (
+        Message("{joints} lie in one plane", joints=listed(list(scene.ends)))
+        if singular[-1] <= SAME * scene.size
+        else ""
+    )
 
 
 def _axes_in_plane(scene: SpatialScene) -> str:
@@ -204,7 +223,11 @@ def _axes_in_plane(scene: SpatialScene) -> str:
     across = np.eye(3) - np.outer(lines[0].direction, lines[0].direction)
     places = np.array([across @ line.point for line in lines])
     singular = np.asarray(np.linalg.svd(places - places.mean(axis=0), compute_uv=False), np.float64)
-    return f"the axes of {listed(list(scene.lines))} lie in one plane" if singular[1] <= SAME * scene.size else ""
+    return (
+        Message("the axes of {joints} lie in one plane", joints=listed(list(scene.lines)))
+        if singular[1] <= SAME * scene.size
+        else ""
+    )
 
 
 def _is_parallel(a: Array, b: Array) -> bool:

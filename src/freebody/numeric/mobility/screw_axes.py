@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.twists import ScrewLine, twist_of
@@ -41,12 +42,12 @@ def screw_axes(reference: Reference, q: Array, measure: Measure, name: str) -> t
     freedom, or where the input stands still."""
     null = reference.split_at(q, {}).null
     if null.shape[1] != 1:
-        raise CannotAnswer(f"screw axes need one freedom, and the pose has {null.shape[1]}")
+        raise CannotAnswer(Message("screw axes need one freedom, and the pose has {n}", n=null.shape[1]))
     v, size = null[:, 0] / float(np.abs(null[:, 0] / reference.sizes.unit_moves).max()), reference.sizes.length
     g = reference.geometry(q, v, 0.0)
     rate = reference.jet(g, measure, name).rate
     if abs(rate) <= STILL * max(1.0, size):
-        raise CannotAnswer(f"{name} stands still in this pose while others move (a dead point)")
+        raise CannotAnswer(Message("{name} stands still in this pose while others move (a dead point)", name=name))
     found: list[ScrewAxis] = []
     for body, columns in reference.frame.columns.items():
         speeds = v[list(columns)] / rate

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from freebody.connections.contact import ContactSurface, OutlinePair
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ONE, ZERO, Expr, Symbol, differentiate, evaluate, free_symbols, substitute
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import Direction, Point
@@ -116,7 +117,9 @@ class Template:
         on_ground = {field for field, body in bodies.items() if body == _GROUND}
         fit = [k for k, kind in enumerate(KINDS) if kind.name == name and set(kind.fixed) <= on_ground]
         if not fit:
-            raise CannotAnswer(f"time stepping has no kernel for the measure {name}; run tools/write_kernels.py")
+            raise CannotAnswer(
+                Message("time stepping has no kernel for the measure {name}; run tools/write_kernels.py", name=name)
+            )
         self._known[measure] = len(self.kinds)
         self.kinds.append(fit[0])
         own = [body for field, body in bodies.items() if field not in KINDS[fit[0]].fixed]

@@ -11,6 +11,7 @@ from freebody.assess.options import Judgement, judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
+from freebody.language.sentences import Message, in_turn
 from freebody.numeric.friction_limits import ROUND_OFF
 from freebody.progress import busy_with
 from freebody.questions.base import Quantity
@@ -29,7 +30,8 @@ from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
 TOLERANCE = 1e-8
-ROUTE = "the linear programs of all reactions that rest allows"
+END = {1: Message("upper"), -1: Message("lower")}
+ROUTE = Message("the linear programs of all reactions that rest allows")
 _ENDS = {1: "at most", -1: "at least"}
 
 
@@ -61,7 +63,7 @@ class _Answerer:
     @singledispatchmethod
     def answer(self, q: Quantity) -> Answer:
         """By the kind of question."""
-        raise CannotAnswer("this is no question about rest")
+        raise CannotAnswer(Message("this is no question about rest"))
 
     @answer.register(RestLimit)
     def _limit(self, q: RestLimit) -> Answer:
@@ -86,10 +88,14 @@ class _Answerer:
         """The row that is asked for: of those that could be meant the one that touches."""
         found = [row for row in self.touching.rows if row.name in q.rows]
         if not found:
-            raise CannotAnswer(f"nothing touches there at the start, so there is no {q.reaction}")
+            raise CannotAnswer(Message("nothing touches there at the start, so there is no {what}", what=q.reaction))
         if len(found) > 1:
             places = ", ".join(row.ends[0] if row.ends else row.name for row in found)
-            raise CannotAnswer(f"there are several places with a {q.reaction}; say at which: at {places}")
+            raise CannotAnswer(
+                Message(
+                    "there are several places with a {what}; say at which: at {places}", what=q.reaction, places=places
+                )
+            )
         return found[0].name
 
     # -- ends ---------------------------------------------------------------------------------
@@ -112,12 +118,19 @@ class _Answerer:
             return self._finished(ends, [case], (zero,), [0.0], notes, [replace(limits[0], compared=tuple(pairs))])
         if not found:
             every = all(ends.is_linear and all(_unlimited(c, ends) for c in limit.compared) for limit in limits)
-            why = "every value keeps the system at rest" if every else "at the model's own values no limit was found"
+            why = (
+                Message("every value keeps the system at rest")
+                if every
+                else Message("at the model's own values no limit was found")
+            )
             why = why if len(signs) > 1 else notes[0]
             return self._plain(None, None, notes=notes[1:] if len(signs) == 1 else notes, reason=why)
         shown = values if self.setup.has_values else []
         if any(main is None for main in found):
-            reason = f"the way in which it fails ({self._words(limits)}) leads to no linear or quadratic equation"
+            reason = Message(
+                "the way in which it fails ({words}) leads to no linear or quadratic equation",
+                words=self._words(limits),
+            )
             value = None if not shown else shown[0] if len(shown) == 1 else tuple(shown)
             return self._plain(None, value, notes=notes, reason=reason)
         cases = [main for main in found if main is not None]
@@ -130,44 +143,78 @@ class _Answerer:
         return math.nan if value is None else (0.0 if abs(value) < 1e-12 else value)
 
     def _words(self, limits: Sequence[HoldingLimit]) -> str:
-        return ", ".join(limit.first.seen.words for limit in limits if limit.first and limit.first.seen)
+        return in_turn([limit.first.seen.words for limit in limits if limit.first and limit.first.seen])
 
     def _notes(self, ends: Ends, limit: HoldingLimit, name: str, number: float, is_free: bool) -> Iterator[str]:
         """How it fails at this end, and what else comes first for other parameters."""
-        end = "upper" if limit.sign > 0 else "lower"
-        subject = "it" if name == "it" else to_text(Symbol(name))
+        end = END[limit.sign]
         if is_free:
             if limit.sign < 0 and math.isfinite(number):
                 is_needed = limit.first is not None and limit.first.edge.optimum.value < -ROUND_OFF
-                least = f"{subject} need only be larger than 0" if is_needed else f"{subject} = 0 will do"
-                yield f"there is no lower limit: {least}"
+                if name == "it":
+                    yield (
+                        Message("there is no lower limit: it need only be larger than 0")
+                        if is_needed
+                        else Message("there is no lower limit: it = 0 will do")
+                    )
+                elif is_needed:
+                    yield Message("there is no lower limit: {x} need only be larger than 0", x=to_text(Symbol(name)))
+                else:
+                    yield Message("there is no lower limit: {x} = 0 will do", x=to_text(Symbol(name)))
             elif ends.is_linear:  # the linear program has no bound
-                yield f"there is no {end} limit"
+                yield Message("there is no {end} limit", end=end)
             else:
-                yield f"no {end} limit was found among the values that were tried"
+                yield Message("no {end} limit was found among the values that were tried", end=end)
             limited = sum(not _unlimited(c, ends) for c in limit.compared)
             if limited:
-                share = f"{limited} of {len(limit.compared)} draws"
-                yield f"with other parameters there is a limit at the {end} end ({share})"
+                yield Message(
+                    "with other parameters there is a limit at the {end} end ({k} of {n} draws)",
+                    end=end,
+                    k=limited,
+                    n=len(limit.compared),
+                )
         elif limit.first is not None and limit.first.seen is not None:
-            yield f"{end} limit: {limit.first.seen.words}"
+            yield Message("{end} limit: {words}", end=end, words=limit.first.seen.words)
         open_ = [c for c in limit.compared if c.case is None and c.seen is not None and not _unlimited(c, ends)]
         if open_ and limit.main is not None:
-            yield f"{end} limit: at {len(open_)} of {len(limit.compared)} random draws another failure comes first"
+            yield Message(
+                "{end} limit: at {k} of {n} random draws another failure comes first",
+                end=end,
+                k=len(open_),
+                n=len(limit.compared),
+            )
         unlimited = [c for c in limit.compared if _unlimited(c, ends)]
         if unlimited and not is_free:
-            yield f"with other parameters there is no {end} limit ({len(unlimited)} of {len(limit.compared)} draws)"
+            yield Message(
+                "with other parameters there is no {end} limit ({k} of {n} draws)",
+                end=end,
+                k=len(unlimited),
+                n=len(limit.compared),
+            )
 
     def _others(self, limit: HoldingLimit, name: str) -> Iterator[str]:
         """What else comes first at an end of a range."""
-        end = "upper" if limit.sign > 0 else "lower"
-        subject = f"{end} limit" if name == "it" else f"{end} limit {to_text(Symbol(name))}"
         for case in limit.cases:
             if case is not limit.main and (limit.main is None or case.element != limit.main.element):
-                words = f"{subject} = {to_text(tidy(case.element))} where {_where(case)}: {case.words}"
+                end, value = END[limit.sign], to_text(tidy(case.element))
                 if name == "it":
+                    words = Message(
+                        "{end} limit = {value} where {where}: {words}",
+                        end=end,
+                        value=value,
+                        where=_where(case),
+                        words=case.words,
+                    )
                     yield reworded(words, _where(case))
                     continue
+                words = Message(
+                    "{end} limit {x} = {value} where {where}: {words}",
+                    end=end,
+                    x=to_text(Symbol(name)),
+                    value=value,
+                    where=_where(case),
+                    words=case.words,
+                )
                 here = [compared(Symbol(name), "=", tidy(case.element)), *_conditions(case)]
                 yield reworded(words, joined(here))
 
@@ -183,7 +230,10 @@ class _Answerer:
         conditions = merged([c for case in cases for c in case.conditions])
         if not all(case.is_complete for case in cases):
             notes.append(
-                "that nothing else fails before was checked at the draws; the conditions are not all that this needs"
+                Message(
+                    "that nothing else fails before was checked at the draws; the conditions are not all that this "
+                    "needs"
+                )
             )
         evidence = _evidence(self.question.text, limits)
         element = elements[0] if len(elements) == 1 else (elements[0], elements[1])
@@ -210,12 +260,17 @@ class _Answerer:
         limit = ends.limit(1)
         if limit.first is None or _is_free(limit, ends):
             if ends.is_linear:
-                raise CannotAnswer(f"{name} may grow without limit")
-            raise CannotAnswer(f"no limit of {name} was found among the values that were tried")
+                raise CannotAnswer(Message("{x} may grow without limit", x=name))
+            raise CannotAnswer(Message("no limit of {x} was found among the values that were tried", x=name))
         if limit.main is None:
             words = limit.first.seen.words if limit.first.seen else ""
-            return self._plain(None, limit.first.edge.value, notes=[f"first: {words}"], reason="it has no closed form")
-        notes = [f"first: {limit.main.words}, at this {to_text(Symbol(name))}"]
+            return self._plain(
+                None,
+                limit.first.edge.value,
+                notes=[Message("first: {words}", words=words)],
+                reason=Message("it has no closed form"),
+            )
+        notes: list[str] = [Message("first: {words}, at this {x}", words=limit.main.words, x=to_text(Symbol(name)))]
         exact = [self._exact(ends, limit.main)] if self.setup.has_values else []
         return self._finished(ends, [limit.main], (limit.main.element,), exact, notes, [limit])
 
@@ -267,7 +322,7 @@ def _unlimited(c: Compared, ends: Ends) -> bool:
 
 def _where(case: FailureCase) -> str:
     """The conditions of a case in one line."""
-    return joined(_conditions(case)) or "nothing else fails before"
+    return joined(_conditions(case)) or Message("nothing else fails before")
 
 
 def _conditions(case: FailureCase) -> tuple[str, ...]:
@@ -284,7 +339,9 @@ def _evidence(question: str, limits: Sequence[HoldingLimit]) -> Evidence:
             if c.exact is not None:
                 witness.compare(c.draw, c.exact, c.edge.value)
     if len(witness.pairs) < MIN_DRAWS:
-        raise CannotAnswer(f"only {len(witness.pairs)} of {MIN_DRAWS} checks against numbers could be made")
+        raise CannotAnswer(
+            Message("only {k} of {n} checks against numbers could be made", k=len(witness.pairs), n=MIN_DRAWS)
+        )
     return witness.evidence()
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
 from freebody.study.draws import SEED, Draw, draws
@@ -18,7 +19,7 @@ from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, ReducedColumns, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
-from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
 from freebody.symbolic.linear import RHS, Row
@@ -27,7 +28,7 @@ from freebody.symbolic.parameter_roots import Values, solutions
 MOST_CASES = 6
 _FAR = 1.6  # how far these are from the file's values, against the usual draws
 
-_MORE = {1: "larger", -1: "smaller"}
+_MORE = {1: Message("a larger one does not hold"), -1: Message("a smaller one does not hold")}
 
 
 @dataclass(frozen=True)
@@ -129,7 +130,7 @@ class Ends:
     def why_never(self, draw: Draw) -> str:
         """Why nothing holds the system at a draw."""
         problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
-        return f"nothing keeps the system at rest: {how_it_fails(self.touching, problem, draw)}"
+        return Message("nothing keeps the system at rest: {words}", words=how_it_fails(self.touching, problem, draw))
 
     def _compare(self, draw: Draw, edge: HoldingEnd, sign: int, cases: list[FailureCase]) -> Compared:
         if math.isinf(edge.value) or edge.value <= self.low:
@@ -177,7 +178,7 @@ class Ends:
         conditions = [c for reserve in reserves for c in self._at_their_signs(reserve, here.draw)]
         is_complete = is_complete and all(r.is_zero() for r in at_end.residuals)
         return FailureCase(
-            here.failure, "it may be without load", zero, tuple(without_implied(conditions)), is_complete
+            here.failure, Message("it may be without load"), zero, tuple(without_implied(conditions)), is_complete
         )
 
     def _candidates(self, failure: Failure) -> Iterator[Values]:
@@ -213,7 +214,7 @@ class Ends:
             reserves += moving
             is_complete = is_complete and is_driven
         if self.is_coefficient:
-            reserves.append((at[self.index], ">=", "friction is needed"))
+            reserves.append((at[self.index], ">=", Message("friction is needed")))
         found: list[Condition] = []
         for reserve in reserves:
             for condition in self._at_their_signs(reserve, here.draw):
@@ -231,7 +232,7 @@ class Ends:
         for part in parts:
             condition, is_possible = require(part, relation, purpose)
             if not is_possible:
-                raise CannotAnswer(f"this case is empty: {purpose}")
+                raise CannotAnswer(Message("this case is empty: {purpose}", purpose=purpose))
             if condition is not None:
                 yield condition
 
@@ -245,8 +246,8 @@ class Ends:
         slips = dict(failure.slips)
         for row in sorted(eq.system.held, key=lambda row: row.name):
             if row.unilateral and row.name not in failure.opens:
-                what = "stays taut" if row.reaction == "tension" else "keeps touching"
-                lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), f"{_label(row)} {what}"))
+                what = closed(_label(row), row.reaction if row.reaction == "tension" else "normal force")
+                lines.append((self._put({eq.columns[row.name]: row.sign * one}, at_end, at), what))
         extra: list[Inequality] = []
         for name in eq.sized:
             reserve = self._sized(name, slips.get(name), at_end, at)
@@ -261,7 +262,7 @@ class Ends:
                 c = self.field.follow(eq.coefficient(rub, d), at)
                 line: Row = {eq.columns[name]: d * one, RHS: c * constant}
                 line |= {k: c * x for k, x in pressing.items()}
-                lines.append((self._put(line, at_end, at), f"{_label(rub.row)} does not slip"))
+                lines.append((self._put(line, at_end, at), Message("{contact} does not slip", contact=_label(rub.row))))
         found, is_complete = without_free(self.field, lines, lambda x: self.number(x, draw))
         return extra + found, is_complete
 
@@ -272,12 +273,12 @@ class Ends:
         label = _label(eq.rows[name])
         if direction is not None:
             size = eq.size(at_end, name)
-            return None if size is None else (size, ">=", f"{label} slips this way")
+            return None if size is None else (size, ">=", Message("{contact} slips this way", contact=label))
         square, force = eq.square(at_end, name), eq.reaction(at_end, name)
         if square is None or force is None:
             return None
         c = self._at_value(eq.coefficient(eq.rubs[name], 1), at)
-        return c * c * square - force * force, ">=", f"{label} does not slip"
+        return c * c * square - force * force, ">=", Message("{contact} does not slip", contact=label)
 
     def _put(self, line: Row, at_end: ReducedColumns, at: Values) -> Row:
         """A sum of multipliers (its constant under RHS) by the free ones."""
@@ -307,7 +308,7 @@ class Ends:
             driven = sign * self._at_value(drive, at)
             if not (failure.slips or failure.opens) and (self.number(driven, here.draw) or 0.0) < 0.0:
                 driven = -driven  # nothing gives way, so the motion has no sense: both are ways to fail
-            found.append((driven, ">", f"a {_MORE[sign]} one does not hold"))
+            found.append((driven, ">", _MORE[sign]))
         return found + self._this_way(failure, motion, at), drive is not None
 
     def _this_way(self, failure: Failure, motion: dict[Slot, Ratio], at: Values) -> list[Inequality]:
@@ -317,7 +318,9 @@ class Ends:
         found: list[Inequality] = []
         for name, direction in failure.slips:
             if name != self.asked:
-                found.append((direction * rates[name], ">=", f"{_label(eq.rows[name])} slips this way"))
+                found.append(
+                    (direction * rates[name], ">=", Message("{contact} slips this way", contact=_label(eq.rows[name])))
+                )
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
             own = [rub for rub in eq.rubs.values() if rub.load == (name,)]

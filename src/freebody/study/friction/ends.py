@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import FORCE, TORQUE
 from freebody.numeric.friction_branches import spread
 from freebody.numeric.friction_limits import Optimum, rest_problem
@@ -47,7 +48,7 @@ class ParameterEnds(Ends):
         laws = [*eq.loads.values(), *(c for rub, c in coefficients if not rub.load)]
         in_loads = any(map(depends, laws))
         if not (in_geometry or in_friction or in_loads):
-            raise CannotAnswer(f"{self.name} has no part in whether the system stays at rest")
+            raise CannotAnswer(Message("{x} has no part in whether the system stays at rest", x=self.name))
         is_linear = not in_geometry and not in_friction and all(is_linear_in(self.field, x, p) for x in laws)
         is_friction = in_friction and not in_geometry and not in_loads
         parameter = self.touching.system.parameters[self.name]
@@ -62,8 +63,8 @@ class ParameterEnds(Ends):
         problem = self.parametric.problem(self.touching, draw, value)
         why = "" if problem is None else how_it_fails(self.touching, problem, draw)
         if not (self.parametric.is_linear or self.parametric.is_friction):
-            return f"no value of {self.name} that was tried keeps the system at rest: {why}"
-        return f"no value of {self.name} keeps the system at rest: {why}"
+            return Message("no value of {x} that was tried keeps the system at rest: {words}", x=self.name, words=why)
+        return Message("no value of {x} keeps the system at rest: {words}", x=self.name, words=why)
 
 
 class ReactionEnds(Ends):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
@@ -18,6 +19,16 @@ from freebody.symbolic.active_set import Failure
 
 _STILL = 1e-6  # a rate that is none, of the largest
 _TURNED = math.sin(math.radians(15))
+_WAYS = {  # by the signs of what goes up and to the right
+    (0, 1): Message("to the right"),
+    (0, -1): Message("to the left"),
+    (1, 0): Message("up"),
+    (-1, 0): Message("down"),
+    (1, 1): Message("up to the right"),
+    (1, -1): Message("up to the left"),
+    (-1, 1): Message("down to the right"),
+    (-1, -1): Message("down to the left"),
+}
 
 
 @dataclass(frozen=True)
@@ -77,7 +88,7 @@ def how_it_fails(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> 
     """The failure of a system that nothing can hold, or the one that is nearest, in words."""
     loose = unresisted(problem)
     if loose is not None:
-        return f"nothing resists {touching_most(touching, problem, loose)}"
+        return Message("nothing resists {body}", body=touching_most(touching, problem, loose))
     found = margin(problem)
     return "" if found is None else seen(touching, problem, found, draw).words
 
@@ -98,7 +109,7 @@ def touching_most(touching: TouchingAtRest, problem: RestProblem, v: Array) -> s
 def words(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> str:
     """What happens, as one says it: tips about a corner, slips to the right on the floor."""
     parts = list(dict.fromkeys(_parts(touching, problem, failure)))
-    return " and ".join(parts) if parts else "equilibrium alone decides"
+    return in_turn(parts, "{first} and {second}") if parts else Message("equilibrium alone decides")
 
 
 def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> Iterator[str]:
@@ -112,7 +123,7 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
         if body and about:
             tipping[body] = about
     for body, about in tipping.items():
-        yield f"{body} tips about {about}"
+        yield Message("{body} tips about {corner}", body=body, corner=about)
     for name in sorted(failure.opens):
         bound = _bound(touching, name)
         if bound is not None and any(end in tipping for end in bound.row.ends):
@@ -123,24 +134,40 @@ def _parts(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
 
 def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> Iterator[str]:
     """Where dry friction gives way; corners of one body that slip alike, as the body."""
-    groups: dict[tuple[str, str, str], list[str]] = {}
+    groups: dict[tuple[str, str, str, str], list[str]] = {}
     for name, direction in failure.slips:
         rub = next(r for r in touching.rubs if r.name == name)
         row = rub.row
         if not rub.of or len(row.ends) < 2:
             what = "turns" if row.reaction == "friction torque" else "slips"
             if row.component.startswith("slip on "):  # a string round a drum
-                what = f"{row.component.replace('slip', 'slips')} towards its {'start' if direction > 0 else 'end'}"
-            groups.setdefault((row.connection, what, ""), [])
+                what = "to start" if direction > 0 else "to end"
+            groups.setdefault((row.connection, what, "", row.component.removeprefix("slip on ")), [])
         elif row.component.startswith("rolling"):
-            groups.setdefault((row.ends[0], "rolls", f" on {row.ends[1]}"), [])
+            groups.setdefault((row.ends[0], "rolls", "", row.ends[1]), [])
         else:
             way = _heading(touching, problem, row, direction)
-            groups.setdefault((row.ends[0].partition(".")[0], f"slips{way}", f" on {row.ends[1]}"), []).append(
-                row.ends[0]
-            )
-    for (who, what, where), places in groups.items():
-        yield f"{places[0] if len(places) == 1 else who} {what}{where}"
+            groups.setdefault((row.ends[0].partition(".")[0], "slips on", way, row.ends[1]), []).append(row.ends[0])
+    for (who, what, way, other), places in groups.items():
+        yield _gives_way(places[0] if len(places) == 1 else who, what, way, other)
+
+
+def _gives_way(who: str, what: str, way: str, other: str) -> str:
+    match what:
+        case "turns":
+            return Message("{joint} turns", joint=who)
+        case "slips":
+            return Message("{contact} slips", contact=who)
+        case "to start":
+            return Message("{string} slips on {drum} towards its start", string=who, drum=other)
+        case "to end":
+            return Message("{string} slips on {drum} towards its end", string=who, drum=other)
+        case "rolls":
+            return Message("{body} rolls on {other}", body=who, other=other)
+        case _:
+            if way:
+                return Message("{body} slips {way} on {other}", body=who, way=way, other=other)
+            return Message("{body} slips on {other}", body=who, other=other)
 
 
 def _bound(touching: TouchingAtRest, name: str) -> UnilateralConstraint | None:
@@ -169,10 +196,10 @@ def _place(row: ConstraintRow) -> str:
 def _opening(touching: TouchingAtRest, name: str) -> str:
     row = next(r for r in touching.rows if r.name == name)
     if row.reaction == "tension":
-        return f"{row.connection} goes slack"
+        return Message("{contact} goes slack", contact=row.connection)
     if len(row.ends) >= 2:
-        return f"{row.ends[0]} leaves {row.ends[1]}"
-    return f"{row.connection} lifts off"
+        return Message("{body} leaves {other}", body=row.ends[0], other=row.ends[1])
+    return Message("{contact} lifts off", contact=row.connection)
 
 
 def _heading(touching: TouchingAtRest, problem: RestProblem, row: ConstraintRow, direction: int) -> str:
@@ -191,8 +218,6 @@ def _heading(touching: TouchingAtRest, problem: RestProblem, row: ConstraintRow,
     size = math.hypot(gx, gy)
     if size == 0.0:
         return ""
-    up = "up" if gy > _TURNED * size else "down" if gy < -_TURNED * size else ""
-    side = "right" if gx > 0 else "left"
-    if not up:
-        return f" to the {side}"
-    return f" {up}" if abs(gx) < _TURNED * size else f" {up} to the {side}"
+    across = 0 if abs(gx) < _TURNED * size else 1 if gx > 0 else -1
+    up = 1 if gy > _TURNED * size else -1 if gy < -_TURNED * size else 0
+    return _WAYS[up, across if up else 1 if gx > 0 else -1]

@@ -14,6 +14,7 @@ from freebody.assess.options import judge
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
+from freebody.language.sentences import Message, further
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
 from freebody.questions.reading import Question
@@ -33,7 +34,7 @@ from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
 
-ROUTE = "the linear programs of all reactions: whether any hold the system"
+ROUTE = Message("the linear programs of all reactions: whether any hold the system")
 _NEAR = 1e-7  # a margin that is too small to tell
 
 
@@ -51,12 +52,14 @@ class FailureMode:
         assert self.condition is not None
         plain = relation_text(tidy(self.condition.element), ">=")
         if not self.where:
-            return Stated(f"{plain} (else {self.words})", plain.expression)
+            return Stated(Message("{condition} (else {words})", condition=plain, words=self.words), plain.expression)
         where = joined(Condition(c.element, c.relation).text() for c in self.where)
         # a failure that cannot happen need not be prevented: not `where`, or `plain`
         never = joined([_opposite(c) for c in self.where], " or ")
         either = joined([never, plain], " or ")
-        return reworded(f"{plain} where {where} (else {self.words})", either)
+        return reworded(
+            Message("{condition} where {where} (else {words})", condition=plain, where=where, words=self.words), either
+        )
 
 
 def _opposite(c: Condition) -> Stated:
@@ -135,7 +138,7 @@ def holds(touching: TouchingAtRest, setup: Setup, question: Question) -> Answer:
         edge = study.edge(draw, 1, None)
         if edge is None:
             problem = rest_problem(draw.reference, draw.q, touching.rubs)
-            raise CannotAnswer(f"it does not hold: {how_it_fails(touching, problem, draw)}")
+            raise CannotAnswer(Message("it does not hold: {words}", words=how_it_fails(touching, problem, draw)))
         here = seen(touching, edge.problem, edge.optimum, draw)
         at = Looked(draw, edge.problem, edge.value >= -ROUND_OFF, abs(edge.value) > _NEAR, here)
         looked.append(at)
@@ -154,8 +157,8 @@ def _answer(
     kept = [b for b in barriers if b.condition is not None and (b.where or b.condition in always)]
     notes: list[str] = []
     if study.setup.has_values:
-        verdict = "it holds" if first.is_held else f"it does not hold: {first.seen.words}"
-        notes.append(f"at the model's own values {verdict}")
+        verdict = Message("it holds") if first.is_held else Message("it does not hold: {words}", words=first.seen.words)
+        notes.append(Message("at the model's own values {verdict}", verdict=verdict))
     notes += _reserves(study, first)
     witness = CrossCheck(question.text, ROUTE, 1e-12)
     for at in looked:
@@ -163,10 +166,16 @@ def _answer(
             continue
         says = all(study.is_met(b, at.draw) for b in kept)
         if says and not at.is_held:
-            raise CannotAnswer(f"not every way to fail has a closed form ({at.seen.words}); {'; '.join(notes)}")
+            raise CannotAnswer(
+                Message(
+                    "not every way to fail has a closed form ({words}); {notes}",
+                    words=at.seen.words,
+                    notes=further(*notes),
+                )
+            )
         witness.compare(at.draw, 1.0 if says else 0.0, 1.0 if at.is_held else 0.0)
     if len(witness.pairs) < MIN_DRAWS:
-        raise CannotAnswer("; ".join(notes))
+        raise CannotAnswer(further(*notes))
     main = next((b for b in kept if b.words == first.seen.words), kept[0] if kept else None)
     element: Ratio = study.field.one if main is None or main.condition is None else main.condition.element
     value = study.number(element, first.draw) if study.setup.has_values else None
@@ -174,14 +183,14 @@ def _answer(
     if question.options:
         judgement = judge(question, element, question.quantity.dimension, study.setup.model, study.setup.system)
     if main is not None:
-        notes.append("the shown reserve is not negative where it holds")
+        notes.append(Message("the shown reserve is not negative where it holds"))
     return Answer(
         question.id,
         question.text,
         tidy(element),
         "1" if main is None else "(SI)",
         value,
-        tuple(b.text() for b in kept) or ("it always holds",),
+        tuple(b.text() for b in kept) or (Message("it always holds"),),
         tuple(notes),
         choice=None if judgement is None else judgement.choice,
         options={} if judgement is None else judgement.options,
@@ -211,5 +220,10 @@ def _reserves(study: RestHolding, first: Looked) -> list[str]:
                 ratio = study.field.lowest_terms(force / load)
                 where = rub.row.ends[0] if rub.row.ends else rub.row.connection
                 shown = tidy(ratio)
-                found.append(Stated(f"{where}: friction force / normal force = {to_text(shown)}", to_python(shown)))
+                found.append(
+                    Stated(
+                        Message("{place}: friction force / normal force = {ratio}", place=where, ratio=to_text(shown)),
+                        to_python(shown),
+                    )
+                )
     return found

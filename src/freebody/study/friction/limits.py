@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.friction_branches import extreme, margin
 from freebody.numeric.friction_limits import ROUND_OFF, Optimum, RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
@@ -81,7 +82,7 @@ class Parametric:
         unit = abs(draw.values.get(self.name, 0.0)) or 1.0
         first, second = (self.problem(touching, draw, k * unit) for k in (1.0, 2.0))
         if first is None or second is None:
-            raise CannotAnswer(f"the start cannot be assembled with other values of {self.name}")
+            raise CannotAnswer(Message("the start cannot be assembled with other values of {x}", x=self.name))
         path = ray(first, second, unit)
         found = extreme(path, sign, unit=unit)
         if found is None:

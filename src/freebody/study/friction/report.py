@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
@@ -97,7 +98,9 @@ def statics(system: System) -> Statics:
     Raises CannotAnswer where parameters have no values, something moves at the start, or nothing can be assembled."""
     missing = [p.name for p in system.parameters.values() if p.value is None and p.form is None]
     if missing:
-        raise CannotAnswer(f"numbers need a value for {', '.join(missing)}; or ask a question: does it hold")
+        raise CannotAnswer(
+            Message("numbers need a value for {names}; or ask a question: does it hold", names=", ".join(missing))
+        )
     touching, setup = prepared(system)
     draw = setup.draws[0]
     touching.insist(touching.is_admissible(draw.reference, draw.q))
@@ -106,7 +109,7 @@ def statics(system: System) -> Statics:
         return Statics(system, False, how_it_fails(touching, problem, draw), 0.0, ())
     found = margin(problem)
     if found is None:
-        raise CannotAnswer("no reactions balance the loads")
+        raise CannotAnswer(Message("no reactions balance the loads"))
     is_held = found.value >= -ROUND_OFF
     reserve, words = _reserve(touching, problem, draw)
     fails = words if is_held else seen(touching, problem, found, draw).words

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.numeric.contact.start import far_sides
@@ -54,7 +55,7 @@ class TouchingAtRest:
     def insist(self, is_admissible: bool) -> None:
         """Raises CannotAnswer where the start pose is not admissible: what is said of rest would be said of another."""
         if not is_admissible:
-            raise CannotAnswer("in the start pose something penetrates, or touches beyond the end of an edge")
+            raise CannotAnswer(Message("in the start pose something penetrates, or touches beyond the end of an edge"))
 
 
 def touching(system: System) -> TouchingAtRest:
@@ -79,7 +80,10 @@ def touching(system: System) -> TouchingAtRest:
     v = reference.velocities(q)
     if float(np.abs(v).max(initial=0.0)) > 0.0:
         raise CannotAnswer(
-            f"{reference.most_moved(v)} moves at the start, so the system is not at rest; leave out its velocity"
+            Message(
+                "{body} moves at the start, so the system is not at rest; leave out its velocity",
+                body=reference.most_moved(v),
+            )
         )
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
     rubs = tuple(rub for rub in system.rubs if not rub.of or rub.of in closed)

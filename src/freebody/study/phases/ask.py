@@ -12,9 +12,10 @@ from freebody.assess.options import judge
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
+from freebody.language.sentences import Message
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
-from freebody.study.answer import NOT_VALID, Answer, AnswerCase, Evidence
+from freebody.study.answer import Answer, AnswerCase, Evidence
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
@@ -34,7 +35,7 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
     busy_with(f"answering {question.id}: {question.text}")
     try:
         if question.quantity.scope not in ("instant", "course"):
-            raise CannotAnswer("the system changes its contacts; ask for a motion, a force, or an energy")
+            raise CannotAnswer(Message("the system changes its contacts; ask for a motion, a force, or an energy"))
         found = pieces(tree, question)
         parts = _merged(found)
         evidence = [compare(tree, question, piece) for group in parts for piece in group]
@@ -71,12 +72,18 @@ def _answer(
     value = _value(tree, main) if tree.system.has_values else None
     notes = list(main.notes)
     if main.first is None:
-        notes.append(f"while the system {summary(main.phase)}")
+        notes.append(Message("while the system {what}", what=summary(main.phase)))
     elif main.after is None and question.quantity.may_jump:
-        notes.append(f"just before {happening(main.first.watch, None)}, while the system {summary(main.phase)}")
+        notes.append(
+            Message(
+                "just before {event}, while the system {what}",
+                event=happening(main.first.watch, None),
+                what=summary(main.phase),
+            )
+        )
     if tree.system.has_values and 0 not in own.sets:
         broken = _broken(tree, own)
-        notes.append(reworded(f"{NOT_VALID}: {broken}", broken))
+        notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
     judgement: Any = None
@@ -148,8 +155,8 @@ def _regions(tree: PhaseTree, group: list[AnswerBranch]) -> list[_Region]:
 def _broken(tree: PhaseTree, region: _Region) -> str:
     for r in region.relations:
         if not holds(r, tree.numbers(r.element))[0]:
-            return reworded(f"{r.text()} is not true there", r.text())
-    return "the model takes another way there"
+            return reworded(Message("{condition} is not true there", condition=r.text()), r.text())
+    return Message("the model takes another way there")
 
 
 def _for_all(tree: PhaseTree) -> str:

@@ -14,10 +14,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.study.phases.decide import NOTHING, Cell, Inequality, Test, as_test, cells
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import CourseZero, EnergyMotion, UniformMotion
@@ -108,7 +110,7 @@ def _outcome(cell: Cell, found: _PossibleEnds) -> PhaseOutcome:
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
         same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], 1e-9, 0.0)]
-    needs = tuple((x, ">", "it happens") for x in chosen.exists)
+    needs = tuple((x, ">", Message("it happens")) for x in chosen.exists)
     cuts = tuple(cut for cut in cell.cuts if not any(cut[0] == x for x, _r, _p in needs))
     return PhaseOutcome(
         FirstEvent(chosen.watch, chosen.zero, tuple(same)), cell.sets, (*needs, *cuts), cell.is_exact, unsure
@@ -124,11 +126,23 @@ def _in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, i
         try:
             coefficients = course.along(watch.element)
         except CannotAnswer as error:
-            raise CannotAnswer(f"when {watch.connection} {watch.kind} has no closed form: {error}") from None
+            raise CannotAnswer(
+                Message(
+                    "when {contact} {event} has no closed form: {why}",
+                    contact=watch.connection,
+                    event=occurs(watch),
+                    why=error,
+                )
+            ) from None
         n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
         if len(coefficients) - n_now > 3:
             raise CannotAnswer(
-                f"when {watch.connection} {watch.kind} is a root of degree {len(coefficients) - 1 - n_now}"
+                Message(
+                    "when {contact} {event} is a root of degree {n}",
+                    contact=watch.connection,
+                    event=occurs(watch),
+                    n=len(coefficients) - 1 - n_now,
+                )
             )
         numbers = np.array([sets.evaluate(model, c) for c in coefficients])
         n_before = len(found.candidates)
@@ -178,6 +192,10 @@ def _falls(numbers: Array, t: Array) -> Mask:
     return result
 
 
+def _before(watch: PhaseWatch) -> str:
+    return Message("before {contact} {event}", contact=watch.connection, event=occurs(watch))
+
+
 def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
     """That a time is real, that it comes, and that it comes before another one."""
     model, found = course.model, list[Test]()
@@ -187,10 +205,14 @@ def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], set
         for g in sorted(model.field.ingredients(t)):
             if model.field.generators[g].kind == "root" and model.field.generators[g].made_of:
                 inside = model.field.radicand(g)
-                found.append(as_test(inside, ">", sets.evaluate(model, inside), "it happens", "no event ends it"))
+                found.append(
+                    as_test(
+                        inside, ">", sets.evaluate(model, inside), Message("it happens"), Message("no event ends it")
+                    )
+                )
     for t in times:
         assert t is not None
-        found.append(as_test(t, ">", sets.evaluate(model, t), "it happens", "no event ends it"))
+        found.append(as_test(t, ">", sets.evaluate(model, t), Message("it happens"), Message("no event ends it")))
     for j, one in enumerate(candidates):
         for k, other in enumerate(candidates[:j]):
             s, t = times[j], times[k]
@@ -198,7 +220,7 @@ def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], set
             assert t is not None
             if one.watch is other.watch:
                 continue
-            words = (f"before {c.watch.connection} {c.watch.kind}" for c in (one, other))
+            words = (_before(c.watch) for c in (one, other))
             found.append(as_test(s - t, ">", sets.evaluate(model, s - t), *words))
     return found
 
@@ -321,7 +343,9 @@ class _Road:
                 if is_odd:
                     break  # its sign turns with the speed: on the way back it has ended
         if (missed & self.mine & ~self.too_near & (self.way != 0)).any():
-            raise CannotAnswer(f"when {watch.connection} {watch.kind} has no closed form")
+            raise CannotAnswer(
+                Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
+            )
 
     def _tests(self, candidates: Sequence[_Candidate]) -> list[Test]:
         """That a place is real and is reached; which way it goes first, and which place is nearer."""
@@ -332,7 +356,7 @@ class _Road:
 
         for c in candidates:
             for x in c.exists:
-                add(x, ">", "it happens", "no event ends it")
+                add(x, ">", Message("it happens"), Message("no event ends it"))
         for place, _at in self.turns:
             for x in self.course.real(place):
                 add(x)

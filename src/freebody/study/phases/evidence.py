@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
@@ -57,8 +58,12 @@ def compare(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidenc
 # -- one instant ------------------------------------------------------------------------------
 def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     at_start = question.at_start or piece.at_start
-    where = "at the start" if at_start else "at random poses and speeds"
-    witness = CrossCheck(question.text, f"floating-point solve of all bodies and contacts {where}", INSTANT_TOLERANCE)
+    route = (
+        Message("floating-point solve of all bodies and contacts at the start")
+        if at_start
+        else Message("floating-point solve of all bodies and contacts at random poses and speeds")
+    )
+    witness = CrossCheck(question.text, route, INSTANT_TOLERANCE)
     phase = piece.phase
     for n, k in enumerate(piece.sets):
         if len(witness.pairs) >= N_CHECKED:
@@ -97,7 +102,9 @@ def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
 def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
     derivatives of a gap the first that does not vanish is positive."""
-    witness = CrossCheck(question.text, "floating-point rates and accelerations at the start", INSTANT_TOLERANCE)
+    witness = CrossCheck(
+        question.text, Message("floating-point rates and accelerations at the start"), INSTANT_TOLERANCE
+    )
     for k in piece.sets[:N_CHECKED]:
         mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(int(k)))
         now = mode.snapshot(q, v, 0.0)
@@ -115,7 +122,9 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
 
 def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """What is counted from the start is nothing at the start, but for the energy that an impact takes."""
-    witness = CrossCheck(question.text, "floating-point energies before and after the impact", INSTANT_TOLERANCE)
+    witness = CrossCheck(
+        question.text, Message("floating-point energies before and after the impact"), INSTANT_TOLERANCE
+    )
     node = piece.nodes[-1]
     for k in piece.sets[:N_CHECKED]:
         values = tree.sets.one(int(k))
@@ -151,7 +160,7 @@ class _Nothing:
         return 0.0
 
     def there(self, quantity: Quantity) -> Any:
-        raise CannotAnswer("nothing has moved yet")
+        raise CannotAnswer(Message("nothing has moved yet"))
 
 
 def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, ...]:
@@ -161,7 +170,7 @@ def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, 
 
 # -- an event ---------------------------------------------------------------------------------
 def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
-    route = "numerical integration, every phase to the event that ends it"
+    route = Message("numerical integration, every phase to the event that ends it")
     witness = CrossCheck(question.text, route, MOTION_TOLERANCE)
     assert piece.first is not None
     ends = None if piece.time is None else tree.numbers(piece.time)
@@ -179,9 +188,15 @@ def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> E
         event = seen[-1].event
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
         if all(other[:2] != (expected.kind, expected.name) for other in seen[-1].together):
-            found = "nothing" if event is None else f"{event[1]} {event[0]}"
-            ours = f"the closed form says that {expected.name} {expected.kind}"
-            raise disagreement(f"'{question.text}': {ours}, the numeric route that {found} comes first", draw.reference)
+            found = Message("nothing") if event is None else f"{event[1]} {event[0]}"
+            differ = Message(
+                "'{question}': the closed form says that {a} {event}, the numeric route that {b} comes first",
+                question=question.text,
+                a=expected.name,
+                event=expected.kind,
+                b=found,
+            )
+            raise disagreement(differ, draw.reference)
         numeric = _number(tree, question.quantity, piece, seen)
         witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, seen[-1].snapshot()))
     return witness.evidence()
@@ -267,7 +282,9 @@ def _heat(seen: PhaseSnapshot) -> float:
     for push in frictions(seen.mode.system):
         first, last = begin.law(push), end.law(push)
         if abs(last - first) > 1e-9 * max(abs(first), abs(last)):
-            raise CannotAnswer("the friction changes along the motion, and its heat was not checked in numbers")
+            raise CannotAnswer(
+                Message("the friction changes along the motion, and its heat was not checked in numbers")
+            )
         total -= last * (end.value(push.measure) - begin.value(push.measure))  # type: ignore[arg-type]
     return total
 

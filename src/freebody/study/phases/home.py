@@ -12,6 +12,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Expr, Symbol, n_operations
+from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
@@ -58,14 +59,16 @@ class Home:
         """Sets for which the start is one: on the branch of the model's own numbers, and nothing inside another."""
         found = np.ones(self.sets.n, dtype=bool)
         state, express = self.home.start_instant, self.home.model.express
-        needed = [(state.here(express(x)), ">", "as at the start") for x in self.home.model.samples.assumed]
+        needed = [(state.here(express(x)), ">", Message("as at the start")) for x in self.home.model.samples.assumed]
         for bound in self.system.bounds:
             if bound.name not in touching and not bound.within:
-                needed.append((self._gap(bound), ">=", f"{bound.row.connection} is open at the start"))
+                needed.append(
+                    (self._gap(bound), ">=", Message("{contact} is open at the start", contact=bound.row.connection))
+                )
         for row in [r for r in self.system.held if r.unilateral] + [b.row for b in self.system.bounds]:
             if row.name in touching and isinstance(row.measure, Distance) and row.target is not None:
                 target = self.home.model.geometry.scalar(row.target)  # a circle in a ring is the smaller one
-                needed.append((target, ">", f"{row.connection} fits"))
+                needed.append((target, ">", Message("{string} fits", string=row.connection)))
         for x, relation, purpose in needed:
             found &= ~(self.numbers(x) <= 0) if relation == ">" else ~(self.numbers(x) < 0)
             condition, _possible = require(x, relation, purpose)
@@ -100,7 +103,9 @@ class Home:
         inside |= {own[symbol] for symbol in inside & own.keys()}
         for c in (*phase.model.coordinates, *phase.model.dependent):
             if c.index in inside:
-                raise CannotAnswer(f"what {c.name} is at the start has no closed form; give it in start")
+                raise CannotAnswer(
+                    Message("what {name} is at the start has no closed form; give it in start", name=c.name)
+                )
         expr = phase.model.field.expression(x)
         return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
 
@@ -133,7 +138,7 @@ class Home:
         """The state of a phase at given values of its coordinates and speeds, as starts of all bodies. Angles become
         symbols, since sines of long sums are long."""
         if phase.system.space:
-            raise CannotAnswer("the start of a phase is put together from bodies in the plane only")
+            raise CannotAnswer(Message("the start of a phase is put together from bodies in the plane only"))
         model, f = phase.model, phase.model.field
         there = SymbolicState(model, values)
         moving = {c.index for c in model.coordinates} | {c.speed for c in model.coordinates}
@@ -141,7 +146,7 @@ class Home:
         def at(x: Ratio) -> Ratio:
             x = f.lowest_terms(there.here(x))
             if f.ingredients(x) & moving:
-                raise CannotAnswer("the state at the event has no closed form")
+                raise CannotAnswer(Message("the state at the event has no closed form"))
             return x
 
         def shown(x: Ratio) -> Expr:

@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, Parameter, UnilateralConstraint
 from freebody.study.phases.decide import Inequality
@@ -61,7 +62,10 @@ class ClosedFormCollision:
         self.others: list[DryFriction] = [rub for rub in base.rubs if rub.of not in hits and rub.load]
         if self.rubs and (len(hits) > 1 or len(self.rubs) > 1):
             raise CannotAnswer(
-                f"{_listed(hits)} collide at once, with friction: such an impact has no closed form here"
+                Message(
+                    "{contacts} collide at once, with friction: such an impact has no closed form here",
+                    contacts=_listed(hits),
+                )
             )
         system, _loads = in_mode(placed.put_into(base), ContactMode.of(kept, {}))
         self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
@@ -111,7 +115,10 @@ class ClosedFormCollision:
         limit = bound.row.sign * both[n]
         up, down = (self._coefficient(rub, way) * limit for way in (1, -1))
         name = rub.row.connection
-        ends = ((up + both[t], ">=", f"{name} does not slip"), (down - both[t], ">=", f"{name} does not slip"))
+        ends = (
+            (up + both[t], ">=", Message("{contact} does not slip", contact=name)),
+            (down - both[t], ">=", Message("{contact} does not slip", contact=name)),
+        )
         yield self._blow(both, ends)
         for way in (1, -1):
             mu = way * self._coefficient(rub, way) * bound.row.sign
@@ -120,7 +127,10 @@ class ClosedFormCollision:
                 continue
             P = wanted[n] / below
             after = slip + table[t][n] * P - mu * table[t][t] * P
-            checks = ((bound.row.sign * P, ">", f"{name} is struck"), (way * after, ">", f"{name} slips"))
+            checks = (
+                (bound.row.sign * P, ">", Message("{contact} is struck", contact=name)),
+                (way * after, ">", Message("{contact} slips", contact=name)),
+            )
             yield self._blow({n: f.lowest_terms(P), t: f.lowest_terms(-mu * P)}, checks)
 
     def now_acceleration(self, row: ConstraintRow) -> Ratio:
@@ -144,7 +154,7 @@ class ClosedFormCollision:
             rows.append(row)
         solved = solve(self.model.field, rows, [columns[k] for k in wanted], lambda x: x.is_zero())
         if solved.free or solved.contradictory:
-            raise CannotAnswer(f"the impulses of {_listed(list(wanted))} are not determined")
+            raise CannotAnswer(Message("the impulses of {contacts} are not determined", contacts=_listed(list(wanted))))
         zero = self.model.field.zero
         return {k: self.model.field.lowest_terms(solved.pivots[columns[k]].get(RHS, zero)) for k in wanted}
 
@@ -157,7 +167,13 @@ class ClosedFormCollision:
         conditions = list(checks)
         for bound in self.hits:
             if len(self.hits) > 1:
-                conditions.append((bound.row.sign * impulses[bound.name], ">=", f"{bound.row.connection} is struck"))
+                conditions.append(
+                    (
+                        bound.row.sign * impulses[bound.name],
+                        ">=",
+                        Message("{contact} is struck", contact=bound.row.connection),
+                    )
+                )
         conditions += self._kept_touching(impulses)
         return Blow(impulses, speeds, tuple(conditions))
 
@@ -180,12 +196,16 @@ class ClosedFormCollision:
                 continue
             if name in loads:
                 raise CannotAnswer(
-                    f"the impact of {_listed([b.name for b in self.hits])} loads {rows[name].connection} as well, "
-                    "whose friction acts in it: such an impact has no closed form here"
+                    Message(
+                        "the impact of {contacts} loads {other} as well, "
+                        "whose friction acts in it: such an impact has no closed form here",
+                        contacts=_listed([b.name for b in self.hits]),
+                        other=rows[name].connection,
+                    )
                 )
             if rows[name].unilateral or name in {b.name for b in self.base.bounds}:
-                yield push, ">=", f"{rows[name].connection} keeps touching"
+                yield push, ">=", Message("{contact} keeps touching", contact=rows[name].connection)
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(dict.fromkeys(name.partition(".")[0] for name in names))
+    return in_turn([*dict.fromkeys(name.partition(".")[0] for name in names)])

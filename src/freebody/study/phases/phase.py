@@ -10,6 +10,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import ZERO, free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
@@ -72,7 +73,7 @@ class Given(Setup):
                 reference = Reference(system, own)
                 self.draws.append(Draw(own, reference, reference.assemble()))
         if not self.draws:
-            raise CannotAnswer("the phase cannot be assembled at its start")
+            raise CannotAnswer(Message("the phase cannot be assembled at its start"))
         starts = [d.sample() for d in self.draws]
         general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
         self._made = SymbolicModel(system, [*starts, *general])
@@ -137,7 +138,11 @@ class Phase:
                     found.setdefault(other, []).append(name)
                     break
             else:
-                raise CannotAnswer(f"the friction forces {', '.join(sticking)} are not unique where they all stick")
+                raise CannotAnswer(
+                    Message(
+                        "the friction forces {names} are not unique where they all stick", names=", ".join(sticking)
+                    )
+                )
         return found
 
     @cached_property
@@ -204,7 +209,9 @@ class Phase:
         if state is None:
             return self.model.field.zero
         if rub.name in self.dropped:
-            raise CannotAnswer(f"only the sum of the friction forces of {rub.row.connection} is determined")
+            raise CannotAnswer(
+                Message("only the sum of the friction forces of {contact} is determined", contact=rub.row.connection)
+            )
         if state == 0:
             return self.model.reactions.multiplier(self.rows[rub.name])
         return -state * self.coefficient(rub, state, at_rest=False) * self.load(rub)

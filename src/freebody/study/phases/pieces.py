@@ -9,6 +9,7 @@ from typing import Any, cast
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
@@ -96,13 +97,18 @@ def _not_found(tree: PhaseTree, question: Question, met: list[str]) -> str:
     stops = [e.stops for n in nodes for e in n.edges if e.stops]
     known = not tree.lost and all(n.is_exact and all(e.is_exact and e.is_proved for e in n.edges) for n in nodes)
     if not asked and not nodes and not reasons:
-        return "no state of the contacts and stops was found that can hold at the start"
+        return Message("no state of the contacts and stops was found that can hold at the start")
     if known and not reasons and not stops:
-        return f"'{asked}' never happens, whatever the parameters are"
+        return Message("'{event}' never happens, whatever the parameters are", event=asked)
     if reasons:
         return reasons[0]
-    where = f"'{asked}' does not happen in the phases that were found"
-    return f"{where}; {stops[0]}" if stops else f"{where}, at none of {tree.sets.n} parameter sets"
+    if stops:
+        return Message("'{event}' does not happen in the phases that were found; {why}", event=asked, why=stops[0])
+    return Message(
+        "'{event}' does not happen in the phases that were found, at none of {n} parameter sets",
+        event=asked,
+        n=tree.sets.n,
+    )
 
 
 # -- one instant ------------------------------------------------------------------------------
@@ -123,8 +129,9 @@ def _at_instant(tree: PhaseTree, question: Question, way: _WayToPhase) -> Answer
 
 def _just_after(node: PhaseNode) -> str:
     assert node.impact is not None
-    when = " at the start" if node.depth == 0 else ""
-    return f"just after the {node.impact.words}{when}"
+    if node.depth == 0:
+        return Message("just after the impact of {contacts} at the start", contacts=node.impact.contacts)
+    return Message("just after the impact of {contacts}", contacts=node.impact.contacts)
 
 
 def _elements(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
@@ -192,11 +199,11 @@ def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
         for name, state in phase.mode.states.items():
             is_still = name in tree.slips and tree.slips[name].is_zero()
             if state and is_still and _is_named(asked, name.partition(".")[0]):
-                return f"{label(name)} cannot hold at the start: it slips at once"
+                return Message("{contact} cannot hold at the start: it slips at once", contact=label(name))
     if asked.kind == "opens":
         for name in sorted((tree.closed | tree.moving) - phase.mode.closed):
             if _is_named(asked, name.partition(".")[0]):
-                return f"{label(name)} touches at the start only: it opens at once"
+                return Message("{contact} touches at the start only: it opens at once", contact=label(name))
     return ""
 
 
@@ -272,7 +279,7 @@ def _watches(
     phase = node.phase
     value = phase.state.rate(event.measure) if event.order == 1 else phase.state.value(event.measure)
     difference = value - phase.model.geometry.scalar(event.value)
-    left, place = node.sets, f"'{event.text}' is reached from this side"
+    left, place = node.sets, Message("'{event}' is reached from this side", event=event.text)
     x = difference
     for _derivative in range(3):
         at_first = tree.to_home(phase, phase.start_instant.here(phase.model.in_independent_speeds(x)))
@@ -302,14 +309,18 @@ def _piece(
     notes: list[str] = []
     time = _total(tree, way, first)
     if isinstance(course := way.last.phase.course, EnergyMotion) and course.coordinate.speed not in first.zero.values:
-        notes.append("that it gets so far was checked at many parameter values; there is no short condition for it")
+        notes.append(
+            Message("that it gets so far was checked at many parameter values; there is no short condition for it")
+        )
     phase = way.last.phase
     there = SymbolicState(phase.model, {**_still(phase), **first.zero.values})
     if after is not None:
         phase, there = after.phase, after.phase.start_instant
         notes.append(_just_after(after))
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
-        notes.append(f"just before the impact of {label(hits[0].name)}, which comes at the same instant")
+        notes.append(
+            Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
+        )
     value = _value(tree, question.quantity, way, phase, there, time, first, after)
     return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
@@ -353,8 +364,10 @@ class _Passage:
     def time(self) -> Ratio:
         if self.elapsed is None:
             raise CannotAnswer(
-                "the time is the integral of the coordinate over its speed, which has no elementary closed form "
-                "here; simulate the motion for a number"
+                Message(
+                    "the time is the integral of the coordinate over its speed, which has no elementary closed form "
+                    "here; simulate the motion for a number"
+                )
             )
         return self.elapsed
 
@@ -373,7 +386,7 @@ class _Passage:
     def work(self, load: str) -> Ratio:
         pushes = [p for p in plain(self.phase.system).pushes if p.load == load]
         if not pushes:
-            raise CannotAnswer(f"{load} is no load; ask for the energy lost, or for power")
+            raise CannotAnswer(Message("{load} is no load; ask for the energy lost, or for power", load=load))
         total = self.tree.home.model.field.zero
         for push in pushes:
             law_polynomial(push)
@@ -410,7 +423,7 @@ def _heat(tree: PhaseTree, way: _WayToPhase, first: FirstEvent | None) -> Ratio:
             continue
         time = None if zero.time is None else tree.to_home(phase, zero.time)
         if time is None:
-            raise CannotAnswer("the time of the event has no closed form, so neither has the heat of friction")
+            raise CannotAnswer(Message("the time of the event has no closed form, so neither has the heat of friction"))
         for push in rubbing:
             power = phase.state.law(push) * phase.state.rate(push.measure)
             for n, coefficient in enumerate(phase.course.along(power)):
@@ -422,7 +435,7 @@ def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> 
     """What the mechanical energy loses from the beginning of a phase to a state of it."""
     if not only_friction_takes_energy(phase.system):
         raise CannotAnswer(
-            "other loads do work as well, and the heat of friction has no closed form; simulate the motion"
+            Message("other loads do work as well, and the heat of friction has no closed form; simulate the motion")
         )
     there = SymbolicState(phase.model, {**_still(phase), **values})
     system = plain(phase.system)
@@ -456,11 +469,15 @@ def _revolutions(tree: PhaseTree, body: str, way: _WayToPhase, first: FirstEvent
         u, w = (tree.numbers(tree.to_home(phase, s.rate(angle))) for s in (phase.start_instant, end))
         turned = tree.numbers(b - a)[way.last.sets]
         if (u * w)[way.last.sets].min() < -1e-9 and not isinstance(phase.course, EnergyMotion):
-            raise CannotAnswer(f"{body} turns one way and then the other; ask for the change of its angle instead")
+            raise CannotAnswer(
+                Message("{body} turns one way and then the other; ask for the change of its angle instead", body=body)
+            )
         signs = set(np.sign(turned[np.abs(turned) > 1e-12]).tolist())
         if len(signs) > 1:
             raise CannotAnswer(
-                f"which way {body} turns depends on the parameter values; ask for the change of its angle"
+                Message(
+                    "which way {body} turns depends on the parameter values; ask for the change of its angle", body=body
+                )
             )
         total = total + (a - b if signs == {-1.0} else b - a)
     return total / (2 * home.pi)

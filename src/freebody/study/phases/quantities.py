@@ -11,6 +11,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.measures.geometry import Direction
 from freebody.model.elements import AppliedLoad
 from freebody.model.state import State
@@ -100,7 +101,9 @@ def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any
 def _force(quantity: Wrench, base: System, system: System, state: State[Any]) -> Any:
     """The force of a contact on a body: its rows, and its friction where that slides."""
     if quantity.moment:
-        raise CannotAnswer("the moment of a contact is asked by its forces; ask for its normal and friction force")
+        raise CannotAnswer(
+            Message("the moment of a contact is asked by its forces; ask for its normal and friction force")
+        )
     rows = [row for row in system.held if row.connection == quantity.connection]
     touched = dict.fromkeys(b for r in base.rows if r.connection == quantity.connection for b in r.measure.bodies())
     moving = [b for b in touched if not base.bodies[b].fixed]

@@ -11,7 +11,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
-from freebody.language.notation import reworded, stated_plain, to_python
+from freebody.language.notation import stated_plain, to_python
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
@@ -20,7 +21,7 @@ from freebody.study.phases.regions import Regions, regions
 from freebody.study.phases.tree import PhaseEnd, PhaseImpact, PhaseNode, PhaseTree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.study.worded import in_words
-from freebody.symbolic.conditions import Condition, relation_text, require
+from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, EnergyMotion, UniformMotion
@@ -136,7 +137,7 @@ def phases(system: System) -> Phases:
 def phases_of(tree: PhaseTree) -> Phases:
     """The cases of a tree, path by path."""
     if not tree.system.bounds and not tree.system.rubs and not tree.closed:
-        raise CannotAnswer("the system has no contact, no stop and no dry friction: its motion has one phase")
+        raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)
     between = tuple(_equation(x) for x in tree.boundaries)
@@ -149,7 +150,7 @@ def _missing(tree: PhaseTree, reasons: Sequence[str]) -> str:
     covered = np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
     if tree.sets.left_out[np.setdiff1d(tree.indices, covered)].all():
         return ""
-    return reasons[-1] if reasons else "no state of the contacts was found that is consistent with the start"
+    return reasons[-1] if reasons else Message("no state of the contacts was found that is consistent with the start")
 
 
 def _sets(path: Path) -> Chosen:
@@ -263,7 +264,7 @@ def _impulses(tree: PhaseTree, impact: PhaseImpact) -> tuple[tuple[str, Expr], .
 
 
 def _with_purpose(r: SolvedRelation) -> str:
-    return reworded(f"{r.text()} ({', '.join(r.purposes)})", r.text()) if r.purposes else r.text()
+    return with_purposes(r.text(), r.purposes)
 
 
 def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...], tuple[tuple[Expr, Expr], ...]]:

@@ -23,6 +23,7 @@ import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, ExpressionError
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.events import FirstEvent, PhaseOutcome, Proofs, first_events
@@ -51,7 +52,11 @@ NO_FORM = (CannotAnswer, ExpressionError, OverflowError, ZeroDivisionError)
 
 def why(error: Exception) -> str:
     """Why there is no closed form, for a user."""
-    return str(error) if isinstance(error, CannotAnswer) else "the formulas become too long here; simulate the motion"
+    return (
+        str(error)
+        if isinstance(error, CannotAnswer)
+        else Message("the formulas become too long here; simulate the motion")
+    )
 
 
 @dataclass
@@ -83,7 +88,11 @@ class PhaseImpact:
 
     @property
     def words(self) -> str:
-        return "impact of " + ", ".join(dict.fromkeys(label(name) for name in self.hits))
+        return Message("impact of {contacts}", contacts=self.contacts)
+
+    @property
+    def contacts(self) -> str:
+        return in_turn([*dict.fromkeys(label(name) for name in self.hits)])
 
 
 @dataclass
@@ -170,10 +179,21 @@ class PhaseTree(Home):
         given: list[Condition] = []
         for name, sign in signs.items():
             if sign:
-                what = "opens at once" if sign > 0 else "is struck at once"
-                given += self.conditions([(sign * rates[name], ">", f"{name.partition('.')[0]} {what}")], sets)
+                contact = name.partition(".")[0]
+                what = (
+                    Message("{contact} opens at once", contact=contact)
+                    if sign > 0
+                    else Message("{contact} is struck at once", contact=contact)
+                )
+                given += self.conditions([(sign * rates[name], ">", what)], sets)
             else:
-                given.append(Condition(rates[name].numerator(), "=", f"{name.partition('.')[0]} keeps touching"))
+                given.append(
+                    Condition(
+                        rates[name].numerator(),
+                        "=",
+                        Message("{contact} keeps touching", contact=name.partition(".")[0]),
+                    )
+                )
         hits = tuple(sorted(name for name, sign in signs.items() if sign < 0))
         closed = self.closed | {name for name, sign in signs.items() if sign == 0}
         if hits:
@@ -186,7 +206,7 @@ class PhaseTree(Home):
             nodes = self._follow(PhaseStart(Placed(), closed, slips, given=tuple(given)), sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
-        reason = self.reasons[-1] if self.reasons else "no state of the contacts is consistent with the start"
+        reason = self.reasons[-1] if self.reasons else Message("no state of the contacts is consistent with the start")
         self.lost |= dict.fromkeys(gone.tolist(), reason)
 
     def _rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
@@ -210,7 +230,11 @@ class PhaseTree(Home):
             labels[holds & (labels == NOTHING)] = k
         for cell in cells(labels, indices, [t for _b, _e, tests in blows for t in tests]):
             if cell.label == NOTHING:
-                self.reasons.append(f"no outcome of the impact of {_connections(hits)} was found at some values")
+                self.reasons.append(
+                    Message(
+                        "no outcome of the impact of {contacts} was found at some values", contacts=_connections(hits)
+                    )
+                )
                 continue
             blow, elements, _tests = blows[cell.label]
             impulses = {name: self.to_home(collision.setup, x) for name, x in blow.impulses.items()}
@@ -370,12 +394,12 @@ class PhaseTree(Home):
         closed, slips, excluded = instant.closed, instant.slips, instant.excluded
         here, model = phase.start_instant.here, phase.model
         if phase.determinant is not None:
-            yield here(phase.determinant), ">", "friction forces exist"
+            yield here(phase.determinant), ">", Message("friction forces exist")
         for watch in phase.watches:
             if watch.kind == "opens":
-                yield here(watch.element), ">=", f"{watch.connection} keeps touching"
+                yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
             elif watch.kind == "slips":
-                yield here(watch.element), ">=", f"{watch.connection} does not slip"
+                yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
             elif watch.kind == "slip ends":
                 slip = slips[watch.name]
                 sign = phase.mode.states[watch.name]
@@ -383,18 +407,22 @@ class PhaseTree(Home):
                     continue
                 if slip.is_zero():
                     rub = phase.rubs[watch.name]
-                    yield sign * here(phase.state.acceleration(rub.row.measure)), ">", f"{watch.connection} slips"
+                    yield (
+                        sign * here(phase.state.acceleration(rub.row.measure)),
+                        ">",
+                        Message("{contact} slips", contact=watch.connection),
+                    )
                 else:
-                    yield here(watch.element), ">", f"{watch.connection} slips"
+                    yield here(watch.element), ">", Message("{contact} slips", contact=watch.connection)
         let_go = "" if excluded is None else excluded[0]
         for name in sorted(closed - phase.mode.closed - {let_go}):
             gap = phase.gap(phase.base_row(name))
             rate = here(model.in_independent_speeds(model.rate(gap)))
             if rate.is_zero():
                 second = model.field.substitute(model.rate(model.rate(gap)), model.dynamics.solved_accelerations)
-                yield here(second), ">", f"{name.partition('.')[0]} opens"
+                yield here(second), ">", Message("{contact} opens", contact=name.partition(".")[0])
             else:
-                yield rate, ">", f"{name.partition('.')[0]} opens"
+                yield rate, ">", Message("{contact} opens", contact=name.partition(".")[0])
 
     # -- how a phase ends -------------------------------------------------------------------------
     def _end(self, node: PhaseNode) -> None:
@@ -405,7 +433,11 @@ class PhaseTree(Home):
             node.reason = why(error)
             return
         gone = [row.connection for row in ideal_bounds(self.system) if row.name not in node.phase.mode.closed]
-        again = f"whether {gone[0]} closes again is not looked at; simulate the motion" if gone else ""
+        again = (
+            Message("whether {contact} closes again is not looked at; simulate the motion", contact=gone[0])
+            if gone
+            else ""
+        )
         for outcome in outcomes:
             first = outcome.first
             time = None if first is None or first.zero.time is None else self.to_home(node.phase, first.zero.time)
@@ -432,7 +464,9 @@ class PhaseTree(Home):
         assert edge.first is not None
         assert watch is not None
         if node.depth + 1 >= allowed(MAX_DEPTH) or self.n_nodes >= allowed(MAX_NODES):
-            edge.stops = f"after {node.depth + 1} phases the search ends; raise the effort (--effort) to go on"
+            edge.stops = Message(
+                "after {n} phases the search ends; raise the effort (--effort) to go on", n=node.depth + 1
+            )
             return
         phase = node.phase
         there = SymbolicState(phase.model, edge.first.zero.values)
@@ -462,7 +496,7 @@ class PhaseTree(Home):
             edge.stops = why(error)
             return
         if not edge.nodes and not edge.stops:
-            edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else "no mode is consistent there"
+            edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else Message("no mode is consistent there")
 
     def _taking_over(self, phase: Phase, there: SymbolicState, left: str, sets: Chosen) -> frozenset[str]:
         """The places of the same two outlines that touch where an edge ends: the corner behind it."""
@@ -476,7 +510,12 @@ class PhaseTree(Home):
                 continue
             rate = bound.row.sign * self.numbers(self.to_home(phase, there.rate(bound.row.measure)))[sets]
             if (rate < -_ZERO).any():
-                raise CannotAnswer(f"{label(left)} reaches the end of its edge and collides there; simulate the motion")
+                raise CannotAnswer(
+                    Message(
+                        "{contact} reaches the end of its edge and collides there; simulate the motion",
+                        contact=label(left),
+                    )
+                )
             if (np.abs(rate) <= _ZERO).all():
                 found.add(bound.name)
         return frozenset(found)
@@ -488,9 +527,10 @@ class PhaseTree(Home):
         watch = edge.watch
         assert watch is not None
         if node.n_impacts >= allowed(MAX_IMPACTS):
-            edge.stops = (
-                f"{watch.connection} touches once more; after {node.n_impacts} impacts the formulas end; raise the "
-                "effort (--effort) to go on"
+            edge.stops = Message(
+                "{contact} touches once more; after {n} impacts the formulas end; raise the effort (--effort) to go on",
+                contact=watch.connection,
+                n=node.n_impacts,
             )
             return []
         instant = PhaseStart(placed, node.phase.mode.closed, {}, before, None, None, node.n_impacts, known)
@@ -512,11 +552,11 @@ def _without_slip(mode: ContactMode, instant: PhaseStart) -> list[Inequality]:
     """What sticks from the start on although a slip is possible there must have none."""
     states = mode.states
     return [
-        (x, "=", f"{name.partition('.')[0]} does not slip")
+        (x, "=", Message("{contact} does not slip", contact=name.partition(".")[0]))
         for name, x in instant.slips.items()
         if states.get(name) == 0 and not x.is_zero()
     ]
 
 
 def _connections(names: Sequence[str]) -> str:
-    return ", ".join(dict.fromkeys(name.partition(".")[0] for name in names))
+    return in_turn([*dict.fromkeys(name.partition(".")[0] for name in names)])

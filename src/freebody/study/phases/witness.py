@@ -19,6 +19,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
+from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
@@ -117,7 +118,7 @@ class NumericMode:
             N = np.linalg.solve(np.eye(n) - B, a)
             if float(N.min()) >= -_STILL * max(1.0, float(np.abs(N).max())):
                 return dict(zip(self.loads, N.tolist(), strict=True))
-        raise CannotAnswer("no friction force is consistent with the motion")
+        raise CannotAnswer(Message("no friction force is consistent with the motion"))
 
     def _seen(self, q: Array, v: Array, t: float) -> list[Snapshot]:
         """One instant without loads and with each unit load; the last one is kept, since everything asks for it."""
@@ -304,7 +305,7 @@ def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: 
     touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
     after = InstantTransition(bounded, Law.NEWTON).after(y, 0.0, simulator.engine.near(), None, touched)
     if not after.impacts:
-        raise CannotAnswer("the impact has no solution in numbers")
+        raise CannotAnswer(Message("the impact has no solution in numbers"))
     return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])
 
 

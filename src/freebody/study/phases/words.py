@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from freebody.language.sentences import Message, in_turn
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import DryFriction
 from freebody.study.phases.phase import Phase, PhaseWatch
 
 ROLLING = "rolling resistance"
-_HELD = {"tension": ("taut", "slack"), "stop force": ("at the stop", "free"), "stop torque": ("at the stop", "free")}
+_AT_STOP = Message("at the stop"), Message("free")
+_HELD = {"tension": (Message("taut"), Message("slack")), "stop force": _AT_STOP, "stop torque": _AT_STOP}
+_CONTACT = Message("touches"), Message("open")
+_OCCURS = {
+    "opens": Message("opens"),
+    "touches": Message("touches"),
+    "slips": Message("slips"),
+    "slip ends": Message("slip ends"),
+    "edge ends": Message("edge ends"),
+    "is reached": Message("is reached"),
+}
 
 
 def states(phase: Phase) -> dict[str, str]:
@@ -16,11 +27,11 @@ def states(phase: Phase) -> dict[str, str]:
     found: dict[str, str] = {}
     rows = [row for row in phase.base.held if row.unilateral] + [b.row for b in phase.base.bounds]
     for row in rows:
-        closed, opened = _HELD.get(row.reaction, ("touches", "open"))
+        closed, opened = _HELD.get(row.reaction, _CONTACT)
         found[label(row.name)] = closed if row.name in phase.mode.closed else opened
     for row in phase.base.held:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
-            found[row.connection] = "rolls"
+            found[row.connection] = Message("rolls")
     slipping = {rub.of for rub in phase.base.rubs if rub.row.reaction != ROLLING}
     for rub in phase.base.rubs:
         name = label(rub.of or rub.name)
@@ -34,10 +45,10 @@ def states(phase: Phase) -> dict[str, str]:
 
 def verb(phase: Phase, rub: DryFriction, state: int) -> str:
     if state:
-        return "slides"
+        return Message("slides")
     if rolls(rub) and phase.model.coordinates:
-        return "rolls"
-    return "holds" if not phase.model.coordinates else "sticks"
+        return Message("rolls")
+    return Message("holds") if not phase.model.coordinates else Message("sticks")
 
 
 def rolls(rub: DryFriction) -> bool:
@@ -58,12 +69,27 @@ def summary(phase: Phase) -> str:
     found = states(phase)
     spoken = _by_connection(found)
     if not spoken:
-        return "moves in contact" if any(w == "touches" for w in found.values()) else "moves"
+        return Message("moves in contact") if any(w == "touches" for w in found.values()) else Message("moves")
     if len(spoken) == 1:
         (word,) = spoken.values()
         alone = all(w == "open" for w in found.values())
-        return {"open": "flies" if alone else "moves apart", "slack": "moves with a slack string"}.get(word, word)
-    return ", ".join(f"{n} {w}" for n, w in spoken.items())
+        return {
+            "open": Message("flies") if alone else Message("moves apart"),
+            "slack": Message("moves with a slack string"),
+        }.get(word, word)
+    return in_turn([_place_does(n, w) for n, w in spoken.items()])
+
+
+def _place_does(place: str, does: str) -> str:
+    contact, _, where = place.partition(" (")
+    if where:
+        return Message("{contact} ({where}) {does}", contact=contact, where=where.removesuffix(")"), does=does)
+    return Message("{contact} {does}", contact=contact, does=does)
+
+
+def occurs(watch: PhaseWatch) -> str:
+    """What a connection does at an event, behind its name."""
+    return _OCCURS.get(watch.kind, watch.kind)
 
 
 def _by_connection(found: dict[str, str]) -> dict[str, str]:
@@ -79,14 +105,17 @@ def _by_connection(found: dict[str, str]) -> dict[str, str]:
             continue
         closed = {n: w for n, w in words.items() if w != "open"}
         if not closed:
-            spoken[connection] = "open"
+            spoken[connection] = Message("open")
         elif len(set(closed.values())) > 1:
             spoken |= closed
         else:
             (name, word), *more = closed.items()
             corner = name.partition(" (")[2].partition(" on ")[0].rpartition(".")[2]
             tips = bool(corner) and not more and len(words) > 2 and word in ("sticks", "slides")
-            about = {"sticks": f"tips about {corner}", "slides": f"tips and slides on {corner}"}
+            about = {
+                "sticks": Message("tips about {corner}", corner=corner),
+                "slides": Message("tips and slides on {corner}", corner=corner),
+            }
             spoken[connection] = about[word] if tips else word
     return spoken
 
@@ -96,21 +125,26 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
     name = label(watch.name)
     match watch.kind:
         case "opens":
-            return f"{name} goes slack" if watch.name.endswith(".length") else f"{name} opens"
+            if watch.name.endswith(".length"):
+                return Message("{contact} goes slack", contact=name)
+            return Message("{contact} opens", contact=name)
         case "touches":
-            return f"{name} touches"
+            return Message("{contact} touches", contact=name)
         case "edge ends":
-            return f"{name} reaches the end of its edge"
+            return Message("{contact} reaches the end of its edge", contact=name)
         case "slips":
-            return f"{name} begins to slip"
+            return Message("{contact} begins to slip", contact=name)
         case "slip ends":
             state = None if after is None else after.mode.states.get(watch.name)
             if after is not None and state == 0:
-                return {"rolls": "rolling begins", "holds": f"{name} comes to rest"}.get(
-                    verb(after, after.rubs[watch.name], 0), f"slip of {name} ends"
-                )
-            return f"slip of {name} reverses" if state else f"slip of {name} ends"
+                return {
+                    "rolls": Message("rolling begins"),
+                    "holds": Message("{contact} comes to rest", contact=name),
+                }.get(verb(after, after.rubs[watch.name], 0), Message("slip of {contact} ends", contact=name))
+            if state:
+                return Message("slip of {contact} reverses", contact=name)
+            return Message("slip of {contact} ends", contact=name)
         case "is reached":
-            return f"{watch.name} is reached"
+            return Message("{event} is reached", event=watch.name)
         case _:
             return watch.kind

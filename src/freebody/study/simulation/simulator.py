@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError, ModelError
+from freebody.language.sentences import further
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
 from freebody.numeric.contact.bounded import Bounded
@@ -79,7 +80,7 @@ class Simulator:
         try:
             _accelerations, _multipliers = self.engine.evaluate(self.start, 0.0)
         except CannotAnswer as error:
-            raise CannotAnswer("; ".join([str(error), *islice(without_value(system), 1)])) from error
+            raise CannotAnswer(further(str(error), *islice(without_value(system), 1))) from error
         if self.engine.layout.has_gap[0] or self.engine.room.info[dynamics.N_LEFT_OUT]:
             _ = start.accelerations  # the dense solution refuses what moves without inertia or contradicts itself
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
@@ -15,13 +16,13 @@ from freebody.study.steady.finding import SteadyFinding
 def find(setup: Setup, question: Question) -> SteadyFinding:
     """The closed form with its evidence. Raises CannotAnswer with the reason where there is none."""
     if question.event is not None:
-        raise CannotAnswer("what goes on evenly has no event; leave out 'when'")
+        raise CannotAnswer(Message("what goes on evenly has no event; leave out 'when'"))
     return _find(question.quantity, setup, question)
 
 
 @singledispatch
 def _find(q: Quantity, setup: Setup, question: Question) -> SteadyFinding:
-    raise CannotAnswer("this is no question about steady motion")
+    raise CannotAnswer(Message("this is no question about steady motion"))
 
 
 @_find.register(SteadyValue)

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
@@ -28,7 +29,9 @@ _TOLERANCE = 1e-7
 
 def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:
     """With the claimed rates, at a general pose, no coordinate may accelerate."""
-    witness = CrossCheck(question, "accelerations of the full system at random poses with these rates", _TOLERANCE)
+    witness = CrossCheck(
+        question, Message("accelerations of the full system at random poses with these rates"), _TOLERANCE
+    )
     for draw, found in motions(setup, steady, solutions):
         gaps = [_unevenness(setup, steady, draw, snapshot) for snapshot in found]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
@@ -44,11 +47,13 @@ def during_steady_motion(
     elements: tuple[Ratio, ...],
 ) -> Evidence:
     """The quantity in steady motions of the full system."""
-    witness = CrossCheck(question, "floating-point solve of all bodies and constraints in steady motion", _TOLERANCE)
+    witness = CrossCheck(
+        question, Message("floating-point solve of all bodies and constraints in steady motion"), _TOLERANCE
+    )
     for draw, found in motions(setup, steady, solutions):
         for snapshot in found:
             if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
-                raise CannotAnswer("the steady motion by which the answer would be checked is none in numbers")
+                raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
             numeric = quantity.value(setup.system, draw.seen(snapshot))
             exact = element_at(setup, elements, draw, snapshot)
             witness.compare(draw, exact, numeric, partial(magnitude, quantity.dimension, draw.seen(snapshot)))
@@ -100,7 +105,7 @@ def _with_roots(
 def _placed(steady: Steady, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:
     measure = steady.model.measure_of(place)
     if measure is None:
-        raise NotReal(f"{place.name} is no measure")
+        raise NotReal(Message("{place} is no measure", place=place.name))
     kept = [(m, v) for c, m, v in _places(steady, draw, q) if c is not place]
     return draw.reference.pose_near(q, [*kept, (measure, value)])
 
@@ -127,7 +132,7 @@ def moving(steady: Steady, draw: Draw, q: Array, rates: dict[int, float]) -> Sna
     for c in steady.model.coordinates:
         measure = steady.model.measure_of(c)
         if measure is None and c in steady.cyclic:
-            raise CannotAnswer(f"{c.name} is no measure of the model, so its rate cannot be checked")
+            raise CannotAnswer(Message("{x} is no measure of the model, so its rate cannot be checked", x=c.name))
         if measure is not None:
             wanted.append((measure, rates.get(c.speed, 0.0)))
     return draw.reference.snapshot(q, draw.reference.velocities(q, wanted, with_start=False))

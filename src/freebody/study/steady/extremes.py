@@ -11,6 +11,7 @@ import math
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import joined, reworded, to_text
+from freebody.language.sentences import Message, in_turn
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.setup import Setup
@@ -32,7 +33,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
     model = setup.model
     value = q.of.value(setup.system, setup.state)
     if isinstance(value, tuple):
-        raise CannotAnswer("a vector has no extremes; ask for its size or for a component along a direction")
+        raise CannotAnswer(Message("a vector has no extremes; ask for its size or for a component along a direction"))
     x = explicit(model, model.field.lowest_terms(model.field.element(value)))
     c = angle_of(model, q, x)
     x = at_start_but_for(setup, question, x, c)
@@ -43,7 +44,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
     search.must_go_round(setup)
     least, largest = search.ordered(search.stationary(x))
     evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
-    notes = [_where("least", least, c), _where("largest", largest, c), *turning.notes]
+    notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
     return SteadyFinding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
 
 
@@ -60,22 +61,30 @@ def angle_of(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:
     if not moving:
         if any(model.field.generators[g].kind == "time" for g in inside):
             raise CannotAnswer(
-                "it varies with time, as it is driven, and not with a coordinate that is free. Leave the driver out to "
-                "ask for the extremes over a turn of its angle"
+                Message(
+                    "it varies with time, as it is driven, and not with a coordinate that is free. Leave the driver "
+                    "out to ask for the extremes over a turn of its angle"
+                )
             )
-        raise CannotAnswer("the quantity is the same in every pose")
+        raise CannotAnswer(Message("the quantity is the same in every pose"))
     if q.over is None:
         if len(moving) > 1:
             names = ", ".join(c.name for c in moving)
             raise CannotAnswer(
-                f"it depends on {names}; say over a turn of which: extremes of ... over a turn of {moving[0].name}"
+                Message(
+                    "it depends on {names}; say over a turn of which: extremes of ... over a turn of {x}",
+                    names=names,
+                    x=moving[0].name,
+                )
             )
         return moving[0]
     measure = model.system.measures[q.over]
     for c in moving:
         if model.measure_of(c) == measure:
             return c
-    raise CannotAnswer(f"it does not depend on {q.over}, but on {', '.join(c.name for c in moving)}")
+    raise CannotAnswer(
+        Message("it does not depend on {x}, but on {names}", x=q.over, names=", ".join(c.name for c in moving))
+    )
 
 
 def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) -> Ratio:
@@ -87,7 +96,10 @@ def at_start_but_for(setup: Setup, question: Question, x: Ratio, c: Coordinate) 
 
 def _where(which: str, e: Extremum, c: Coordinate) -> str:
     places = list(dict.fromkeys(p.text(c.name) for p in e.places))
-    return reworded(f"{which} at {' and '.join(places)}", joined(places, " or "))
+    return reworded(
+        Message("{which} at {places}", which=which, places=in_turn(places, "{first} and {second}")),
+        joined(places, " or "),
+    )
 
 
 class ExtremaSearch:
@@ -110,13 +122,13 @@ class ExtremaSearch:
             else:
                 values[same] = Extremum(value, (*values[same].places, place))
         if not values:
-            raise CannotAnswer("no pose is stationary: the quantity has no extremes over a turn")
+            raise CannotAnswer(Message("no pose is stationary: the quantity has no extremes over a turn"))
         return values
 
     def _exists(self, place: TurnPose) -> bool:
         """Whether a place is real: for all admissible values, or as at the first sample, which is a condition then."""
         for x in place.must_be_positive:
-            condition, possible = require(odd_part(x), ">=", "there is such a pose")
+            condition, possible = require(odd_part(x), ">=", Message("there is such a pose"))
             if not possible:
                 return False
             if condition is None:
@@ -131,7 +143,7 @@ class ExtremaSearch:
         """At the first sample, the model's own numbers where it has them: what is taken from it becomes a condition."""
         values = self.turning.model.samples.at_starts(x)
         if not values or math.isnan(values[0]):
-            raise CannotAnswer(f"{to_text(tidy(x))} is not real at the model's own values")
+            raise CannotAnswer(Message("{x} is not real at the model's own values", x=to_text(tidy(x))))
         return values[0]
 
     def must_exist(self, x: Ratio) -> None:
@@ -140,12 +152,16 @@ class ExtremaSearch:
         for index in (i for i in made_of if self.field.generators[i].kind == "root" and self.turning.moves(i)):
             for base, exponent in self.field.factor(self.field.radicand(index).num)[1]:
                 if exponent % 2 and self.turning.occurs_in(base):
-                    self._keep_sign(base, "there is no full turn", "a full turn is possible", may_touch=True)
+                    self._keep_sign(
+                        base, Message("there is no full turn"), Message("a full turn is possible"), may_touch=True
+                    )
         for base, _exponent in self.field.factor(x.denominator().num)[1]:
             if self.turning.occurs_in(base):
                 norm = self.turning.norm(base)
                 if self.turning.occurs_in(norm):
-                    self._keep_sign(norm, "it grows without bound", "it stays finite", may_touch=False)
+                    self._keep_sign(
+                        norm, Message("it grows without bound"), Message("it stays finite"), may_touch=False
+                    )
 
     def must_go_round(self, setup: Setup) -> None:
         """What the formulas take to be positive, as it is at the start, must be so all round."""
@@ -153,8 +169,8 @@ class ExtremaSearch:
         for assumed in model.samples.assumed:
             x = explicit(model, setup.state.here(model.express(assumed)))
             if self.turning.occurs_in(x):
-                why = "the formula is that of one branch only, which a turn leaves"
-                self._keep_sign(self.turning.norm(x), why, "as at the start", may_touch=False)
+                why = Message("the formula is that of one branch only, which a turn leaves")
+                self._keep_sign(self.turning.norm(x), why, Message("as at the start"), may_touch=False)
 
     def _keep_sign(self, base: Ratio, otherwise: str, purpose: str, *, may_touch: bool) -> None:
         """All stationary values have the sign that the element has at the start."""
@@ -167,7 +183,7 @@ class ExtremaSearch:
             if not inner._exists(place):  # where it is, a condition
                 continue
             if self._at_first(value) <= 0:
-                raise CannotAnswer(f"{otherwise}: {to_text(tidy(base))} vanishes on the way")
+                raise CannotAnswer(Message("{why}: {x} vanishes on the way", why=otherwise, x=to_text(tidy(base))))
             self._add(value, purpose)
         self.conditions += inner.conditions
 
@@ -175,13 +191,15 @@ class ExtremaSearch:
         """The derivative along the angle. Raises CannotAnswer where it is zero all round."""
         slope = self.field.lowest_terms(self.field.derivative(x, self.turning.angle.index))
         if slope.is_zero():
-            raise CannotAnswer("the quantity is the same all round the turn")
+            raise CannotAnswer(Message("the quantity is the same all round the turn"))
         return slope
 
     def _add(self, x: Ratio, purpose: str) -> None:
         condition, possible = require(odd_part(x), ">", purpose)
         if not possible:
-            raise CannotAnswer(f"for no admissible values {purpose}: {to_text(tidy(x))} is not positive")
+            raise CannotAnswer(
+                Message("for no admissible values {purpose}: {x} is not positive", purpose=purpose, x=to_text(tidy(x)))
+            )
         if condition is not None and all(condition.element != known.element for known in self.conditions):
             self.conditions.append(condition)
 
@@ -195,7 +213,7 @@ class ExtremaSearch:
         for e in found:
             gap = way * (e.value - chosen.value)
             if e is not chosen and _sign(gap) not in (Sign.POSITIVE, Sign.NONNEGATIVE):
-                self._add(gap, "which extreme is which")
+                self._add(gap, Message("which extreme is which"))
         return chosen
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
@@ -27,8 +28,10 @@ _CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exp
 
 def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) -> Evidence:
     """The characteristic polynomial of the full system is the same, and its exponents grow where a sign is negative."""
-    witness = CrossCheck(question, "numerical linearisation of the full system with slow and fast rates", _TOLERANCE)
-    verdicts = CrossCheck(question, "exponents of the numerical linearisation", _TOLERANCE)
+    witness = CrossCheck(
+        question, Message("numerical linearisation of the full system with slow and fast rates"), _TOLERANCE
+    )
+    verdicts = CrossCheck(question, Message("exponents of the numerical linearisation"), _TOLERANCE)
     for draw in setup.draws:
         for factor in _FACTORS:
             try:
@@ -77,7 +80,9 @@ class About:
         for c in coordinates:
             measure = self.steady.model.measure_of(c)
             if measure is None:
-                raise CannotAnswer(f"{c.name} is no measure of the model, so its stability cannot be checked")
+                raise CannotAnswer(
+                    Message("{x} is no measure of the model, so its stability cannot be checked", x=c.name)
+                )
             found.append((c, measure))
         return found
 

@@ -16,6 +16,7 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text
+from freebody.language.sentences import Message, further
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
@@ -32,7 +33,7 @@ from freebody.symbolic.zeros import zeros_of
 from freebody.tolerances import ROUND_OFF
 
 MOST_ROOTS = 4
-_THERE_IS = "there is such a motion"
+_THERE_IS = Message("there is such a motion")
 _AT_REST = 1e-9
 
 
@@ -82,13 +83,15 @@ class Steady:
         found: list[Ratio] = []
         for d in m.dependent:
             if d.index in self.needed and not m.samples.vanishes(f.substitute(m.dependent_speed(d), self.still)):
-                raise CannotAnswer(f"the equations of motion depend on {d.name}, which moves on: nothing is steady")
+                raise CannotAnswer(
+                    Message("the equations of motion depend on {x}, which moves on: nothing is steady", x=d.name)
+                )
         for force in self.forces:
             x = f.lowest_terms(f.substitute(force, self.still))
             if m.samples.vanishes(x):
                 continue
             if any(f.generators[g].kind == "time" for g in f.ingredients(x)):
-                raise CannotAnswer("the forces depend on time, so that no motion is steady")
+                raise CannotAnswer(Message("the forces depend on time, so that no motion is steady"))
             equation = self._with_rates(x)
             if all(equation != other and equation != -other for other in found):
                 found.append(equation)
@@ -126,12 +129,18 @@ class Steady:
         name = to_text(self.model.field.generators[speed].display)
         equations = list(self.equations)
         if not equations:
-            raise CannotAnswer(f"every value of {name} is steady: nothing depends on the coordinates that run")
+            raise CannotAnswer(
+                Message("every value of {x} is steady: nothing depends on the coordinates that run", x=name)
+            )
         if len(equations) > 1:
             return self._linear(speed, name)
         equation = equations[0]
         if speed not in equation.generators():
-            raise CannotAnswer(f"steady motion leaves {name} open; its condition is {self.texts()[0]}")
+            raise CannotAnswer(
+                Message(
+                    "steady motion leaves {x} open; its condition is {condition}", x=name, condition=self.texts()[0]
+                )
+            )
         return self._roots(equation, speed, name)
 
     def _roots(self, equation: Ratio, speed: int, name: str) -> Solutions:
@@ -141,17 +150,22 @@ class Steady:
                 continue
             c = base.coefficients(speed)
             if len(c) == 2 and c[0].is_zero():
-                found.notes.append(f"{name} = 0 is steady, too")
+                found.notes.append(Message("{x} = 0 is steady, too", x=name))
             elif len(c) == 2:
                 found.roots.append(f.lowest_terms(-c[0] / c[1]))
             elif len(c) == 3 and c[1].is_zero():
                 found.roots.append(f.lowest_terms(f.sqrt(-c[0] / c[2], self.model.samples.is_negative)))
-                found.notes.append("in either sense: the opposite rate is steady, too")
+                found.notes.append(Message("in either sense: the opposite rate is steady, too"))
             elif len(c) == 3:
                 found.roots += self._both_roots(c)
             else:
                 raise CannotAnswer(
-                    f"{name} is a root of a polynomial of degree {len(c) - 1} that does not factor: {self.texts()[0]}"
+                    Message(
+                        "{x} is a root of a polynomial of degree {n} that does not factor: {equation}",
+                        x=name,
+                        n=len(c) - 1,
+                        equation=self.texts()[0],
+                    )
                 )
         return found
 
@@ -172,17 +186,29 @@ class Steady:
                 slope = f.partial(equation, column)
                 if slope.generators() & set(columns):
                     raise CannotAnswer(
-                        f"{name} follows from {len(self.equations)} equations that are not linear in the rates: "
-                        + "; ".join(self.texts())
+                        Message(
+                            "{name} follows from {n} equations that are not linear in the rates: {conditions}",
+                            name=name,
+                            n=len(self.equations),
+                            conditions=further(*self.texts()),
+                        )
                     )
                 if not slope.is_zero():
                     row[column], rest = slope, rest - slope * f.variable(column)
             rows.append(row if rest.is_zero() else {**row, RHS: -rest})
         done = solve(f, rows, columns, self.model.samples.vanishes, in_order=True)
         if done.contradictory:
-            raise CannotAnswer("no rates make this pose steady: " + "; ".join(self.texts()))
+            raise CannotAnswer(
+                Message("no rates make this pose steady: {conditions}", conditions=further(*self.texts()))
+            )
         if speed not in done.pivots:
-            raise CannotAnswer(f"steady motion leaves {name} open; its conditions are " + "; ".join(self.texts()))
+            raise CannotAnswer(
+                Message(
+                    "steady motion leaves {x} open; its conditions are {conditions}",
+                    x=name,
+                    conditions=further(*self.texts()),
+                )
+            )
         values: dict[int, Ratio] = {}
         for column, row in done.pivots.items():
             total = row.get(RHS, f.zero)
@@ -195,14 +221,27 @@ class Steady:
     def at_position(self, c: Coordinate) -> Solutions:
         """The values of a coordinate that stays constant."""
         if not any(c.index in self.model.field.ingredients(x) for x in self.equations):
-            raise CannotAnswer(f"steady motion leaves {c.name} open")
+            raise CannotAnswer(Message("steady motion leaves {x} open", x=c.name))
         if len(self.equations) != 1:
-            raise CannotAnswer(f"{c.name} follows from {len(self.equations)} equations: " + "; ".join(self.texts()))
+            raise CannotAnswer(
+                Message(
+                    "{name} follows from {n} equations: {conditions}",
+                    name=c.name,
+                    n=len(self.equations),
+                    conditions=further(*self.texts()),
+                )
+            )
         assumed = list(self.model.samples.assumed)
         roots = zeros_of(self.model, self.equations[0], c)
         self.model.samples.assumed = assumed  # signs of roots do not matter, since both are among the zeros
         if not roots or len(roots) > MOST_ROOTS:
-            raise CannotAnswer(f"the condition of steady motion has no closed form for {c.name}: {self.texts()[0]}")
+            raise CannotAnswer(
+                Message(
+                    "the condition of steady motion has no closed form for {x}: {equation}",
+                    x=c.name,
+                    equation=self.texts()[0],
+                )
+            )
         return self._on_one_side(Solutions(c.index, roots), c)
 
     def _on_one_side(self, solutions: Solutions, c: Coordinate) -> Solutions:
@@ -212,7 +251,7 @@ class Steady:
         kept: list[Ratio] = []
         for x in solutions.roots:
             if any(x == -y for y in kept):
-                solutions.notes.append(f"the opposite value of {c.name} is steady, too")
+                solutions.notes.append(Message("the opposite value of {x} is steady, too", x=c.name))
                 kept = [-y if x == -y and is_negative else y for y in kept]
             else:
                 kept.append(x)
@@ -234,7 +273,11 @@ class Steady:
                 return self.at_position(c)
             except CannotAnswer:
                 continue
-        raise CannotAnswer("no steady motion has a closed form, to check it by: " + "; ".join(self.texts()))
+        raise CannotAnswer(
+            Message(
+                "no steady motion has a closed form, to check it by: {conditions}", conditions=further(*self.texts())
+            )
+        )
 
     # -- the instant --------------------------------------------------------------------------
     @cached_property
@@ -263,12 +306,14 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> SteadyFind
         return _during(setup, question, q, steady)
     solutions = steady.at_position(unknown) if _is_place(q) else steady.solved_for(unknown.speed)
     if not solutions.roots:
-        raise CannotAnswer("; ".join(solutions.notes) or "there is no such motion")
+        raise CannotAnswer(further(*solutions.notes) or Message("there is no such motion"))
     evidence = in_steady_motion(setup, question.text, steady, solutions)
     always = [compared(ZERO, "=", tidy(x)) for x in steady.always]
-    notes = solutions.notes + [reworded(f"every rate is steady where {zero}", zero) for zero in always]
+    notes = solutions.notes + [
+        reworded(Message("every rate is steady where {zero}", zero=zero), zero) for zero in always
+    ]
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
-    purposes = [_THERE_IS] if len(roots) == 1 else [f"for [{k + 1}]" for k in range(len(roots))]
+    purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
     ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
     conditions = ranges + setup.holding(steady.state)
     return SteadyFinding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
@@ -303,7 +348,7 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
             for room in (1 - argument, 1 + argument):
                 condition, possible = require(odd_part(room), ">=", purpose)
                 if not possible:
-                    raise CannotAnswer("there is no such motion for any admissible values")
+                    raise CannotAnswer(Message("there is no such motion for any admissible values"))
                 found += [] if condition is None else [condition]
     return found
 
@@ -317,13 +362,13 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
     texts = steady.texts()
     evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
-    notes = [] if texts else ["every such motion is steady"]
-    says = [f"steady while {'; '.join(texts)}"] if texts else []
+    notes: list[str] = [] if texts else [Message("every such motion is steady")]
+    says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
     conditions = setup.holding(steady.state)
     shown = tuple(_at_start(setup, question, x, None) for x in elements)
     has_value = all(x.is_constant() for x in shown) or _starts_steadily(setup, steady)
     if not has_value and setup.has_values:
-        notes.append("no value: the given start is not in steady motion")
+        notes.append(Message("no value: the given start is not in steady motion"))
     element = shown[0] if not isinstance(value, tuple) else shown
     return SteadyFinding(element, evidence, conditions, notes, says, has_value=has_value)
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
@@ -34,7 +35,7 @@ def over_a_turn(
     conditions: list[Condition],
 ) -> Evidence:
     """At the extremal poses the full system has these values, in the others values between them."""
-    route = f"the full system at the extremal poses and at {N_POSES} others round the turn"
+    route = Message("the full system at the extremal poses and at {n} others round the turn", n=N_POSES)
     reached = CrossCheck(question, route, INSTANT_TOLERANCE)
     between = CrossCheck(question, route, INSTANT_TOLERANCE)
     for draw in setup.draw_stream():
@@ -63,7 +64,7 @@ class FullTurn:
         model = setup.model
         measure = model.measure_of(c)
         if measure is None:
-            raise CannotAnswer(f"{c.name} is no measure of the model, so its turn cannot be checked")
+            raise CannotAnswer(Message("{x} is no measure of the model, so its turn cannot be checked", x=c.name))
         self.measure = measure
         still = draw.reference.snapshot(draw.q, np.zeros_like(draw.q))
         measures = [(k, model.measure_of(k)) for k in model.coordinates if k is not c]

@@ -15,6 +15,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.measures.geometry import Direction
 from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes, spin
@@ -49,9 +50,13 @@ def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Steady
     rate = model.field.parameter(name)
     square = _exponent_squared(model, q.body, k, rate)
     evidence = _evidence(setup, question, q.body, k, model.field.index(rate), square)
-    notes = [
-        f"the square of the exponent λ of a disturbance e^(λ t), the spin {to_text(tidy(rate))} being about "
-        f"{q.body}.{q.axis}; negative where it is stable, then -λ² is the squared frequency of the wobble"
+    notes: list[str] = [
+        Message(
+            "the square of the exponent λ of a disturbance e^(λ t), the spin {rate} being about {axis}; negative where "
+            "it is stable, then -λ² is the squared frequency of the wobble",
+            rate=to_text(tidy(rate)),
+            axis=f"{q.body}.{q.axis}",
+        )
     ]
     return SteadyFinding(square, evidence, notes=notes, says=[stable_if([-square])])
 
@@ -60,12 +65,20 @@ def _check_moments(model: SymbolicModel, body: str) -> None:
     """Nothing may turn the body about its mass centre."""
     turning = model.bodies.slots[model.bodies.n_places :]
     if any(not x.is_zero() for x in model.loads.wrenches[body][model.bodies.n_places :]):
-        raise CannotAnswer(f"loads have a moment about the mass centre of {body}; ask for stability of steady motion")
+        raise CannotAnswer(
+            Message(
+                "loads have a moment about the mass centre of {body}; ask for stability of steady motion", body=body
+            )
+        )
     for row in model.system.held:
         if any(owner == body and slot in turning for owner, slot in model.gradient(row.measure)):
             raise CannotAnswer(
-                f"{row.connection} turns {body} about its mass centre: its spin is not free. Hold it at the mass "
-                "centre by a spherical joint, or ask for stability of steady motion"
+                Message(
+                    "{connection} turns {body} about its mass centre: its spin is not free. Hold it at the mass "
+                    "centre by a spherical joint, or ask for stability of steady motion",
+                    connection=row.connection,
+                    body=body,
+                )
             )
 
 
@@ -73,20 +86,24 @@ def _exponent_squared(model: SymbolicModel, body: str, k: int, rate: Ratio) -> R
     f, tensor = model.field, model.dynamics.inertias[body][3:]
     i, j = (k + 1) % 3, (k + 2) % 3
     if any(not tensor[_PRODUCTS[frozenset((k, other))]].is_zero() for other in (i, j)):
-        raise CannotAnswer(f"{body}.{_AXES[k]} is no principal axis: {body} does not spin about it steadily")
+        raise CannotAnswer(
+            Message(
+                "{body}.{axes} is no principal axis: {body} does not spin about it steadily", body=body, axes=_AXES[k]
+            )
+        )
     a, b, c, product = tensor[i], tensor[j], tensor[k], tensor[_PRODUCTS[frozenset((i, j))]]
     inertia = [[a, product], [product, b]]
     turning = [[-product, c - b], [a - c, product]]
     whole = determinant(inertia)
     if whole.is_zero():
-        raise CannotAnswer(f"{body} has no inertia about axes across {_AXES[k]}")
+        raise CannotAnswer(Message("{body} has no inertia about axes across {axes}", body=body, axes=_AXES[k]))
     return f.lowest_terms(-rate * rate * determinant(turning) / whole)
 
 
 def _evidence(setup: Setup, question: Question, body: str, k: int, rate: int, square: Ratio) -> Evidence:
     """The slopes of the angular accelerations of the full system, by finite differences."""
     witness = CrossCheck(
-        question.text, "finite differences of the angular accelerations of the full system", _TOLERANCE
+        question.text, Message("finite differences of the angular accelerations of the full system"), _TOLERANCE
     )
     for draw in setup.draws:
         for value in _SPINS:

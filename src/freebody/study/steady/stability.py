@@ -18,6 +18,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.notation import compared, reworded, to_text
+from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.evidence import element_at
 from freebody.study.setup import Setup
@@ -61,7 +62,7 @@ class Linear:
             rows.append(row)
         found = determinant(rows)
         if found.is_zero():
-            raise CannotAnswer("the coordinates are singular at the start; describe the body by other angles")
+            raise CannotAnswer(Message("the coordinates are singular at the start; describe the body by other angles"))
         return found
 
     @property
@@ -101,7 +102,7 @@ def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
         own = squares(c[::2]) if is_even else None
         roots = None if own is None or roots is None else [*roots, *own]
     if not signs:
-        raise CannotAnswer("all exponents are zero: disturbances lead to neighbouring motions")
+        raise CannotAnswer(Message("all exponents are zero: disturbances lead to neighbouring motions"))
     evidence = agrees(setup, question.text, linear, signs)
     given = _given(setup, linear)
     f = setup.model.field
@@ -110,7 +111,10 @@ def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
     notes = [*_rates_shown(linear), _what(roots), *_at_own_values(setup, signs)]
     if linear.n_zero > 0:
         notes.append(
-            f"{linear.n_zero} more exponents are zero: such a disturbance neither returns nor grows exponentially"
+            Message(
+                "{n} more exponents are zero: such a disturbance neither returns nor grows exponentially",
+                n=linear.n_zero,
+            )
         )
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
@@ -119,8 +123,10 @@ def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
 
 def _what(roots: Sequence[Ratio] | None) -> str:
     if roots is None:
-        return "what has to be positive so that disturbances die out (the first column of Routh's array)"
-    return "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
+        return Message("what has to be positive so that disturbances die out (the first column of Routh's array)")
+    return Message(
+        "the squares of the exponents λ of small disturbances e^(λ t): stable where all are real and negative"
+    )
 
 
 def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
@@ -132,13 +138,16 @@ def _at_own_values(setup: Setup, signs: Sequence[Ratio]) -> list[str]:
         values = element_at(setup, tuple(signs), draw, draw.start())
     except (CannotAnswer, ArithmeticError):
         return []
-    return [f"{'stable' if all(v > 0 for v in values) else 'not stable'} at the model's own values"]
+    is_stable = all(v > 0 for v in values)
+    return [
+        Message("stable at the model's own values") if is_stable else Message("not stable at the model's own values")
+    ]
 
 
 def _rates_shown(linear: Linear) -> list[str]:
     generators = linear.steady.model.field.generators
     shown = [compared(generators[index].display, "=", tidy(x)) for index, x in linear.rates.items() if not x.is_zero()]
-    return [reworded(f"with {rate}", rate) for rate in shown]
+    return [reworded(Message("with {zero}", zero=rate), rate) for rate in shown]
 
 
 def _given(setup: Setup, linear: Linear) -> dict[int, Ratio]:
@@ -157,10 +166,15 @@ def linear_at_start(setup: Setup, steady: Steady) -> Linear:
     bound = [d.name for d in model.dependent if d.index in steady.needed]
     if bound:
         raise CannotAnswer(
-            f"{', '.join(bound)} follow only through a closed loop; the equations have no closed linear form"
+            Message(
+                "{names} follow only through a closed loop; the equations have no closed linear form",
+                names=", ".join(bound),
+            )
         )
     if not steady.others:
-        raise CannotAnswer("all coordinates are cyclic: every disturbance leads to a neighbouring steady motion")
+        raise CannotAnswer(
+            Message("all coordinates are cyclic: every disturbance leads to a neighbouring steady motion")
+        )
     _check_rest(setup, steady)
     pose = {c.index: start.of(c.index) for c in steady.others}
     places = [{index: x for index, x in pose.items() if _is_quarter(x)}, pose]
@@ -178,8 +192,11 @@ def linear_at_start(setup: Setup, steady: Steady) -> Linear:
     if not left:
         return exact
     raise CannotAnswer(
-        f"the start is no steady motion: 0 = {to_text(tidy(left[0]))} does not hold there. Start the model in one, as "
-        "the question for a rate in steady motion gives it"
+        Message(
+            "the start is no steady motion: 0 = {x} does not hold there. Start the model in one, as "
+            "the question for a rate in steady motion gives it",
+            x=to_text(tidy(left[0])),
+        )
     )
 
 
@@ -197,8 +214,11 @@ def _check_rest(setup: Setup, steady: Steady) -> None:
         rate = 0.0 if measure is None else start.rate(measure)
         if not setup.start.of(c.speed).is_zero() or abs(rate) > _SMALL:
             raise CannotAnswer(
-                f"{c.name} moves at the start, and the equations of motion depend on it: the motion is not steady. "
-                "Of a free body ask for stability of the spin of BODY about x"
+                Message(
+                    "{x} moves at the start, and the equations of motion depend on it: the motion is not steady. "
+                    "Of a free body ask for stability of the spin of BODY about x",
+                    x=c.name,
+                )
             )
 
 

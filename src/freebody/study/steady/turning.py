@@ -22,6 +22,7 @@ import flint
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
+from freebody.language.sentences import Message
 from freebody.study.steady.finding import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
@@ -77,7 +78,9 @@ class TurningAngle:
         self.notes: list[str] = []
         pair = self.field.pair_of(angle.index)
         if pair is None:
-            raise CannotAnswer(f"it depends on {angle.name} in another way than by its cosine and sine")
+            raise CannotAnswer(
+                Message("it depends on {angle} in another way than by its cosine and sine", angle=angle.name)
+            )
         self.cos, self.sin = pair
 
     def moves(self, index: int) -> bool:
@@ -91,10 +94,10 @@ class TurningAngle:
         for index in sorted(self.field.ingredients(x)):
             kind = self.field.generators[index].kind
             if index == self.angle.index and index in x.generators():
-                raise CannotAnswer(f"it grows with every turn of {self.angle.name}")
+                raise CannotAnswer(Message("it grows with every turn of {x}", x=self.angle.name))
             if self.moves(index) and kind in ("cos", "sin") and index not in (self.cos, self.sin):
                 raise CannotAnswer(
-                    f"it depends on a part or a multiple of {self.angle.name}, and has no closed form here"
+                    Message("it depends on a part or a multiple of {x}, and has no closed form here", x=self.angle.name)
                 )
 
     def at(self, x: Ratio, place: TurnPose) -> Ratio:
@@ -102,7 +105,9 @@ class TurningAngle:
         try:
             value = self.field.follow(x, {self.cos: place.cos, self.sin: place.sin})
         except ZeroDivisionError:
-            raise CannotAnswer(f"it grows without bound near {place.text(self.angle.name)}") from None
+            raise CannotAnswer(
+                Message("it grows without bound near {place}", place=place.text(self.angle.name))
+            ) from None
         return self._with_arcs(without_square_roots(self.model, self.field.lowest_terms(value)))
 
     def _with_arcs(self, x: Ratio) -> Ratio:
@@ -140,7 +145,7 @@ class TurningAngle:
             return self._with_root(base)
         own = [i for i in base.generators() if self.moves(i)]
         if any(i not in (self.cos, self.sin) for i in own):
-            raise CannotAnswer(f"where {to_text(tidy(base))} vanishes has no closed form")
+            raise CannotAnswer(Message("where {x} vanishes has no closed form", x=to_text(tidy(base))))
         if own == [self.cos]:
             return self._in_one(base, base.coefficients(self.cos), lambda u, w: ((u, w), (u, -w)))
         in_sin = self._in_sine(base)
@@ -230,9 +235,11 @@ class TurningAngle:
         shown, starts = to_text(tidy(base)), [s for s in self.model.samples.points if s.is_start]
         for sample in starts:
             if not self._keeps_its_sign(base, self.model.samples.numbers(sample)):
-                raise CannotAnswer(f"where {shown} = 0 has no closed form")
-        words = (
-            f"{shown} does not vanish on the way: shown in ball arithmetic for {len(starts)} sets of parameter values"
+                raise CannotAnswer(Message("where {x} = 0 has no closed form", x=shown))
+        words = Message(
+            "{x} does not vanish on the way: shown in ball arithmetic for {n} sets of parameter values",
+            x=shown,
+            n=len(starts),
         )
         self.notes.append(reworded(words, compared(tidy(base), "!=", ZERO)))
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
@@ -98,7 +99,7 @@ class UniformMotion(ClosedFormMotion):
         if index in f.ingredients(x.denominator()) or any(
             index in f.generators[g].made_of for g in x.generators() if g != index
         ):
-            raise CannotAnswer("it is no polynomial in the time")
+            raise CannotAnswer(Message("it is no polynomial in the time"))
         below = x.denominator()
         return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
 
@@ -135,11 +136,11 @@ class EnergyMotion(ClosedFormMotion):
         total = f.zero
         for k, part in enumerate(x.numerator().coefficients(speed)):
             if (k + odd) % 2 and not part.is_zero():
-                raise CannotAnswer("it depends on the direction of the motion")
+                raise CannotAnswer(Message("it depends on the direction of the motion"))
             if not part.is_zero():
                 total = total + part * self.square ** ((k + odd) // 2)
         if speed in x.denominator().generators():
-            raise CannotAnswer("it has the speed in a divisor")
+            raise CannotAnswer(Message("it has the speed in a divisor"))
         return f.lowest_terms(total / x.denominator())
 
     def along(self, x: Ratio) -> list[Ratio]:
@@ -230,7 +231,7 @@ def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
         return [f.lowest_terms(-c[0] / c[1])]
     if len(c) == 3:
         return quadratic_roots(model, c)
-    raise CannotAnswer(f"the time is a root of a polynomial of degree {len(c) - 1}")
+    raise CannotAnswer(Message("the time is a root of a polynomial of degree {n}", n=len(c) - 1))
 
 
 def quadratic_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
@@ -249,11 +250,15 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     resting = [c for c in model.dependent if model.samples.vanishes(model.dependent_speed(c))]
     unknown = [c.name for c in resting if c.index not in start.values]
     if unknown:
-        raise CannotAnswer(f"{', '.join(unknown)} at the start has no closed form: a loop decides it")
+        raise CannotAnswer(
+            Message("{name} at the start has no closed form: a loop decides it", name=", ".join(unknown))
+        )
     still = {c.index: start.values[c.index] for c in resting}
     moving = [c.name for c in model.dependent if c.index not in still]
     if moving:
-        raise CannotAnswer(f"{', '.join(moving)} follow from the others only through a closed loop")
+        raise CannotAnswer(
+            Message("{names} follow from the others only through a closed loop", names=", ".join(moving))
+        )
     still |= {c.speed: f.zero for c in model.dependent}
     accelerations = [
         f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], still)) for a in model.accelerations
@@ -265,4 +270,8 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
         square = SmoothMotion(model, start).speed_squared(c, model.field.variable(c.index))
         return EnergyMotion(model, start, model.field.lowest_terms(square))
     names = ", ".join(c.name for c in model.coordinates)
-    raise CannotAnswer(f"the accelerations of {names} are not constant, and energy alone gives the speed of one only")
+    raise CannotAnswer(
+        Message(
+            "the accelerations of {names} are not constant, and energy alone gives the speed of one only", names=names
+        )
+    )

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols, substitute
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
 from freebody.symbolic.field import Ratio
@@ -45,8 +46,11 @@ def resultant(
         return model.field.zero
     if len(parts) > 1:
         raise CannotAnswer(
-            f"the friction of {rub.row.connection} is proportional to a resultant of two components, "
-            "sqrt(x^2 + y^2), with which the equations are not rational; simulate the motion for numbers"
+            Message(
+                "the friction of {contact} is proportional to a resultant of two components, "
+                "sqrt(x^2 + y^2), with which the equations are not rational; simulate the motion for numbers",
+                contact=rub.row.connection,
+            )
         )
     ((row, x),) = parts
     x = row.sign * x
@@ -69,7 +73,12 @@ def solve_loads(
             slope = f.partial(x, column)
             if not slope.is_zero():
                 if f.ingredients(slope) & columns.keys():
-                    raise CannotAnswer(f"the load of {loads[name].row.connection} is not linear in the friction forces")
+                    raise CannotAnswer(
+                        Message(
+                            "the load of {connection} is not linear in the friction forces",
+                            connection=loads[name].row.connection,
+                        )
+                    )
                 row[column] = row.get(column, f.zero) - slope
                 rest = rest - slope * f.variable(column)
         row[RHS] = f.lowest_terms(rest)
@@ -77,7 +86,7 @@ def solve_loads(
     determinant = _determinant([[row.get(c, f.zero) for c in columns] for row in equations], f.one)
     solved = solve(f, equations, list(columns), model.samples.vanishes)
     if solved.free or solved.contradictory:
-        raise CannotAnswer("the friction forces that slide here are not determined")
+        raise CannotAnswer(Message("the friction forces that slide here are not determined"))
     values = {name: f.lowest_terms(solved.pivots[column].get(RHS, f.zero)) for column, name in columns.items()}
     return FrictionLoads(values, f.lowest_terms(determinant))
 
@@ -112,7 +121,11 @@ def _with(push: AppliedLoad, exprs: Mapping[str, Expr], model: SymbolicModel) ->
         if c.name in needed and c.name not in measures:
             measure = model.measure_of(c)
             if measure is None:
-                raise CannotAnswer(f"the load of {push.load} depends on {c.name}, which is no measure of the model")
+                raise CannotAnswer(
+                    Message(
+                        "the load of {load} depends on {x}, which is no measure of the model", load=push.load, x=c.name
+                    )
+                )
             measures[c.name] = measure
     return replace(push, law=law, measures=tuple(measures.items()))
 

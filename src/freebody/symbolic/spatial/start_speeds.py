@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.measures.geometry import Vector
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
@@ -45,7 +46,7 @@ class SpatialStartSpeeds(StartSpeeds):
             rows.append(row)
         solved = solve(f, rows, speeds, lambda x: x.is_zero())
         if solved.contradictory:
-            raise CannotAnswer("the velocities of the start contradict each other")
+            raise CannotAnswer(Message("the velocities of the start contradict each other"))
         found = dict.fromkeys(solved.free, f.zero)
         for speed, row in solved.pivots.items():
             found[speed] = f.lowest_terms(row.get(RHS, f.zero))

@@ -1,0 +1,261 @@
+"""Sentences of the layers below: what they are made of, and that every language has every one."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import json
+import pickle
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import freebody as fb
+from freebody.errors import CannotAnswer, NeverHappens
+from freebody.language.expression import ZERO, Symbol
+from freebody.language.notation import compared, joined, reworded
+from freebody.language.sentences import Message, further, in_turn, listed, turns
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.telling.phrases import phrases_of
+
+SOURCES = Path(fb.__file__).parent
+PLACE = re.compile(r"\{(\w*)(?::([^}]*))?\}")
+LANGUAGES = ("de",)
+german = Catalogue("de")
+GAP = Message("at best {worst}", worst=Message("{name} is off by {gap:.3g} {unit}", name="pin.x", gap=0.5, unit="m"))
+CLOSED = Message("the start cannot be assembled: {why}", why=GAP)
+
+
+# -- the text ---------------------------------------------------------------------------------
+def test_a_message_is_its_english_text() -> None:
+    assert CLOSED == "the start cannot be assembled: at best pin.x is off by 0.5 m"
+    assert hash(CLOSED) == hash(str.__str__(CLOSED))
+    assert json.loads(json.dumps({"reason": CLOSED})) == {"reason": CLOSED}
+    assert f"{CLOSED}." == "the start cannot be assembled: at best pin.x is off by 0.5 m."
+
+
+def test_braces_of_a_name_are_no_places() -> None:
+    odd = Message("{name} is off by {gap:.3g} {unit}", name="{gap}", gap=1.0, unit="{{}}")
+    assert odd == "{gap} is off by 1 {{}}"
+    assert german.said(odd) == "{gap} weicht um 1 {{}} ab"
+    assert pickle.loads(pickle.dumps(odd)) == odd
+
+
+@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+def test_a_message_that_is_sent_to_another_process_arrives_with_its_parts(protocol: int) -> None:
+    for same in (pickle.loads(pickle.dumps(CLOSED, protocol)), copy.copy(CLOSED), copy.deepcopy(CLOSED)):
+        assert isinstance(same, Message)
+        assert (same, same.template, same.arguments) == (CLOSED, CLOSED.template, CLOSED.arguments)
+        assert german.said(same) == german.said(CLOSED)
+
+
+def test_arguments_are_kept_as_text_and_numbers() -> None:
+    told = Message("{a} {b}", a=CannotAnswer(GAP), b=Symbol("x"))
+    assert isinstance(told.arguments["a"], Message)
+    assert type(told.arguments["b"]) is str
+
+
+@pytest.mark.parametrize("kind", [CannotAnswer, NeverHappens])
+def test_an_error_keeps_the_message_that_it_was_raised_with(kind: type[CannotAnswer]) -> None:
+    error = kind(CLOSED)
+    assert error.args == (CLOSED,)
+    again = str(pickle.loads(pickle.dumps(error)))
+    for text in (str(error), again):
+        assert isinstance(text, Message)
+        assert german.said(text) == german.said(CLOSED)
+
+
+def test_statements_for_machines_keep_their_words() -> None:
+    zero = compared(Symbol("d"), "=", ZERO)
+    told = reworded(Message("conserved if {case}", case=zero), zero)
+    assert german.said(told) == "bleibt erhalten, wenn d = 0"
+    assert german.said(pickle.loads(pickle.dumps(told))) == german.said(told)
+    assert german.said(joined([told, told], " or ")).count(" oder ") == 1
+
+
+def test_several_messages_are_one() -> None:
+    stays, taut = Message("{contact} keeps touching", contact="c"), Message("{string} stays taut", string="s")
+    assert listed([]) == in_turn([]) == ""
+    assert listed([stays]) is stays
+    assert listed(["a", "b", stays]) == "a, b and c keeps touching"
+    assert german.said(listed(["a", "b", stays])) == "a, b und c bleibt in Kontakt"
+    assert german.said(further(stays, taut)) == "c bleibt in Kontakt; s bleibt straff"
+    assert turns(in_turn(["a", stays, taut])) == ["a", stays, taut]
+    assert turns("") == []
+
+
+# -- in another language ----------------------------------------------------------------------
+HAPPENING = Message("{contact} opens", contact="left")
+
+
+@pytest.mark.parametrize(
+    ("message", "text"),
+    [
+        (
+            Message(
+                "{case} the answer {its}, this option {mine}",
+                case=Message("as {p} grows", p="m₁"),
+                its=Message("tends to {x}", x="g"),
+                mine=Message("grows without bound"),
+            ),
+            "mit wachsendem m₁ geht die Antwort gegen g, diese Wahl wächst über alle Grenzen",
+        ),
+        (
+            Message(
+                "{case} the answer {its}, this option {mine}",
+                case=Message("for {p} = {q}", p="M", q=0),
+                its=Message("is {x}", x="g"),
+                mine=Message("gives {x}", x=0),
+            ),
+            "für M = 0 ist die Antwort g, diese Wahl ergibt 0",
+        ),
+        (
+            Message("has the unit {own}, the answer has {wanted}", own="N", wanted="m/s^2"),
+            "hat die Einheit N, die Antwort hat m/s^2",
+        ),
+        (
+            Message("equal for {where}: proved exactly", where=listed(["a > 0", "b > 0"])),
+            "gleich für a > 0 und b > 0: exakt bewiesen",
+        ),
+        (
+            Message("{axis} component: {reason}", axis="x", reason=Message("is {factor} times the answer", factor=2)),
+            "x-Komponente: ist 2 mal die Antwort",
+        ),
+        (
+            Message(
+                "{condition} ({purposes})",
+                condition="R ≠ r",
+                purposes=in_turn([Message("divisor"), Message("under the root")]),
+            ),
+            "R ≠ r (Nenner, unter der Wurzel)",
+        ),
+        (
+            Message(
+                "conserved if and only if {case} (for {p} ≠ 0)",
+                case=in_turn(
+                    [Message("{zero} ({x} is constant)", zero="x' = 0", x="x"), "d = 0"], "{first} or {second}"
+                ),
+                p="m",
+            ),
+            "bleibt genau dann erhalten, wenn x' = 0 (x ist konstant) oder d = 0 (für m ≠ 0)",
+        ),
+        (
+            Message(
+                "{end} limit: {words}",
+                end=Message("upper"),
+                words=in_turn(
+                    [
+                        Message("{body} tips about {corner}", body="block", corner="block.foot"),
+                        Message(
+                            "{body} slips {way} on {other}",
+                            body="load",
+                            way=Message("up to the left"),
+                            other="wedge",
+                        ),
+                    ],
+                    "{first} and {second}",
+                ),
+            ),
+            "obere Grenze: block kippt um block.foot und load gleitet auf wedge nach links oben",
+        ),
+        (
+            Message("just before {event}, while the system {what}", event=HAPPENING, what=Message("slides")),
+            "unmittelbar bevor sich left öffnet, in dieser Phase: das System gleitet",
+        ),
+        (
+            Message(
+                "just before {event}, while the system {what}",
+                event=HAPPENING,
+                what=in_turn(
+                    [
+                        Message("{contact} {does}", contact="a", does=Message("rolls")),
+                        Message("{contact} {does}", contact="b", does=Message("sticks")),
+                    ]
+                ),
+            ),
+            "unmittelbar bevor sich left öffnet, in dieser Phase: a rollt, b haftet",
+        ),
+    ],
+)
+def test_a_message_is_told_by_its_template_and_its_parts(message: Message, text: str) -> None:
+    assert german.said(message) == text
+    assert Catalogue("en").said(message) == message
+
+
+def test_a_message_without_words_of_a_language_is_english_around_its_parts() -> None:
+    assert german.said(Message("so that {what}", what=HAPPENING)) == "so that left öffnet sich"
+
+
+# -- every key has every language -------------------------------------------------------------
+@cache
+def trees() -> tuple[tuple[Path, ast.Module], ...]:
+    return tuple((path, ast.parse(path.read_text("utf-8"))) for path in SOURCES.rglob("*.py"))
+
+
+def texts_in(node: ast.AST) -> Iterator[str]:
+    """The strings that an argument may be: a literal, or either end of a choice."""
+    match node:
+        case ast.Constant(value=str(text)):
+            yield text
+        case ast.IfExp(body=first, orelse=second):
+            yield from texts_in(first)
+            yield from texts_in(second)
+        case _:
+            return
+
+
+@cache
+def templates() -> dict[str, str]:
+    """Every template that a source makes a message of, and where."""
+    found: dict[str, str] = {}
+    for path, tree in trees():
+        for call in (n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)):
+            name, place = call.func.id, f"{path.relative_to(SOURCES)}:{call.lineno}"  # type: ignore[union-attr]
+            if name == "Message":
+                found |= dict.fromkeys(texts_in(call.args[0]), place)
+            elif name in ("in_turn", "listed"):
+                found |= {text: place for arg in call.args[1:] for text in texts_in(arg)}
+    return found | dict.fromkeys(("{first}, {second}", "{first} and {second}", "{first} or {second}"), "joined")
+
+
+def test_a_template_is_a_literal_where_a_message_is_made() -> None:
+    """Else nobody could look for it."""
+    for path, tree in trees():
+        for call in (n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)):
+            if call.func.id == "Message" and path.name != "sentences.py":  # type: ignore[union-attr]
+                assert list(texts_in(call.args[0])), f"{path}:{call.lineno}"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_template_is_said_in_every_language(language: str) -> None:
+    known = {key for table in phrases_of(language).messages.values() for key in table}
+    assert {key: place for key, place in templates().items() if key not in known} == {}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_language_has_no_template_that_no_source_says(language: str) -> None:
+    said = set(templates())
+    assert [key for table in phrases_of(language).messages.values() for key in table if key not in said] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_template_has_the_same_places_in_every_language(language: str) -> None:
+    messages = phrases_of(language).messages
+    for table in messages.values():
+        for key, text in table.items():
+            assert {name for name, _form in PLACE.findall(key)} == {name for name, _form in PLACE.findall(text)}, key
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_place_asks_for_forms_that_there_are(language: str) -> None:
+    """A place with a format of numbers has it in both languages; another word is a table of the language."""
+    phrases = phrases_of(language)
+    known = {"", *phrases.messages, *phrases.kinds}
+    for table in phrases.messages.values():
+        for key, text in table.items():
+            formats = dict(PLACE.findall(key))
+            for name, form in PLACE.findall(text):
+                assert form == formats[name] or (not formats[name] and form in known), key
