@@ -12,7 +12,7 @@ import freebody as fb
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
 from freebody.numeric.reference import Reference, Snapshot
-from freebody.study.centres import CentreOfPair, instant_centres, velocity_ratios
+from freebody.study.mobility.centres import CentreOfPair, instant_centres, velocity_ratios
 
 FOUR_BAR = """
 parameters: {a: 1 m, b: 3 m, c: 2.5 m, d: 3 m}

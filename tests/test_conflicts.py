@@ -8,7 +8,7 @@ import pytest
 
 import freebody as fb
 from freebody.numeric.reference import Reference
-from freebody.study.conflicts import Conflict, conflict
+from freebody.study.mobility.conflicts import Conflict, conflict
 
 FOUR_BAR = """
 ground: {{points: {{A: [0, 0], D: [{d} m, 0]}}}}

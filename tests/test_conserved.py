@@ -16,7 +16,7 @@ from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
 from freebody.present.conservation import conservation_lines
-from freebody.study.conserved import Conservation, Verdicts, conserved
+from freebody.study.conservation.conserved import Conservation, Verdicts, conserved
 from freebody.study.settled import start_mode
 from goldens import assert_golden
 

@@ -11,7 +11,7 @@ import pytest
 
 import freebody as fb
 from freebody.budgets import allowed, effort
-from freebody.study.conflicts import conflict
+from freebody.study.mobility.conflicts import conflict
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples"
 UNREACHED = """
@@ -67,7 +67,7 @@ def test_a_contradiction_does_not_depend_on_the_clock(slow_clock: None) -> None:
 
 
 def test_an_exhausted_budget_says_so_and_more_effort_helps(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("freebody.study.witness.MOST_STEPS", 2)
+    monkeypatch.setattr("freebody.study.answering.witness.MOST_STEPS", 2)
     (answer,) = fb.solve(fb.System.from_text(UNREACHED)).answers
     assert answer.value is None
     assert answer.reason is not None

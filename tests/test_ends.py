@@ -161,7 +161,7 @@ def test_a_picture_on_a_full_disk(suffix: str, model: Path, monkeypatch: pytest.
 @pytest.mark.parametrize("suffix", [".nc", ".csv"])
 def test_a_motion_on_a_full_disk(suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     xarray = pytest.importorskip("xarray")
-    from freebody.study import files
+    from freebody.study.simulation import files
 
     times = np.linspace(0.0, 1.0, 5)
     data = xarray.Dataset({"x": ("time", times, {"units": "m"})}, {"time": times, "body": ["b"]}, {"measures": ["x"]})

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import freebody as fb
 from freebody.language.expression import evaluate
-from freebody.study.mobility import mobility
+from freebody.study.mobility.mobility import mobility
 
 FOLDER = Path(__file__).parents[1] / "examples"
 

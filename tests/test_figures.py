@@ -21,11 +21,11 @@ from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture
-from freebody.study import instant
-from freebody.study.free_body import FreeBody
-from freebody.study.instant import Instant, instant_of, start_of
-from freebody.study.picture import draw, free_body, picture
-from freebody.study.touching import closed_bounds
+from freebody.study.pictures import instant
+from freebody.study.pictures.free_body import FreeBody
+from freebody.study.pictures.instant import Instant, instant_of, start_of
+from freebody.study.pictures.picture import draw, free_body, picture
+from freebody.study.pictures.touching import closed_bounds
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System

@@ -28,8 +28,8 @@ from freebody.present.report.terminal import terminal_text
 from freebody.present.report.typst import typst_files
 from freebody.present.scene import Scene
 from freebody.present.terminal import answer_lines, solution_lines
-from freebody.study.answer import Answer
-from freebody.study.solve import Solution
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.solve import Solution
 from report_sample import Drawing
 
 BIDI = "\u202eevil\u2066\u200f"

@@ -11,14 +11,14 @@ import pytest
 import freebody as fb
 from freebody.measures.angle import Angle
 from freebody.numeric.reference import Reference
-from freebody.study.grashof import (
+from freebody.study.mobility.grashof import (
     FourBarNumbers,
     SliderCrankNumbers,
     dimensions,
     grashof_case,
     transmission_extremes,
 )
-from freebody.study.linkages import FourBar, SliderCrank, linkages
+from freebody.study.mobility.linkages import FourBar, SliderCrank, linkages
 
 FOUR_BAR = """
 ground: {{points: {{A: [0, 0], D: [{d}, 0]}}}}

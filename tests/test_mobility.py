@@ -21,8 +21,8 @@ from freebody.numeric.engine.engine import Engine
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.reference import Reference
 from freebody.present.mobility import mobility_lines
-from freebody.study.gruebler import gruebler
-from freebody.study.mobility import Mobility, mobility
+from freebody.study.mobility.gruebler import gruebler
+from freebody.study.mobility.mobility import Mobility, mobility
 from goldens import assert_golden
 from mechanisms import ladder
 

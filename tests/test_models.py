@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
-from freebody.study.answer import NOT_VALID
+from freebody.study.answering.answer import NOT_VALID
 from freebody.study.setup import Setup
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

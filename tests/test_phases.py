@@ -14,7 +14,7 @@ import freebody as fb
 from conftest import assert_same_function
 from freebody.language.notation import to_python, to_text
 from freebody.questions.course import EnergyLost, Revolutions, Transition
-from freebody.study.answer import NOT_VALID
+from freebody.study.answering.answer import NOT_VALID
 from freebody.study.phases.result import Phases, phases
 from freebody.study.phases.witness import FollowedPhase, follow
 

@@ -23,7 +23,7 @@ from freebody.present.report.notebook import notebook_text
 from freebody.present.report.terminal import terminal_text
 from freebody.present.report.typst import typst_files
 from freebody.present.terminal import answer_lines
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from test_examples import EXAMPLES, solved
 from test_mathml import answer_expressions
 from test_notation import expressions

@@ -7,7 +7,7 @@ import pytest
 import freebody as fb
 from freebody.errors import RoutesUntold
 from freebody.numeric.reference import Reference
-from freebody.study.spread import disagreement
+from freebody.study.answering.spread import disagreement
 
 MODEL = """
 parameters: {m: 2 kg, L: %s}

@@ -20,10 +20,10 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
 from freebody.numeric.directional import derivative
 from freebody.numeric.reference import Reference
-from freebody.study.equilibrium import Equilibria, FoundEquilibrium, equilibria
 from freebody.study.inverse_dynamics import inverse_dynamics
-from freebody.study.modes import NaturalModes, modes
 from freebody.study.settled import settled
+from freebody.study.small_motion.equilibrium import Equilibria, FoundEquilibrium, equilibria
+from freebody.study.small_motion.modes import NaturalModes, modes
 from freebody.system.system import System
 
 G = 9.81

@@ -10,7 +10,7 @@ import pytest
 import freebody as fb
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
-from freebody.study.answer import NOT_VALID
+from freebody.study.answering.answer import NOT_VALID
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Field, Generator
 from freebody.symbolic.validity import NEVER, texts

@@ -41,7 +41,7 @@ def main() -> None:
 def render(name: str, folder: Path) -> Card:
     """Writes the page of one example and returns its card."""
     from freebody import System
-    from freebody.study.picture import picture
+    from freebody.study.pictures.picture import picture
 
     system = System.load(ROOT / "examples" / f"{name}.yaml")
     explanation = system.explain()

@@ -20,33 +20,33 @@ if TYPE_CHECKING:
     from freebody.budgets import effort
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.numeric.options import SimulationOptions
-    from freebody.study.answer import Answer
-    from freebody.study.conserved import conserved
+    from freebody.study.answering.answer import Answer
+    from freebody.study.answering.solve import Solution, solve
+    from freebody.study.conservation.conserved import conserved
+    from freebody.study.conservation.verdicts import Conservation
     from freebody.study.eom import Equations, equations_of_motion
-    from freebody.study.equilibrium import equilibria
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
-    from freebody.study.mobility import Mobility, mobility
-    from freebody.study.modes import modes
+    from freebody.study.mobility.mobility import Mobility, mobility
     from freebody.study.simulation.simulate import Simulation, simulate
     from freebody.study.simulation.simulator import Simulator
-    from freebody.study.solve import Solution, solve
-    from freebody.study.verdicts import Conservation
+    from freebody.study.small_motion.equilibrium import equilibria
+    from freebody.study.small_motion.modes import modes
 
 _HOMES = {
     "System": "freebody.api",
-    "solve": "freebody.study.solve",
-    "Solution": "freebody.study.solve",
-    "Answer": "freebody.study.answer",
-    "Conservation": "freebody.study.verdicts",
-    "conserved": "freebody.study.conserved",
-    "Mobility": "freebody.study.mobility",
-    "mobility": "freebody.study.mobility",
-    "equilibria": "freebody.study.equilibrium",
+    "solve": "freebody.study.answering.solve",
+    "Solution": "freebody.study.answering.solve",
+    "Answer": "freebody.study.answering.answer",
+    "Conservation": "freebody.study.conservation.verdicts",
+    "conserved": "freebody.study.conservation.conserved",
+    "Mobility": "freebody.study.mobility.mobility",
+    "mobility": "freebody.study.mobility.mobility",
+    "equilibria": "freebody.study.small_motion.equilibrium",
     "Statics": "freebody.study.friction.report",
     "statics": "freebody.study.friction.report",
     "inverse_dynamics": "freebody.study.inverse_dynamics",
-    "modes": "freebody.study.modes",
+    "modes": "freebody.study.small_motion.modes",
     "simulate": "freebody.study.simulation.simulate",
     "SimulationOptions": "freebody.numeric.options",
     "Simulation": "freebody.study.simulation.simulate",

@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from freebody.narrative.explain import Explanation
     from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
+    from freebody.study.answering.solve import Solution
+    from freebody.study.conservation.verdicts import Conservation
     from freebody.study.eom import Equations
-    from freebody.study.equilibrium import Equilibria
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics
-    from freebody.study.mobility import Mobility
-    from freebody.study.modes import At, NaturalModes
+    from freebody.study.mobility.mobility import Mobility
     from freebody.study.phases.result import Phases
     from freebody.study.simulation.simulate import Simulation
-    from freebody.study.solve import Solution
-    from freebody.study.verdicts import Conservation
+    from freebody.study.small_motion.equilibrium import Equilibria
+    from freebody.study.small_motion.modes import At, NaturalModes
 
 
 class System(Description):
@@ -31,7 +31,7 @@ class System(Description):
 
     def solve(self, question: str | None = None) -> Solution:
         """Answers its questions, or one more, in closed form; see `freebody.solve`."""
-        from freebody.study.solve import solve
+        from freebody.study.answering.solve import solve
 
         return solve(self, question)
 
@@ -51,14 +51,14 @@ class System(Description):
 
     def mobility(self, along: str | None = None, *, assembly_modes: bool = False) -> Mobility:
         """Degrees of freedom, redundant constraints by name, singular poses and limits; see
-        `freebody.study.mobility.mobility`."""
-        from freebody.study.mobility import mobility
+        `freebody.study.mobility.mobility.mobility`."""
+        from freebody.study.mobility.mobility import mobility
 
         return mobility(self, along, modes=assembly_modes)
 
     def conserved(self, question: str | None = None) -> Conservation:
-        """What is conserved, and under which conditions; see `freebody.study.conserved.conserved`."""
-        from freebody.study.conserved import conserved
+        """What is conserved, and under which conditions; see `freebody.study.conservation.conserved.conserved`."""
+        from freebody.study.conservation.conserved import conserved
 
         return conserved(self, question)
 
@@ -89,26 +89,26 @@ class System(Description):
         dark: bool = False,
     ) -> Path:
         """Draws the system into a file: .svg, .png, .pdf or .tex; at its start or at a time [s], the whole or
-        bodies cut `free`; see `freebody.study.picture.draw`. view: in space, azimuth and elevation [deg]."""
-        from freebody.study.picture import draw
+        bodies cut `free`; see `freebody.study.pictures.picture.draw`. view: in space, azimuth and elevation [deg]."""
+        from freebody.study.pictures.picture import draw
 
         return draw(self, path, at=at, show=show, free=free, view=view, perspective=perspective, dark=dark)
 
     def picture(self, *, at: float | None = None, show: Sequence[str] = (), **view: Any) -> Picture:
-        """The system as a picture with `svg()`, `tikz()`, `png()`; see `freebody.study.picture.picture`."""
-        from freebody.study.picture import picture
+        """The system as a picture with `svg()`, `tikz()`, `png()`; see `freebody.study.pictures.picture.picture`."""
+        from freebody.study.pictures.picture import picture
 
         return picture(self, at=at, show=show, **view)
 
     def free_body(self, *bodies: str, at: float | None = None, **options: Any) -> Picture:
-        """Bodies cut free with all that acts on them; see `freebody.study.picture.free_body`."""
-        from freebody.study.picture import free_body
+        """Bodies cut free with all that acts on them; see `freebody.study.pictures.picture.free_body`."""
+        from freebody.study.pictures.picture import free_body
 
         return free_body(self, bodies, at=at, **options)
 
     def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
         """Its equilibria, from guesses of named measures or from a tour of its poses, with their stability."""
-        from freebody.study.equilibrium import equilibria
+        from freebody.study.small_motion.equilibrium import equilibria
 
         return equilibria(self, guesses)
 
@@ -126,7 +126,7 @@ class System(Description):
 
     def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> NaturalModes:
         """Natural frequencies, damping and mode shapes about the nearest equilibrium, or "start"."""
-        from freebody.study.modes import modes
+        from freebody.study.small_motion.modes import modes
 
         return modes(self, at, guess)
 

@@ -62,4 +62,4 @@ def load_engine() -> None:
     """What checks every answer, before any of the time that a check may take is counted."""
     from importlib import import_module
 
-    import_module("freebody.study.witness")
+    import_module("freebody.study.answering.witness")

@@ -44,7 +44,7 @@ def draw(
     except ValueError:
         raise InputError(f"--view {view}: give azimuth and elevation in degrees, e.g. --view 30,20") from None
     with busy("drawing"):
-        from freebody.study.picture import draw as draw_system
+        from freebody.study.pictures.picture import draw as draw_system
         from freebody.system.system import System
 
         written = draw_system(

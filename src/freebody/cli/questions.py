@@ -24,7 +24,7 @@ def solve(
     from freebody.present.busy import busy
 
     with busy("reading the model"):
-        from freebody.study.solve import solve as solve_system
+        from freebody.study.answering.solve import solve as solve_system
         from freebody.system.system import System
 
         system = System.load(file)

@@ -23,8 +23,8 @@ def equilibrium(
     from freebody.present.busy import busy
 
     with busy("searching for equilibria"):
-        from freebody.study.equilibrium import equilibria
         from freebody.study.given import guess_of
+        from freebody.study.small_motion.equilibrium import equilibria
         from freebody.system.system import System
 
         found = equilibria(System.load(file), [guess_of(text) for text in guess or ()])
@@ -52,7 +52,7 @@ def modes(
         raise InputError(f"--at is equilibrium or start, not {at}")
     with busy("finding natural frequencies"):
         from freebody.study.given import guess_of
-        from freebody.study.modes import modes as modes_of
+        from freebody.study.small_motion.modes import modes as modes_of
         from freebody.system.system import System
 
         found = modes_of(System.load(file), at, None if guess is None else guess_of(guess))

@@ -24,7 +24,7 @@ def mobility(
     from freebody.present.busy import busy
 
     with busy("counting degrees of freedom"):
-        from freebody.study.mobility import mobility as examine
+        from freebody.study.mobility.mobility import mobility as examine
         from freebody.system.system import System
 
         found = examine(System.load(file), along, modes=modes)
@@ -49,7 +49,7 @@ def conserved(
     from freebody.present.busy import busy
 
     with busy("searching for what is conserved" if question is None else "judging what is conserved"):
-        from freebody.study.conserved import conserved as judge
+        from freebody.study.conservation.conserved import conserved as judge
         from freebody.system.system import System
 
         system = System.load(file)

@@ -16,7 +16,7 @@ from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:

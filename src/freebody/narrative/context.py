@@ -15,7 +15,7 @@ from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System

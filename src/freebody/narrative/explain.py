@@ -21,8 +21,8 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import report_of
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
-from freebody.study.solve import solve
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.solve import solve
 from freebody.study.worded import in_words
 from freebody.system.system import System
 

@@ -14,7 +14,7 @@ from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Item, Listing, Sentence
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 

@@ -14,9 +14,9 @@ from freebody.model.phrases import phrase_text
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
-from freebody.study.evidence import rank_freedom
-from freebody.study.gruebler import Gruebler, gruebler
-from freebody.study.spread import disagreement
+from freebody.study.answering.evidence import rank_freedom
+from freebody.study.answering.spread import disagreement
+from freebody.study.mobility.gruebler import Gruebler, gruebler
 
 
 def opening(context: Context) -> list[DerivationStage]:

@@ -10,7 +10,7 @@ from freebody.language.notation import to_text
 from freebody.present.terminal import number_text, option_lines, wrapped
 
 if TYPE_CHECKING:
-    from freebody.study.verdicts import Conservation, Verdicts
+    from freebody.study.conservation.verdicts import Conservation, Verdicts
 
 _RULE = "─"
 _ROUND_OFF = 1e-12

@@ -15,8 +15,8 @@ from freebody.present.terminal import number_text, option_lines, plural, wrapped
 
 if TYPE_CHECKING:
     from freebody.numeric.mobility.screw_axes import ScrewAxis
-    from freebody.study.mechanism import Input, Motions
-    from freebody.study.mobility import Mobility
+    from freebody.study.mobility.mechanism import Input, Motions
+    from freebody.study.mobility.mobility import Mobility
 
 _RULE = "─"
 _MOST = 24  # connections, centres ... that are listed

@@ -14,7 +14,7 @@ from freebody.present.terminal import wrapped
 LONGEST, SHOWN = 500, 120  # characters of a formula
 
 if TYPE_CHECKING:
-    from freebody.study.answer import Answer
+    from freebody.study.answering.answer import Answer
     from freebody.study.phases.result import PhaseCase, PhaseResult, Phases, Regions
 
 

@@ -12,8 +12,8 @@ from freebody.present.terminal import number_text, plural
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    from freebody.study.equilibrium import Equilibria, FoundEquilibrium
-    from freebody.study.modes import NaturalMode, NaturalModes
+    from freebody.study.small_motion.equilibrium import Equilibria, FoundEquilibrium
+    from freebody.study.small_motion.modes import NaturalMode, NaturalModes
 
 _RULE = "─"
 _NOTHING = 1e-9  # of the largest number of its kind

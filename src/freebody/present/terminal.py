@@ -13,9 +13,9 @@ from freebody.system.system import System
 
 if TYPE_CHECKING:
     from freebody.assess.verdict import Verdict
-    from freebody.study.answer import Answer
+    from freebody.study.answering.answer import Answer
+    from freebody.study.answering.solve import Solution
     from freebody.study.eom import Equations
-    from freebody.study.solve import Solution
 
 _RULE = "─"
 LONGEST = 300  # operations of a formula that is shown; some six lines

@@ -32,9 +32,9 @@ from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
-from freebody.study.equilibrium import moved_most, unit_of
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import settled
+from freebody.study.small_motion.equilibrium import moved_most, unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 from freebody.tolerances import LEAST

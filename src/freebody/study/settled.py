@@ -6,7 +6,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.contact.transition import HELD_ALONE, InstantTransition
 from freebody.numeric.options import Law
-from freebody.study.draws import SEED, draw_parameters
+from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System

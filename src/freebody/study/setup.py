@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.split import Split, stack
-from freebody.study.draws import SEED, Draw, draws
+from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.field import Ratio

@@ -27,8 +27,8 @@ from freebody.numeric.jets import Array
 from freebody.numeric.options import WITH_STEP
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
-from freebody.study.evidence import element_at
-from freebody.study.picture import picture
+from freebody.study.answering.evidence import element_at
+from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode

@@ -22,7 +22,7 @@ from typing import Any
 
 from freebody.api import System
 from freebody.errors import FreebodyError, RoutesDisagree, RoutesUntold
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
 OF_THE_INSIDE = ("has no value; known are", "the arithmetic of this study", "run tools/")  # nothing a user could mend

@@ -23,8 +23,8 @@ from freebody.narrative.sheets.asking import asking, headline
 from freebody.narrative.telling.catalogue import Catalogue, languages
 from freebody.questions.base import FORMS, Quantity
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
-from freebody.study.evidence import element_at
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.system.reader import register_kinds
 from freebody.testing.conformance import equal

@@ -28,7 +28,7 @@ from freebody.questions.course import Change, EnergyLost, Revolutions, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.phases.quantities import only_friction_takes_energy, plain, value_in_mode
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable

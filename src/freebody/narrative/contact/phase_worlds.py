@@ -19,7 +19,7 @@ from freebody.narrative.lines.script import When
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import QuestionEvent
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.phases.evidence import run as followed
 from freebody.study.phases.evidence import stage
 from freebody.study.phases.phase import Phase

@@ -17,7 +17,7 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.phases.words import summary
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion

@@ -26,7 +26,7 @@ from freebody.present.report.blocks import Relation
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.cases import Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds

@@ -20,7 +20,7 @@ from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import rest_problem
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 
 N_WORLDS = 5

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from freebody.study.answering.solve import MOST_PLACES
 from freebody.study.setup import Setup
-from freebody.study.solve import MOST_PLACES
 from freebody.system.system import System
 
 

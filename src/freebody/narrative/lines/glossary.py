@@ -20,7 +20,7 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
 from freebody.questions.reading import QuestionEvent
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 
@@ -254,7 +254,7 @@ class Glossary:
 
     @cached_property
     def _at_event(self) -> list[World]:
-        from freebody.study.witness import motion_to
+        from freebody.study.answering.witness import motion_to
 
         assert self.event is not None
         found: list[World] = []

@@ -19,7 +19,7 @@ from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
-from freebody.study.spread import NO_DERIVATION, disagreement
+from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
 if TYPE_CHECKING:
     from freebody.narrative.lines.glossary import Glossary

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from freebody.narrative.lines.script import Sentence
 from freebody.questions.reading import Question
-from freebody.study.gruebler import Gruebler, gruebler
+from freebody.study.mobility.gruebler import Gruebler, gruebler
 from freebody.system.system import System
 
 

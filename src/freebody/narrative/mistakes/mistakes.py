@@ -24,7 +24,7 @@ from freebody.narrative.mistakes.omissions import marked_omissions
 from freebody.narrative.mistakes.slips import Mistake, PointAnswers, slips
 from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, WantedOption, WrongOptions, near
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
 
 MOST_STEPS = 40_000  # terms that are looked at in numbers: about half a second, and the same on every machine

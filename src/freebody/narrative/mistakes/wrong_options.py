@@ -20,8 +20,8 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.slips import Mistake, PointAnswers
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
-from freebody.study.draws import SEED
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import SEED
 from freebody.symbolic.field import Ratio
 
 _CLOSE = 1e-9

@@ -21,7 +21,7 @@ from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
 from freebody.questions.motion import rates_of
-from freebody.study.gruebler import is_driven
+from freebody.study.mobility.gruebler import is_driven
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy

@@ -28,10 +28,10 @@ from freebody.questions.conservation import Conserved, GeneralizedMomentum
 from freebody.questions.momentum import AngularMomentum, Momentum, is_among
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
-from freebody.study.answer import Answer
-from freebody.study.balance import RateBalance, RatePrinciple
-from freebody.study.conserved import ConservationFinding, Judge
-from freebody.study.evidence import element_at
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.evidence import element_at
+from freebody.study.conservation.balance import RateBalance, RatePrinciple
+from freebody.study.conservation.conserved import ConservationFinding, Judge
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import cases_where_zero, motion_terms, texts_of
 from freebody.system.system import System

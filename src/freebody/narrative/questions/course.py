@@ -23,7 +23,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState

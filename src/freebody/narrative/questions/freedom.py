@@ -11,9 +11,9 @@ from freebody.narrative.lines.naming import asked_as, asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
-from freebody.study.gruebler import Gruebler
-from freebody.study.mobility import Mobility, mobility
+from freebody.study.answering.answer import Answer
+from freebody.study.mobility.gruebler import Gruebler
+from freebody.study.mobility.mobility import Mobility, mobility
 from freebody.study.setup import rank_freedoms
 from freebody.system.system import System
 

@@ -7,7 +7,7 @@ from freebody.narrative.context import Context, Derive, Method
 from freebody.narrative.lines.script import DerivationStage, Script, ready
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 
 

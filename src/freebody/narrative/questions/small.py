@@ -31,7 +31,7 @@ from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium
 from freebody.questions.small_motion import SmallOscillations as SmallQuantity
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium, linearised, small_oscillations
 from freebody.symbolic.field import Ratio

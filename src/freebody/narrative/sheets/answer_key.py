@@ -10,7 +10,7 @@ from freebody.narrative.lines.script import Sentence, ready
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import raised
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from freebody.narrative.telling.telling import raised
 from freebody.present.report.blocks import Block, Bullets, Emphasis, Figure, Formula, Paragraph, Table, Text
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.study.gruebler import gruebler
+from freebody.study.mobility.gruebler import gruebler
 from freebody.system.system import System
 
 
@@ -56,7 +56,7 @@ class ExerciseStatement:
         return self.catalogue.tell(Sentence(key, args))
 
     def _picture(self) -> Iterator[Block]:
-        from freebody.study.picture import picture
+        from freebody.study.pictures.picture import picture
 
         try:
             drawn = picture(self.system)

@@ -27,7 +27,7 @@ from freebody.questions.momentum import AngularMomentum, Momentum
 from freebody.questions.motion import AngularVelocity, OfMeasure, OfPoint
 from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 

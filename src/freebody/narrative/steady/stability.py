@@ -18,8 +18,8 @@ from freebody.narrative.principles.motion_equations import motion_equations, rea
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
-from freebody.study.answer import Answer
-from freebody.study.draws import Draw
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
 from freebody.study.steady.linearised import About
 from freebody.study.steady.motion import Steady
 from freebody.study.steady.spin import slopes_beside

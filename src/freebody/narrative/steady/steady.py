@@ -11,7 +11,7 @@ from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:

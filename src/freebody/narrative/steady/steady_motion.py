@@ -25,7 +25,7 @@ from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import motions
 from freebody.study.steady.motion import Solutions, Steady, unknown_of

@@ -26,7 +26,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
 
     @cache
     def draw(bodies: tuple[str, ...]) -> Picture | None:
-        from freebody.study.picture import free_body, picture
+        from freebody.study.pictures.picture import free_body, picture
 
         try:
             return free_body(system, bodies) if bodies else picture(system)

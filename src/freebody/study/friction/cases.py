@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
-from freebody.study.draws import SEED, Draw, draws
+from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
 from freebody.study.friction.touching import TouchingAtRest

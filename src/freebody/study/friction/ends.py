@@ -9,7 +9,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import FORCE, TORQUE
 from freebody.numeric.friction_branches import spread
 from freebody.numeric.friction_limits import Optimum, rest_problem
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import how_it_fails
 from freebody.study.friction.limits import HoldingEnd, Parametric

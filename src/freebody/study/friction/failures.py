@@ -13,7 +13,7 @@ from freebody.model.elements import ConstraintRow, UnilateralConstraint
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import Optimum, RestProblem, unresisted
 from freebody.numeric.jets import Array
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.symbolic.active_set import Failure
 

@@ -18,9 +18,9 @@ from freebody.language.sentences import Message, further
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
 from freebody.questions.reading import Question
-from freebody.study.answer import Answer
-from freebody.study.draws import Draw
-from freebody.study.evidence import MIN_DRAWS, CrossCheck
+from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd

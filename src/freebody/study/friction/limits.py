@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.friction_branches import extreme, margin
 from freebody.numeric.friction_limits import ROUND_OFF, Optimum, RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
 
 _CLOSE = 1e-13  # ends are found to this, by their size

@@ -13,7 +13,7 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
 from freebody.numeric.friction_limits import ROUND_OFF, FrictionCone, RestProblem, rest_problem, unresisted
-from freebody.study.draws import Draw
+from freebody.study.answering.draws import Draw
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.failures import how_it_fails, seen
 from freebody.study.friction.touching import TouchingAtRest

@@ -20,7 +20,7 @@ from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstr
 from freebody.numeric.contact.start import far_sides
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
-from freebody.study.draws import SEED, draw_parameters
+from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System
 from freebody.tolerances import TOUCHES

@@ -19,10 +19,11 @@ from freebody.measures.base import Measure
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question, QuestionEvent
-from freebody.study.answer import Evidence
-from freebody.study.draws import SEED, Draw
-from freebody.study.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck
-from freebody.study.magnitude import magnitude
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import SEED, Draw
+from freebody.study.answering.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.spread import disagreement
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseNode, PhaseTree
@@ -36,7 +37,6 @@ from freebody.study.phases.witness import (
     follow,
     struck,
 )
-from freebody.study.spread import disagreement
 from freebody.system.system import System
 
 N_CHECKED = 5

@@ -19,7 +19,7 @@ from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
 from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.study.draws import SEED, draw_parameters
+from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, Placed
 from freebody.study.setup import Setup

@@ -17,7 +17,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start, UnilateralConstraint
 from freebody.numeric.reference import Reference
-from freebody.study.draws import SEED, Draw
+from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel

@@ -24,7 +24,7 @@ from freebody.numeric.instant import check_laws
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
-from freebody.study.assumed import rates_not_given
+from freebody.study.answering.assumed import rates_not_given
 from freebody.study.worded import without_value
 from freebody.system.system import System
 

@@ -14,10 +14,10 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
-from freebody.study.answer import Evidence
-from freebody.study.draws import SEED, Draw
-from freebody.study.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
-from freebody.study.magnitude import magnitude
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import SEED, Draw
+from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
+from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, Steady
 from freebody.symbolic.field import Ratio

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from freebody.study.answer import Evidence
+from freebody.study.answering.answer import Evidence
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel

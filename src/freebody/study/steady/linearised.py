@@ -11,9 +11,9 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.study.answer import Evidence
-from freebody.study.draws import Draw
-from freebody.study.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.stability import Linear

@@ -12,9 +12,9 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
-from freebody.study.answer import Evidence
-from freebody.study.draws import Draw
-from freebody.study.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, NotReal, element_at, holds
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, NotReal, element_at, holds
 from freebody.study.setup import Setup
 from freebody.study.steady.turning import Extremum
 from freebody.symbolic.conditions import Condition

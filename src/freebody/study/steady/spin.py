@@ -22,9 +22,9 @@ from freebody.model.spins import body_axes, spin
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
-from freebody.study.answer import Evidence
-from freebody.study.draws import Draw
-from freebody.study.evidence import CrossCheck
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.evidence import CrossCheck
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.verdict import stable_if

@@ -20,7 +20,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
-from freebody.study.evidence import element_at
+from freebody.study.answering.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.motion import Steady

@@ -24,11 +24,11 @@ from freebody.numeric.mobility.path import MotionPath, singular_at, trace
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.mobility.screw_axes import ScrewAxis, screw_axes
 from freebody.numeric.reference import Reference
-from freebody.study.centres import CentreOfPair, VelocityRatio, instant_centres, velocity_ratios
-from freebody.study.exact_centres import ExactPose
-from freebody.study.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
-from freebody.study.gruebler import Gruebler, is_driven
-from freebody.study.linkages import Linkage, linkages
+from freebody.study.mobility.centres import CentreOfPair, VelocityRatio, instant_centres, velocity_ratios
+from freebody.study.mobility.exact_centres import ExactPose
+from freebody.study.mobility.grashof import FourBarNumbers, SliderCrankNumbers, dimensions
+from freebody.study.mobility.gruebler import Gruebler, is_driven
+from freebody.study.mobility.linkages import Linkage, linkages
 from freebody.system.system import System
 
 MOST_BODIES = 8  # up to which the motion is followed without being asked for

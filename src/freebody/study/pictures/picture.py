@@ -16,9 +16,9 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture, checked_path
-from freebody.study.free_body import FreeBody, checked_bodies
-from freebody.study.instant import Instant, instant_of
-from freebody.study.touching import closed_bounds
+from freebody.study.pictures.free_body import FreeBody, checked_bodies
+from freebody.study.pictures.instant import Instant, instant_of
+from freebody.study.pictures.touching import closed_bounds
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -47,7 +47,7 @@ def picture(
     moving = [body.name for body in system.moving]
     acting = FreeBody(found.snapshot, moving).loads() if moving else ()
     if system.space:
-        from freebody.study.picture_in_space import drawn_in_space
+        from freebody.study.pictures.picture_in_space import drawn_in_space
 
         return drawn_in_space(found, acting, show, title, view=view, perspective=perspective)
     return _in_the_plane(found, acting, show, title)
@@ -81,7 +81,7 @@ def free_body(
         forces = tuple(_valued(force, found) for force in forces)
     title = f"{system.title}: {', '.join(bodies)} cut free"
     if system.space:
-        from freebody.study.picture_in_space import free_body as cut_free
+        from freebody.study.pictures.picture_in_space import free_body as cut_free
 
         return cut_free(found, bodies, forces, title, view=view, perspective=perspective)
     from freebody.present.drawing import Drawing
@@ -165,7 +165,7 @@ def _in_the_plane(found: Instant, acting: Sequence[Force], show: Sequence[str], 
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
     whole = Whole(system, Places(system, reference.number), poses_of(found.snapshot), loads)
     if show:
-        from freebody.study.shown import add_shown
+        from freebody.study.pictures.shown import add_shown
 
         add_shown(whole, found, show)
     return whole.drawn(with_signs=not show).finished(title, described(system, whole.drawing.moved))

@@ -15,7 +15,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split, stack
 from freebody.numeric.start import wanted_rates
-from freebody.study.answer import Answer
+from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.start import rate_not_given

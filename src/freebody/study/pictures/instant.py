@@ -48,7 +48,7 @@ def _reference(system: System) -> Reference:
     unknown = {name: 0.0 for name in missing if name.startswith("@")}
     if len(unknown) == len(missing):
         return Reference(system, unknown)
-    from freebody.study.draws import draws
+    from freebody.study.answering.draws import draws
 
     values = draws(system, 1)[0].values
     return Reference(system, {name: values[name] for name in missing} | unknown)

@@ -29,10 +29,10 @@ from freebody.numeric.mobility.rank import Rank, rank_at
 from freebody.numeric.mobility.reachable import reachable_dimensions
 from freebody.numeric.reference import Reference
 from freebody.questions.reading import Question
-from freebody.study.conflicts import Conflict, conflict
-from freebody.study.draws import SEED, draws
-from freebody.study.gruebler import Gruebler, gruebler
-from freebody.study.mechanism import Motions, WantedFigures, motions_of
+from freebody.study.answering.draws import SEED, draws
+from freebody.study.mobility.conflicts import Conflict, conflict
+from freebody.study.mobility.gruebler import Gruebler, gruebler
+from freebody.study.mobility.mechanism import Motions, WantedFigures, motions_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 

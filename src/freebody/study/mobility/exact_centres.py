@@ -24,7 +24,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.questions.centres import InstantCentre
-from freebody.study.centres import CentreOfPair
+from freebody.study.mobility.centres import CentreOfPair
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve

@@ -9,7 +9,7 @@ from freebody.assess.verdict import Verdict
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded, stated_plain, to_python
 from freebody.language.sentences import Message, in_turn
-from freebody.study.constancy import Confirmation, CounterMotion
+from freebody.study.conservation.constancy import Confirmation, CounterMotion
 from freebody.system.system import System
 
 

@@ -28,9 +28,9 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.numeric.vibration import NaturalMotion, natural_motions
-from freebody.study.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
+from freebody.study.small_motion.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 

@@ -16,7 +16,7 @@ from freebody.measures.geometry import Point, position
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
-from freebody.study.points import points_of, touching_point
+from freebody.study.pictures.points import points_of, touching_point
 from freebody.tolerances import ON_LINE, ROUND_OFF
 
 

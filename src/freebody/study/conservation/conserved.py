@@ -28,8 +28,8 @@ from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved
 from freebody.questions.momentum import AngularMomentum, point_about
 from freebody.questions.reading import Question
-from freebody.study.balance import IsVector, RateBalance, RatePrinciple
-from freebody.study.constancy import (
+from freebody.study.conservation.balance import IsVector, RateBalance, RatePrinciple
+from freebody.study.conservation.constancy import (
     N_IN_SEARCH,
     N_MOTIONS,
     TOLERANCE,
@@ -37,9 +37,9 @@ from freebody.study.constancy import (
     SimulatedRuns,
     confirm,
 )
-from freebody.study.natural import candidates
+from freebody.study.conservation.natural import candidates
+from freebody.study.conservation.verdicts import Conservation, Verdicts
 from freebody.study.setup import Setup
-from freebody.study.verdicts import Conservation, Verdicts
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

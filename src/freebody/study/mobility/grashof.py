@@ -26,7 +26,7 @@ import numpy as np
 from freebody.measures.geometry import Point, position, unit
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
-from freebody.study.linkages import FourBar, Linkage, SliderCrank
+from freebody.study.mobility.linkages import FourBar, Linkage, SliderCrank
 
 EQUAL = 1e-9  # lengths are equal up to this part of their sum
 ROLES = ("frame", "input", "coupler", "output")

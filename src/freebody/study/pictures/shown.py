@@ -19,10 +19,10 @@ from freebody.present.picture.motion import add_centres, add_vectors
 from freebody.present.picture.shapes import Ink
 from freebody.present.picture.whole import Whole
 from freebody.questions.vectors import place
-from freebody.study.centres import instant_centres
-from freebody.study.free_body import FreeBody
-from freebody.study.instant import Instant
-from freebody.study.touching import closed_bounds
+from freebody.study.mobility.centres import instant_centres
+from freebody.study.pictures.free_body import FreeBody
+from freebody.study.pictures.instant import Instant
+from freebody.study.pictures.touching import closed_bounds
 from freebody.system.system import System
 
 _NOTHING = 1e-6  # of the largest force

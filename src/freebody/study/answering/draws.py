@@ -46,7 +46,7 @@ class Draw:
 
     def seen(self, snapshot: Snapshot) -> Snapshot:
         """The same instant, with accelerations and multipliers by the engine."""
-        from freebody.study.witness import NumericSnapshot
+        from freebody.study.answering.witness import NumericSnapshot
 
         return NumericSnapshot(snapshot, self._engine)
 

@@ -22,13 +22,13 @@ from freebody.questions.course import Transition
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
-from freebody.study import evidence as proof
-from freebody.study.answer import Answer, Evidence
-from freebody.study.assumed import assumed_at_start
+from freebody.study.answering import evidence as proof
+from freebody.study.answering.answer import Answer, Evidence
+from freebody.study.answering.assumed import assumed_at_start
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.parts import part_for
+from freebody.study.answering.passage import FormulaPassage
 from freebody.study.eom import primitive_part
-from freebody.study.magnitude import magnitude
-from freebody.study.parts import part_for
-from freebody.study.passage import FormulaPassage
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import FAILED, cause, in_words
 from freebody.symbolic.conditions import Condition, require
@@ -333,8 +333,8 @@ class _Solver:
             return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
 
     def _conserved(self) -> Answer:
-        """The rate of the quantity, and whether it vanishes; `study/conserved.py` has more to say."""
-        from freebody.study.conserved import Judge
+        """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
+        from freebody.study.conservation.conserved import Judge
 
         q = self.question
         found = Judge(self.setup).answer(q)
@@ -618,7 +618,7 @@ class _Solver:
         element: Any = found.element
         if self.question.quantity.scope == "structure":
             with suppress(CannotAnswer):
-                from freebody.study.mobility import judged
+                from freebody.study.mobility.mobility import judged
 
                 return judged(self.system, self.question, int(element))
         dimension = self.question.quantity.dimension

@@ -29,10 +29,10 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force, Kind
 from freebody.present.picture.label import Label, Run, beside, formula, name
-from freebody.study.action import Action, cross
-from freebody.study.load_symbols import LoadSymbols, without_sign
-from freebody.study.points import own_measures
-from freebody.study.strings import Pull, pulls, rope_of
+from freebody.study.pictures.action import Action, cross
+from freebody.study.pictures.load_symbols import LoadSymbols, without_sign
+from freebody.study.pictures.points import own_measures
+from freebody.study.pictures.strings import Pull, pulls, rope_of
 from freebody.system.symbols import ReactionSymbol, reaction_symbols
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE, ROUND_OFF

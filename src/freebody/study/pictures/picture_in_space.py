@@ -17,9 +17,9 @@ from freebody.present.picture.whole import described
 from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
-from freebody.study.instant import Instant
-from freebody.study.points import points_of
-from freebody.study.shown import forces_in_numbers, vector_of
+from freebody.study.pictures.instant import Instant
+from freebody.study.pictures.points import points_of
+from freebody.study.pictures.shown import forces_in_numbers, vector_of
 
 View = tuple[float, float]
 

@@ -21,16 +21,16 @@ from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
 from freebody.questions.reading import QuestionEvent
 from freebody.questions.small_motion import SmallOscillations
-from freebody.study.answer import Evidence
-from freebody.study.centres import moving_for
-from freebody.study.draws import Draw
-from freebody.study.equilibrium import nearest_equilibrium
-from freebody.study.magnitude import magnitude
-from freebody.study.passage import NumericPassage
+from freebody.study.answering.answer import Evidence
+from freebody.study.answering.draws import Draw
+from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.spread import disagreement
+from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.study.simulation.at_rest import is_unstable_rest
 from freebody.study.simulation.simulator import Simulator
-from freebody.study.spread import disagreement
+from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
@@ -207,7 +207,7 @@ def _broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
 def _at_event(
     setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, until: float, event: QuestionEvent
 ) -> object:
-    from freebody.study.witness import motion_to
+    from freebody.study.answering.witness import motion_to
 
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
@@ -216,7 +216,7 @@ def _at_event(
 
 def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: float) -> float:
     """The integral of the power over time from the start to an event, by Gauss-Legendre points in panels."""
-    from freebody.study.witness import motion_to
+    from freebody.study.answering.witness import motion_to
 
     start = draw.start()
     nodes, weights = np.polynomial.legendre.leggauss(8)

@@ -1,0 +1,1 @@
+"""What is conserved, by which principle, and for which motions."""

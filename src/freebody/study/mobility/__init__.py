@@ -1,0 +1,1 @@
+"""How a mechanism can move: freedoms, dependent constraints, linkages, centres, and what contradicts itself."""

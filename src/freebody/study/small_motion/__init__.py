@@ -1,0 +1,1 @@
+"""Where a system rests, and how it moves about rest."""
