@@ -29,7 +29,7 @@ from freebody.present.report.typst import typst_files
 from freebody.present.scene import Scene
 from freebody.present.terminal import answer_lines, solution_lines
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.solve import Solution
+from freebody.study.answering.solution import Solution
 from report_sample import Drawing
 
 BIDI = "\u202eevil\u2066\u200f"

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
     from freebody.numeric.options import SimulationOptions
     from freebody.study.answering.answer import Answer
-    from freebody.study.answering.solve import Solution, solve
+    from freebody.study.answering.solution import Solution
+    from freebody.study.answering.solve import solve
     from freebody.study.conservation.conserved import conserved
     from freebody.study.conservation.verdicts import Conservation
     from freebody.study.eom import Equations, equations_of_motion

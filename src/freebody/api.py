@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from freebody.narrative.explain import Explanation
     from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
-    from freebody.study.answering.solve import Solution
+    from freebody.study.answering.solution import Solution
     from freebody.study.conservation.verdicts import Conservation
     from freebody.study.eom import Equations
     from freebody.study.friction.report import Statics

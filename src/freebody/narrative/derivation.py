@@ -8,7 +8,7 @@ from freebody.narrative.context import Method
 from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.solve import Solution
+from freebody.study.answering.solution import Solution
 from freebody.system.system import System
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import n_operations
 from freebody.language.notation import to_text
-from freebody.present.terminal import number_text, option_lines, wrapped
+from freebody.present.lines import number_text, option_lines, wrapped
 
 if TYPE_CHECKING:
     from freebody.study.conservation.verdicts import Conservation, Verdicts

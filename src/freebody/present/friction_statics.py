@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from freebody.present.terminal import number_text, plural
+from freebody.present.lines import number_text, plural
 
 if TYPE_CHECKING:
     from freebody.study.friction.report import Reaction, Statics

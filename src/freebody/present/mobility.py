@@ -11,7 +11,7 @@ from freebody.language.notation import to_text
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.mobility.path import MotionPath
-from freebody.present.terminal import number_text, option_lines, plural, wrapped
+from freebody.present.lines import number_text, option_lines, plural, wrapped
 
 if TYPE_CHECKING:
     from freebody.numeric.mobility.screw_axes import ScrewAxis

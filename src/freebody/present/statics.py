@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
-from freebody.present.terminal import number_text, plural
+from freebody.present.lines import number_text, plural
 from freebody.system.system import System
 
 if TYPE_CHECKING:

@@ -2,41 +2,24 @@
 
 from __future__ import annotations
 
-import math
-import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, n_operations
 from freebody.language.notation import to_pretty_lines, to_text
+from freebody.present.lines import number_text, option_lines, plural, wrapped
+from freebody.present.phases import case_lines, phase_lines
 from freebody.system.system import System
 
 if TYPE_CHECKING:
-    from freebody.assess.verdict import Verdict
     from freebody.study.answering.answer import Answer
-    from freebody.study.answering.solve import Solution
+    from freebody.study.answering.solution import Solution
     from freebody.study.eom import Equations
 
 _RULE = "─"
 LONGEST = 300  # operations of a formula that is shown; some six lines
 LONGEST_CONDITION = 1200  # characters
 WHERE_IT_IS = "--full shows it, --json has it for Python and LaTeX"
-
-
-def number_text(value: float) -> str:
-    """Five significant digits, without trailing zeros."""
-    if value == 0 or not math.isfinite(value):
-        return "0" if value == 0 else str(value)
-    text = f"{value:.5g}"
-    if "e" in text:
-        mantissa, exponent = text.split("e")
-        return f"{mantissa}e{int(exponent)}"
-    return text
-
-
-def plural(n: int, one: str, many: str | None = None) -> str:
-    word = one if n == 1 else (many or one + "s")
-    return f"{n} {word}"
 
 
 def system_line(system: System, dof: int, coordinates: tuple[str, ...], dependent: tuple[str, ...]) -> str:
@@ -71,8 +54,6 @@ def solution_lines(solution: Solution, *, is_full: bool = False) -> Iterator[str
     if solution.redundant:
         yield f"redundant constraints: {', '.join(solution.redundant)}"
     if solution.phases is not None:
-        from freebody.present.phases import phase_lines
-
         yield ""
         yield from phase_lines(solution.phases)
     for answer in solution.answers:
@@ -103,8 +84,6 @@ def answer_lines(answer: Answer, *, is_full: bool = False) -> Iterator[str]:
         yield f"    value       {_value_text(answer)}"
     yield from _listed("valid", answer.conditions if is_full else tuple(map(_shortened, answer.conditions)))
     if answer.cases:
-        from freebody.present.phases import case_lines
-
         yield from case_lines(answer)
     yield from _listed("note", answer.notes)
     if answer.options:
@@ -147,25 +126,9 @@ def _indented(text: str, by: int) -> Iterator[str]:
         yield " " * by + line
 
 
-def wrapped(label: str, text: str, width: int = 110) -> Iterator[str]:
-    """A labelled text, further lines below it."""
-    for k, line in enumerate(textwrap.wrap(text, width - 16, break_long_words=False) or [""]):
-        yield f"    {label if k == 0 else '':<12}{line}"
-
-
 def _listed(label: str, texts: tuple[str, ...]) -> Iterator[str]:
     for k, text in enumerate(texts):
         yield f"    {label if k == 0 else '':<12}{text}"
-
-
-def option_lines(choice: str | None, options: Mapping[str, Verdict]) -> Iterator[str]:
-    """The right option, and why each other is wrong."""
-    if not options:
-        return
-    yield f"    right       {f'({choice})' if choice else 'none'}"
-    for letter, verdict in options.items():
-        if letter != choice:
-            yield f"      ({letter})       {verdict.verdict}: {verdict.reason}"
 
 
 def equation_lines(equations: Equations) -> Iterator[str]:

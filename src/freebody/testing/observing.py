@@ -20,7 +20,7 @@ from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS, Dimension, parse_unit
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.solve import Solution
+from freebody.study.answering.solution import Solution
 from freebody.testing.facts import OF_THE_WHOLE, Fact, fact
 
 ROUND_OFF = 1e-9  # relative, of numbers

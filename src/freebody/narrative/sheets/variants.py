@@ -17,7 +17,8 @@ from freebody.errors import FreebodyError
 from freebody.language.units import ACCELERATION
 from freebody.model.elements import Parameter
 from freebody.study.answering.answer import NOT_VALID, Answer
-from freebody.study.answering.solve import Solution, solve
+from freebody.study.answering.solution import Solution
+from freebody.study.answering.solve import solve
 from freebody.system.system import System
 
 _SPREADS = (0.5, 0.5, 0.4, 0.3, 0.2, 0.2, 0.1, 0.1)  # about the values of the file, as fractions

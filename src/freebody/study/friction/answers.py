@@ -19,6 +19,7 @@ from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence
 from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck
+from freebody.study.answering.scope import for_all
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
 from freebody.study.friction.touching import TouchingAtRest, touching
@@ -347,6 +348,4 @@ def _evidence(question: str, limits: Sequence[HoldingLimit]) -> Evidence:
 
 def scope(system: System) -> str:
     """For which parameters an answer without conditions holds."""
-    from freebody.study.answering.solve import for_all
-
     return for_all(system)

@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence
+from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
@@ -160,8 +161,6 @@ def _broken(tree: PhaseTree, region: _Region) -> str:
 
 
 def _for_all(tree: PhaseTree) -> str:
-    from freebody.study.answering.solve import for_all
-
     return for_all(tree.system)
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,9 +14,9 @@ from freebody.language.notation import to_text
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import coefficients_of_friction, holds
-
-if TYPE_CHECKING:
-    from freebody.study.phases.result import Phases
+from freebody.study.phases.tree import PhaseTree
+from freebody.symbolic.phases.relations import SolvedRelation
+from freebody.system.system import System
 
 _MOST_FRICTION = 1.0
 
@@ -35,10 +35,19 @@ class Regions:
     conditions: tuple[str, ...]
 
 
-def regions(phases: Phases, x: str, y: str, n: int) -> Regions:
+@dataclass(frozen=True)
+class RegionCase:
+    """A case of the motion: what happens, and where."""
+
+    what: str
+    conditions: tuple[str, ...]
+    relations: tuple[SolvedRelation, ...]
+
+
+def regions(tree: PhaseTree, found: Sequence[RegionCase], x: str, y: str, n: int) -> Regions:
     """The case at each of n times n values of two parameters; the others have the model's values. Raises InputError for
     a name that is no parameter, or a parameter without a value that would be needed."""
-    system, tree = phases.system, phases.tree
+    system = tree.system
     for name in (x, y):
         if name not in system.parameters:
             raise InputError(f"there is no parameter {name}.{did_you_mean(name, system.parameters)}")
@@ -47,36 +56,36 @@ def regions(phases: Phases, x: str, y: str, n: int) -> Regions:
     ]
     if missing:
         raise InputError(f"a picture needs a value for {', '.join(missing)}")
-    axes = [_axis(phases, name, n) for name in (x, y)]
+    axes = [_axis(system, name, n) for name in (x, y)]
     grid = np.meshgrid(*axes)
     values = {p.name: np.full(n * n, p.value or 0.0) for p in system.parameters.values() if p.form is None}
     values[x], values[y] = grid[0].ravel(), grid[1].ravel()
     sets = tree.sets.at(values)
     index = np.full(n * n, -1)
-    for k, case in enumerate(phases.cases):
+    for k, case in enumerate(found):
         inside = np.ones(n * n, dtype=bool)
         for relation in case.relations:
             inside &= holds(relation, sets.evaluate(tree.home.model, relation.element))
         index = np.where(inside & (index < 0), k, index)
-    labels, shown = zip(*(_labelled(phases, name, axis) for name, axis in zip((x, y), axes, strict=True)), strict=True)
-    cases = tuple(c.what for c in phases.cases)
-    conditions = tuple(", ".join(c.conditions) or "always" for c in phases.cases)
+    labels, shown = zip(*(_labelled(system, name, axis) for name, axis in zip((x, y), axes, strict=True)), strict=True)
+    cases = tuple(c.what for c in found)
+    conditions = tuple(", ".join(c.conditions) or "always" for c in found)
     return Regions((x, y), labels, shown[0], shown[1], index.reshape(n, n), cases, conditions)
 
 
-def _axis(phases: Phases, name: str, n: int) -> Array:
-    p = phases.system.parameters[name]
+def _axis(system: System, name: str, n: int) -> Array:
+    p = system.parameters[name]
     if p.acute:
         return np.linspace(0.0, math.pi / 2, n + 2)[1:-1]
-    if name in coefficients_of_friction(phases.system):
+    if name in coefficients_of_friction(system):
         return np.linspace(0.0, max(_MOST_FRICTION, 1.5 * (p.value or 0.0)), n + 1)[1:]
     center = 1.0 if p.value is None else p.value
     low = -2.0 * abs(center) if p.sign == "any" else 0.0
     return np.linspace(low, 2.0 * abs(center) or 1.0, n + 1)[1:]
 
 
-def _labelled(phases: Phases, name: str, axis: Array) -> tuple[str, Array]:
-    p = phases.system.parameters[name]
+def _labelled(system: System, name: str, axis: Array) -> tuple[str, Array]:
+    p = system.parameters[name]
     shown = to_text(Symbol(name))
     if p.is_angle:
         return f"{shown} [deg]", np.degrees(axis)

@@ -17,7 +17,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
-from freebody.study.phases.regions import Regions, regions
+from freebody.study.phases.regions import RegionCase, Regions, regions
 from freebody.study.phases.tree import PhaseEnd, PhaseImpact, PhaseNode, PhaseTree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.study.worded import in_words
@@ -119,11 +119,12 @@ class Phases:
 
     def regions(self, x: str, y: str, n: int = 120) -> Regions:
         """Which case holds where in the plane of two parameters, the others at the model's values."""
-        return regions(self, x, y, n)
+        cases = [RegionCase(c.what, c.conditions, tuple(c.relations)) for c in self.cases]
+        return regions(self.tree, cases, x, y, n)
 
     def plot(self, x: str, y: str, path: FilePath, n: int = 240) -> FilePath:
         """Draws the regions of the cases."""
-        from freebody.present.phases import region_picture
+        from freebody.present.region_picture import region_picture
 
         return region_picture(self.regions(x, y, n), path)
 

@@ -1,0 +1,55 @@
+"""What `solve` found out about a system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freebody.study.answering.answer import Answer
+from freebody.system.system import System
+
+if TYPE_CHECKING:
+    from freebody.study.phases.result import Phases
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What `solve` found out about one system."""
+
+    system: System
+    degrees_of_freedom: int
+    coordinates: tuple[str, ...]
+    dependent: tuple[str, ...]
+    redundant: tuple[str, ...]
+    answers: tuple[Answer, ...]
+    phases: Phases | None = None  # of a system with contacts or dry friction
+    assumed: tuple[str, ...] = ()  # about the start, where the model leaves it open
+
+    def __getitem__(self, id: str) -> Answer:
+        """The answer with an id."""
+        for answer in self.answers:
+            if answer.id == id:
+                return answer
+        raise KeyError(f"no question has the id {id}; there are {', '.join(a.id for a in self.answers)}")
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the answers take for granted and the model does not say."""
+        return (*self.system.assumptions, *self.assumed)
+
+    @property
+    def is_complete(self) -> bool:
+        return all(a.expression is not None for a in self.answers)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The solution as plain data: the JSON document of the command line."""
+        return {
+            "title": self.system.title,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "coordinates": list(self.coordinates),
+            "dependent_coordinates": list(self.dependent),
+            "redundant": list(self.redundant),
+            "assumptions": list(self.assumptions),
+            "answers": [a.to_plain() for a in self.answers],
+            **({} if self.phases is None else {"phases": self.phases.to_plain()}),
+        }
