@@ -7,7 +7,7 @@ import pytest
 import freebody as fb
 from freebody.errors import RoutesUntold
 from freebody.numeric.reference import Reference
-from freebody.study.answering.spread import disagreement
+from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
 MODEL = """
 parameters: {m: 2 kg, L: %s}
@@ -30,6 +30,6 @@ def test_a_difference_says_whether_the_numbers_are_too_far_apart(length: str, ma
 
 
 def test_a_difference_in_ordinary_numbers_is_a_defect() -> None:
-    error = disagreement("3 against 4", Reference(fb.System.from_text(MODEL % ("2 m", "1 kg"))), "No derivation")
+    error = disagreement("3 against 4", Reference(fb.System.from_text(MODEL % ("2 m", "1 kg"))), NO_DERIVATION)
     assert not isinstance(error, RoutesUntold)
     assert str(error) == "3 against 4. No derivation is shown. This is a defect of freebody; please report the model"
