@@ -177,6 +177,13 @@ measures: {u: travel of ground.A along p.x}
 start: {u: -0.2 m}
 questions: [{find: kinetic energy of q}]
 """,
+    "a disk of 1e50 m held at its middle, whose turn is lost in numbers": """
+ground: {points: {A: [1e12 m, 0.5 m]}}
+bodies: {p: {disk: {mass: 0.2 kg, radius: 1e50 m}, near: {at: [2 m, 2 m]}}}
+connections: {again: {weld: {first: p.mass_center, second: ground.A}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+questions: [{find: moment of again about p}]
+""",
     "a link as short as round-off, straight back": """
 ground: {points: {A: [1e-9 m, 0]}}
 bodies: {p: {rod: {mass: 1 kg, length: 0.2 m}}}
@@ -186,7 +193,7 @@ questions: [{find: linear momentum of p along up}]
 }
 
 
-@pytest.mark.parametrize("study", ["solve", "draw", "mobility", "modes", "statics", "eom", "conserved"])
+@pytest.mark.parametrize("study", ["solve", "draw", "mobility", "modes", "equilibrium", "statics", "eom", "conserved"])
 @pytest.mark.parametrize("name", ENDS)
 def test_it_ends_in_an_answer_or_in_words(name: str, study: str) -> None:
     assert not defects(run(study, fb.System.from_text(ENDS[name])))

@@ -74,7 +74,10 @@ class _CoordinateTour:
         size = _FINE_STEP if self._single else _STEP
         here, heading = self._first, sense * self._unit(self._first, self._first.split.null[:, self._k])
         for i in range(int(1.25 * math.tau / size)):
-            heading = heading / float(sizes.relative(heading).max())
+            length = float(sizes.relative(heading).max())
+            if not 0.0 < length < math.inf:
+                return  # beside such sizes this direction is lost in numbers
+            heading = heading / length
             yield _TourPose(here, float(here.forces @ heading))
             there = self._next(here, size * heading)
             if there is None:
