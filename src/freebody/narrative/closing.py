@@ -11,7 +11,8 @@ from freebody.language.expression import Expr
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, When, ready
+from freebody.narrative.lines.glossary import TrueWhen
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
@@ -66,7 +67,7 @@ def _dimensions_fit(context: Context, question: Question, answer: Answer) -> boo
         return False
 
 
-def _when(question: Question) -> When:
+def _when(question: Question) -> TrueWhen:
     if question.event is not None or question.transition is not None:
         return "event"
     return "start" if question.at_start else "always"

@@ -15,14 +15,14 @@ from freebody.errors import CannotAnswer
 from freebody.numeric.jets import Array
 
 if TYPE_CHECKING:
-    from freebody.numeric.equilibrium import CountedPose, LoadBalance, RestSearch
+    from freebody.numeric.rest import CountedPose, LoadBalance, RestFinder
 
 _SOFT = 1e-6  # of the stiffest direction, or of what the loads come to: soft enough to try
 _STRIDE, _N_STRIDES = 0.5, 40
 _NEAR = 1e-4
 
 
-def soft_directions(statics: RestSearch, rest: LoadBalance) -> Array:
+def soft_directions(statics: RestFinder, rest: LoadBalance) -> Array:
     """Directions (as columns in q, orthonormal in the metric of the masses) in which a rest has no stiffness."""
     N = rest.split.null
     try:
@@ -35,7 +35,7 @@ def soft_directions(statics: RestSearch, rest: LoadBalance) -> Array:
     return N @ Vt[soft].T
 
 
-def goes_on(statics: RestSearch, rest: LoadBalance, direction: Array) -> bool:
+def goes_on(statics: RestFinder, rest: LoadBalance, direction: Array) -> bool:
     """Whether rests go on both ways along a direction, by a fiftieth of the size."""
     step = direction * (0.02 / float(statics.reference.sizes.relative(direction).max()))
     for sense in (1.0, -1.0):
@@ -46,7 +46,7 @@ def goes_on(statics: RestSearch, rest: LoadBalance, direction: Array) -> bool:
     return True
 
 
-def is_one_family(statics: RestSearch, a: LoadBalance, b: LoadBalance) -> bool:
+def is_one_family(statics: RestFinder, a: LoadBalance, b: LoadBalance) -> bool:
     """Whether a walk over rests leads from a to b."""
     D, relative = statics.reference.sizes.small_moves, statics.reference.sizes.relative
     here, before = a, statics.apart(b.pose, a.pose)
@@ -73,7 +73,7 @@ def is_one_family(statics: RestSearch, a: LoadBalance, b: LoadBalance) -> bool:
     return False
 
 
-def nearest_of_family(statics: RestSearch, rest: LoadBalance, pose: CountedPose) -> LoadBalance:
+def nearest_of_family(statics: RestFinder, rest: LoadBalance, pose: CountedPose) -> LoadBalance:
     """Of the family of a rest the one nearest to a pose, as far as one step leads to it; else the rest itself."""
     soft = soft_directions(statics, rest)
     D = statics.reference.sizes.small_moves

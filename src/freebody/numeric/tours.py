@@ -19,7 +19,7 @@ from freebody.numeric.small_motion import SmallCoordinate, coordinates
 from freebody.numeric.split import stack
 
 if TYPE_CHECKING:
-    from freebody.numeric.equilibrium import CountedPose, LoadBalance, RestSearch
+    from freebody.numeric.rest import CountedPose, LoadBalance, RestFinder
 
 _STEP, _FINE_STEP = 0.25, 0.1  # in sizes or radians; the second with one degree of freedom
 _N_BEND = 1e4  # condition number at which coordinates are none any more
@@ -33,7 +33,7 @@ class _TourPose:
     along: float
 
 
-def toured(statics: RestSearch, pose: CountedPose, k: int) -> Iterator[CountedPose]:
+def toured(statics: RestFinder, pose: CountedPose, k: int) -> Iterator[CountedPose]:
     """Poses along the k-th free coordinate from which to search for a rest."""
     first = statics.try_balance(pose)
     if first is None or k >= len(first.residual):
@@ -60,7 +60,7 @@ def toured(statics: RestSearch, pose: CountedPose, k: int) -> Iterator[CountedPo
 class _CoordinateTour:
     """The way along one coordinate from a pose."""
 
-    def __init__(self, statics: RestSearch, first: LoadBalance, k: int) -> None:
+    def __init__(self, statics: RestFinder, first: LoadBalance, k: int) -> None:
         self._statics, self._first, self._k = statics, first, k
         self._single = len(first.residual) == 1
         self._marks: list[SmallCoordinate] = coordinates(

@@ -14,8 +14,7 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.narrative.lines.glossary import Glossary, World
-from freebody.narrative.lines.script import When
+from freebody.narrative.lines.glossary import Glossary, TrueWhen, World
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import QuestionEvent
@@ -41,7 +40,7 @@ class WorldRun:
     seen: tuple[PhaseSnapshot, ...]
 
     def begin(self, phase: int) -> float:
-        """When a phase begins."""
+        """TrueWhen a phase begins."""
         return self.seen[phase - 1].time if phase else 0.0
 
 
@@ -117,7 +116,7 @@ class CourseGlossary(Glossary):
         self.runs = runs
         self.place = place
 
-    def worlds(self, when: When) -> Iterator[World]:
+    def worlds(self, when: TrueWhen) -> Iterator[World]:
         follows = self.place == len(self.runs.piece.nodes)
         at_once = when == "event" and self.runs.piece.first is None  # what is asked for comes at the start
         if when == "start" or follows or at_once:

@@ -14,8 +14,8 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
-from freebody.narrative.lines.glossary import Glossary, Meaning, World
-from freebody.narrative.lines.script import Sentence, When
+from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
+from freebody.narrative.lines.script import Sentence
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import rest_problem
 from freebody.numeric.reference import Reference
@@ -45,7 +45,7 @@ class RestGlossary(Glossary):
         self.case = case
         self.parameter = parameter
 
-    def worlds(self, when: When) -> Iterator[World]:
+    def worlds(self, when: TrueWhen) -> Iterator[World]:
         yield from self._limits
 
     @cached_property

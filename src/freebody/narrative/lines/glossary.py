@@ -10,12 +10,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
+from freebody.language.sentences import Sentence
 from freebody.measures.base import Measure
 from freebody.narrative.lines.differences import SymbolValues, value_of
-from freebody.narrative.lines.script import Sentence, When
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
@@ -24,6 +25,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 
+TrueWhen = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
 ROUND_OFF_OF_FORCES = 1e-12
 INTEGRATED = 1e-10  # what is left of a speed after a motion in numbers where it vanishes
 N_WORLDS = 4  # random motions at which a line is looked at
@@ -219,7 +221,7 @@ class Glossary:
                 return float(read_at[order](self.measures[bare]))
         return world.generators[name]
 
-    def worlds(self, when: When) -> Iterator[World]:
+    def worlds(self, when: TrueWhen) -> Iterator[World]:
         """Draws and instants at which a line has to hold. Those at which it has no real value are passed over by
         `Script`; fewer than two leave it unproved."""
         if when == "event":

@@ -12,19 +12,16 @@ from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
+from freebody.narrative.lines.glossary import Glossary, TrueWhen
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
 from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
-if TYPE_CHECKING:
-    from freebody.narrative.lines.glossary import Glossary
-
-When = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
 ROUND_OFF = 1e-6  # of a line, by the size of its terms
 BY_DIFFERENCES = 1e-4  # where derivatives are taken by differences
 FEWEST = 2  # random motions at which a line must have been looked at
@@ -40,7 +37,7 @@ class NumberedFormula:
     why: Sentence | None = None
     uses: tuple[int, ...] = ()
     label: Sentence | None = None
-    when: When = "always"
+    when: TrueWhen = "always"
     unit: str = ""
 
 
@@ -139,7 +136,7 @@ class Script:
         args: Mapping[str, Argument] | None = None,
         uses: Sequence[int] = (),
         label: Sentence | None = None,
-        when: When = "always",
+        when: TrueWhen = "always",
         relations: Sequence[Relation] = (),
         unit: str = "",
     ) -> int:
@@ -161,7 +158,7 @@ class Script:
         if entries:
             self._items.append(Legend(tuple(entries)))
 
-    def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: When) -> None:
+    def _check(self, sides: Sequence[Side], relations: Sequence[Relation], when: TrueWhen) -> None:
         expressions = list(sides)
         room = BY_DIFFERENCES if any(isinstance(s, (Derivative, Difference)) for s in sides) else ROUND_OFF
         n_held, trouble = 0, ""

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, add
 from freebody.language.sentences import Message
-from freebody.narrative.lines.script import Script, When
+from freebody.narrative.lines.glossary import TrueWhen
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -40,12 +41,12 @@ class Unknowns:
 class Solver:
     """Solves rows for one unknown and writes how."""
 
-    def __init__(self, model: SymbolicModel, script: Script, unknowns: Unknowns, when: When = "always") -> None:
+    def __init__(self, model: SymbolicModel, script: Script, unknowns: Unknowns, when: TrueWhen = "always") -> None:
         self.model = model
         self.field = model.field
         self.script = script
         self.unknowns = unknowns
-        self.when: When = when
+        self.when: TrueWhen = when
 
     # -- forward and back ---------------------------------------------------------------------
     def solve(self, rows: Sequence[EliminationRow], asked: Sequence[int]) -> dict[int, tuple[Ratio, int]]:

@@ -11,19 +11,19 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Legend, Script, Sentence, When
+from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Legend, Script, Sentence
 from freebody.narrative.principles.motion_equations import motion_equations, readable
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
+from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import About
 from freebody.study.steady.motion import Steady
 from freebody.study.steady.spin import slopes_beside
-from freebody.study.steady.stability import Linear, linear_at_start
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -136,7 +136,7 @@ class _Beside(Glossary):
         self.linear = linear
         self._found: list[tuple[World, list[complex]]] = []
 
-    def worlds(self, when: When) -> Iterator[World]:
+    def worlds(self, when: TrueWhen) -> Iterator[World]:
         if when != "event":
             yield from super().worlds(when)
             return

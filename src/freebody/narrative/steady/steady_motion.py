@@ -17,9 +17,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, rate_key
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, When, ready
+from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
 from freebody.narrative.principles.motion_equations import balanced, motion_equations
 from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
 from freebody.questions.motion import rates_of
@@ -43,7 +43,7 @@ class SteadyGlossary(Glossary):
         self.steady, self.solutions = steady, solutions
         self._found: list[list[World]] | None = None
 
-    def worlds(self, when: When) -> Iterator[World]:
+    def worlds(self, when: TrueWhen) -> Iterator[World]:
         if when == "event":
             yield from self.of_root(0)
         else:

@@ -22,10 +22,11 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
-from freebody.numeric.equilibrium import CountedPose, LoadBalance, RestSearch
+from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
+from freebody.numeric.rest import CountedPose, LoadBalance
 from freebody.numeric.small_motion import SmallMotion
 from freebody.numeric.snapshot import UNIQUE
 from freebody.numeric.vibration import Stability, stability

@@ -27,7 +27,7 @@ def _find(q: Quantity, setup: Setup, question: Question) -> SteadyFinding:
 
 @_find.register(SteadyValue)
 def _value(q: SteadyValue, setup: Setup, question: Question) -> SteadyFinding:
-    from freebody.study.steady.motion import steady_value
+    from freebody.study.steady.values import steady_value
 
     return steady_value(setup, question, q)
 

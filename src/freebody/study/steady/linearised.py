@@ -16,7 +16,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
-from freebody.study.steady.stability import Linear
+from freebody.study.steady.linear import Linear
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 

@@ -13,86 +13,25 @@ by Routh's array. Sources: `symbolic/routh.py`; for rolling bodies Neimark & Fuf
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
 
 from freebody.errors import CannotAnswer
-from freebody.language.notation import compared, reworded, to_text
+from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.finding import SteadyFinding
+from freebody.study.steady.linear import Linear, linear_at_start
+from freebody.study.steady.linearised import agrees
 from freebody.study.steady.motion import Steady
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.routh import determinant, hurwitz, oscillating, squares
+from freebody.symbolic.routh import hurwitz, oscillating, squares
 from freebody.symbolic.tidy import tidy
-
-_SMALL = 1e-6
-
-
-@dataclass
-class Linear:
-    """The linearised equations about one steady motion. `place`: what stays constant at a known value, by generator;
-    `rates`: the cyclic rates that follow from the others, or are zero. What is in neither stays a symbol."""
-
-    steady: Steady
-    place: dict[int, Ratio]
-    rates: dict[int, Ratio] = field(default_factory=dict[int, Ratio])
-
-    def here(self, x: Ratio) -> Ratio:
-        """In the steady motion."""
-        f = self.steady.model.field
-        x = f.follow(x, self.place | self.steady.still)
-        return f.lowest_terms(f.follow(x, self.rates))
-
-    @cached_property
-    def characteristic(self) -> Ratio:
-        """det(M s^2 - F_u s - F_x), in the parameter s."""
-        m, f, s = self.steady.model, self.steady.model.field, self.exponent
-        rows: list[list[Ratio]] = []
-        for k, force in enumerate(self.steady.forces):
-            row: list[Ratio] = []
-            for j, c in enumerate(m.coordinates):
-                entry = self.here(m.dynamics.mass_matrix[k][j]) * s - self.here(f.partial(force, c.speed))
-                if c in self.steady.others:
-                    entry = entry * s - self.here(f.derivative(force, c.index))
-                row.append(entry)
-            rows.append(row)
-        found = determinant(rows)
-        if found.is_zero():
-            raise CannotAnswer(Message("the coordinates are singular at the start; describe the body by other angles"))
-        return found
-
-    @property
-    def exponent(self) -> Ratio:
-        return self.steady.model.field.parameter("@s")
-
-    @property
-    def coefficients(self) -> list[Ratio]:
-        """Of the characteristic polynomial, from the constant term up."""
-        f = self.steady.model.field
-        return self.characteristic.numerator().coefficients(f.index(self.exponent))
-
-    @cached_property
-    def factors(self) -> list[list[Ratio]]:
-        """Coefficients of the factors that have other roots than zero."""
-        f, s = self.steady.model.field, self.steady.model.field.index(self.exponent)
-        found = [base for base, _exponent in f.factor(self.characteristic.num)[1] if s in base.generators()]
-        return [base.coefficients(s) for base in found if base != self.exponent]
-
-    @property
-    def n_zero(self) -> int:
-        """Roots that are zero, beside those of neighbouring steady motions."""
-        factors = self.steady.model.field.factor(self.characteristic.num)[1]
-        return sum(n for base, n in factors if base == self.exponent) - len(self.steady.cyclic)
 
 
 def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
-    from freebody.study.steady.linearised import agrees
-
     linear = linear_at_start(setup, Steady(setup.model))
     signs: list[Ratio] = []
     roots: list[Ratio] | None = []
@@ -157,90 +96,3 @@ def _given(setup: Setup, linear: Linear) -> dict[int, Ratio]:
     open_ += [c.index for c in steady.others if c.index not in linear.place]
     pi = {setup.model.field.index(setup.model.field.pi)}
     return {index: x for index in open_ if set((x := start.of(index)).generators()) - pi}
-
-
-def linear_at_start(setup: Setup, steady: Steady) -> Linear:
-    """The steady motion of the start, as general as possible: in any pose with any rates; in the pose of the start;
-    with one rate such that it is steady; as it is. What is zero, or a quarter of a turn, stays so."""
-    model, start = setup.model, setup.start
-    bound = [d.name for d in model.dependent if d.index in steady.needed]
-    if bound:
-        raise CannotAnswer(
-            Message(
-                "{names} follow only through a closed loop; the equations have no closed linear form",
-                names=", ".join(bound),
-            )
-        )
-    if not steady.others:
-        raise CannotAnswer(
-            Message("all coordinates are cyclic: every disturbance leads to a neighbouring steady motion")
-        )
-    _check_rest(setup, steady)
-    pose = {c.index: start.of(c.index) for c in steady.others}
-    places = [{index: x for index, x in pose.items() if _is_quarter(x)}, pose]
-    rates = {c.speed: x for c in steady.cyclic if (x := start.of(c.speed)).is_zero()}
-    for place in places:
-        if not _unbalanced(Linear(steady, place, rates)):
-            return Linear(steady, place, rates)
-    for place in places:
-        for c in steady.cyclic:
-            solved = _solved_for(Linear(steady, place, rates), c.speed)
-            if solved is not None:
-                return solved
-    exact = Linear(steady, pose, {c.speed: start.of(c.speed) for c in steady.cyclic})
-    left = _unbalanced(exact)
-    if not left:
-        return exact
-    raise CannotAnswer(
-        Message(
-            "the start is no steady motion: 0 = {x} does not hold there. Start the model in one, as "
-            "the question for a rate in steady motion gives it",
-            x=to_text(tidy(left[0])),
-        )
-    )
-
-
-def _is_quarter(x: Ratio) -> bool:
-    """Whether an element is zero, or a multiple of a quarter turn."""
-    quarters = (2 * x / x.field.pi).fraction()
-    return quarters is not None and quarters.denominator == 1
-
-
-def _check_rest(setup: Setup, steady: Steady) -> None:
-    """Raises CannotAnswer where something moves at the start that has to rest in a steady motion."""
-    start = setup.draws[0].start()
-    for c in steady.others:
-        measure = steady.model.measure_of(c)
-        rate = 0.0 if measure is None else start.rate(measure)
-        if not setup.start.of(c.speed).is_zero() or abs(rate) > _SMALL:
-            raise CannotAnswer(
-                Message(
-                    "{x} moves at the start, and the equations of motion depend on it: the motion is not steady. "
-                    "Of a free body ask for stability of the spin of BODY about x",
-                    x=c.name,
-                )
-            )
-
-
-def _unbalanced(linear: Linear) -> list[Ratio]:
-    """Forces that are left over in the steady motion."""
-    return [x for force in linear.steady.forces if not linear.steady.model.samples.vanishes(x := linear.here(force))]
-
-
-def _solved_for(linear: Linear, speed: int) -> Linear | None:
-    """With one rate such that the motion is steady, where there is one, or one in either sense."""
-    left = _unbalanced(linear)
-    if speed in linear.rates or len(left) != 1:
-        return None
-    model, f = linear.steady.model, left[0].field
-    for base, _exponent in f.factor(left[0].num)[1]:
-        c = base.coefficients(speed) if speed in base.generators() else []
-        value: Ratio | None = None
-        if len(c) == 2 and not c[0].is_zero():
-            value = -c[0] / c[1]
-        if len(c) == 3 and c[1].is_zero():
-            value = f.sqrt(-c[0] / c[2], model.samples.is_negative)
-        if value is not None:
-            found = Linear(linear.steady, linear.place, linear.rates | {speed: value})
-            return None if _unbalanced(found) else found
-    return None

@@ -1,0 +1,106 @@
+"""The value of a quantity in a steady motion, or during one, in closed form."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO
+from freebody.language.notation import compared, reworded
+from freebody.language.sentences import Message, further
+from freebody.questions.reading import Question
+from freebody.questions.steady import SteadyValue
+from freebody.study.setup import Setup
+from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
+from freebody.study.steady.finding import SteadyFinding, odd_part, without_square_roots
+from freebody.study.steady.motion import Solutions, Steady, unknown_of
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
+
+_THERE_IS = Message("there is such a motion")
+_AT_REST = 1e-9
+
+
+def steady_value(setup: Setup, question: Question, q: SteadyValue) -> SteadyFinding:
+    """A rate or a place by the conditions of steady motion, or any other quantity during one."""
+    steady = Steady(setup.model)
+    unknown = unknown_of(steady, q)
+    if unknown is None:
+        return _during(setup, question, q, steady)
+    solutions = steady.at_position(unknown) if _is_place(q) else steady.solved_for(unknown.speed)
+    if not solutions.roots:
+        raise CannotAnswer(further(*solutions.notes) or Message("there is no such motion"))
+    evidence = in_steady_motion(setup, question.text, steady, solutions)
+    always = [compared(ZERO, "=", tidy(x)) for x in steady.always]
+    notes = solutions.notes + [
+        reworded(Message("every rate is steady where {zero}", zero=zero), zero) for zero in always
+    ]
+    roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
+    purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
+    ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
+    conditions = ranges + setup.holding(steady.state)
+    return SteadyFinding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
+
+
+def _is_place(q: SteadyValue) -> bool:
+    return q.of.watched is not None and q.of.watched[1] == 0
+
+
+def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions | None) -> Ratio:
+    if not question.at_start:
+        return x
+    given = setup.start.values
+    return setup.model.field.follow(x, {k: v for k, v in given.items() if solutions is None or k != solutions.index})
+
+
+def _ranges(x: Ratio, purpose: str) -> list[Condition]:
+    """-1 <= u <= 1 for the arcs in an answer."""
+    f, found = x.field, list[Condition]()
+    for index in sorted(x.generators()):
+        name, argument = f.arguments.get(index, ("", x))
+        if name in ("acos", "asin"):
+            for room in (1 - argument, 1 + argument):
+                condition, possible = require(odd_part(room), ">=", purpose)
+                if not possible:
+                    raise CannotAnswer(Message("there is no such motion for any admissible values"))
+                found += [] if condition is None else [condition]
+    return found
+
+
+def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> SteadyFinding:
+    f = setup.model.field
+    value = q.of.value(setup.system, steady.state)
+    parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
+    elements = tuple(without_square_roots(setup.model, f.lowest_terms(f.element(v))) for v in parts)
+    texts = steady.texts()
+    evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
+    notes: list[str] = [] if texts else [Message("every such motion is steady")]
+    says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
+    conditions = setup.holding(steady.state)
+    shown = tuple(_at_start(setup, question, x, None) for x in elements)
+    has_value = all(x.is_constant() for x in shown) or _starts_steadily(setup, steady)
+    if not has_value and setup.has_values:
+        notes.append(Message("no value: the given start is not in steady motion"))
+    element = shown[0] if not isinstance(value, tuple) else shown
+    return SteadyFinding(element, evidence, conditions, notes, says, has_value=has_value)
+
+
+def _starts_steadily(setup: Setup, steady: Steady) -> bool:
+    """Whether the start of the first draw is a steady motion: what the equations contain does not change there."""
+    draw = setup.draws[0]
+    snapshot = draw.start()
+    numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
+    f = setup.model.field
+    try:
+        still = all(abs(float(numbers[c.speed])) < _AT_REST for c in steady.others)
+        return still and all(_vanishes_at(f, x, numbers) for x in steady.equations)
+    except (KeyError, ValueError, ArithmeticError):
+        return False
+
+
+def _vanishes_at(f: Field, x: Ratio, numbers: dict[int, Any]) -> bool:
+    """Zero beside the sum of the sizes of its terms."""
+    parts = [float(f.evaluate(f.polynomial({m: c}), numbers)) for m, c in f.terms(x.num).items()]
+    return abs(sum(parts)) <= ROUND_OFF * sum(map(abs, parts))
