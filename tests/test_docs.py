@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import ast
+import importlib
+import importlib.util
 import re
 import shlex
 import types
@@ -125,3 +128,20 @@ def test_the_connection_of_contributing_works_as_written() -> None:
         assert [point.body for point in line.points] == ["a", "m", "b"]
     finally:
         Connection.kinds.pop("midpoint", None)
+
+
+def test_what_benchmarks_and_tools_import_is_there() -> None:
+    """They are no part of the package, and nothing else runs them."""
+    missing: list[str] = []
+    for path in [*ROOT.glob("benchmarks/**/*.py"), *ROOT.glob("tools/*.py")]:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "freebody":
+                try:
+                    module = importlib.import_module(str(node.module))
+                except ImportError:
+                    missing.append(f"{path.name}: {node.module}")
+                    continue
+                for alias in node.names:
+                    if not hasattr(module, alias.name) and not importlib.util.find_spec(f"{node.module}.{alias.name}"):
+                        missing.append(f"{path.name}: {node.module}.{alias.name}")
+    assert not missing

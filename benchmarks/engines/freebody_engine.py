@@ -24,7 +24,8 @@ from problems import (
 from freebody import System
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.reference import Reference
-from freebody.study.simulate import Simulator, simulate
+from freebody.study.simulation.simulate import simulate
+from freebody.study.simulation.simulator import Simulator
 
 TOLERANCES = (1e-2, 1e-12)
 

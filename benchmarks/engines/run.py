@@ -30,7 +30,7 @@ from table import markdown
 
 HERE = Path(__file__).resolve().parent
 ENGINES = {  # name: (module here, package to import, name of the distribution)
-    "freebody": ("freebody_engine", "freebody.study.simulate", "freebody"),
+    "freebody": ("freebody_engine", "freebody.study.simulation.simulate", "freebody"),
     "MuJoCo": ("mujoco_peer", "mujoco", "mujoco"),
     "Pinocchio": ("pinocchio_peer", "pinocchio", "pin"),
     "Exudyn": ("exudyn_peer", "exudyn", "exudyn"),

@@ -221,7 +221,7 @@ def free_body(tolerance: float) -> dict[str, Any]:
 def slider_crank(tolerance: float, rounds: int) -> dict[str, Any]:
     """The example `spatial_slider_crank` for 10 s: median of the wall times, the start included or not."""
     import freebody as fb
-    from freebody.study.simulate import Simulator
+    from freebody.study.simulation.simulator import Simulator
 
     system = fb.System.load(EXAMPLES / "spatial_slider_crank.yaml")
     simulator = Simulator(system)
