@@ -324,3 +324,21 @@ def test_a_formula_that_nobody_would_read_is_told_by_its_size() -> None:
     assert re.search(r"a formula of \d+ operations \(--full", short)
     assert "sin(89" in full.replace("⋅", "").replace("·a", "")
     assert " and b > 0" * 200 in full
+
+
+def test_a_length_taken_positive_at_the_start_is_compared_only_there() -> None:
+    """A spring of no free length from x0: v = |x0 - 3 m| sqrt(k/m) where it passes its anchor, from either side."""
+    text = """
+parameters: {{k: 50 N/m, x0: {x0} m}}
+ground: {{points: {{B: [3 m, 0]}}}}
+bodies: {{block: {{particle: {{mass: 1 kg}}}}}}
+connections: {{guide: {{slider: {{body: block, along: right, through: ground.B}}}}}}
+loads: {{s: {{spring: {{first: ground.B, second: block, stiffness: k, length: 0}}}}}}
+measures: {{x: x of block}}
+start: {{x: x0}}
+questions: [{{find: speed of block when x = 3 m}}]
+"""
+    for x0 in (3.2, 2.5):
+        answer = fb.System.from_text(text.format(x0=x0)).solve()["q1"]
+        assert answer.value == pytest.approx(abs(x0 - 3) * math.sqrt(50), rel=1e-9)
+        assert any("x₀" in condition for condition in answer.conditions)

@@ -186,6 +186,8 @@ class QuestionSolver:
                 conditions.append(condition)
         x: Ratio = q.counted(FormulaPassage(self.setup, reached, self._elements))
         self._check_is_told(x)
+        # what is taken to be positive is so at the start: a formula with its sign is compared only there
+        taken = self.setup.holding(self.setup.start_instant, with_contacts=False)
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
@@ -193,7 +195,7 @@ class QuestionSolver:
             event,
             x,
             reached.time,
-            [*conditions, *self._root_conditions(x)],
+            [*conditions, *taken, *self._root_conditions(x)],
         )
         return _ClosedForm(x, evidence, conditions, reached.notes, at_start=True, says=reached.says)
 
