@@ -27,7 +27,7 @@ from freebody.errors import CannotAnswer, InputError
 from freebody.present import busy as busy_line
 from freebody.present.files import check_writable, replaced, write_whole
 from freebody.present.report.blocks import Paragraph, Report, text
-from freebody.present.report.write import FORMATS, write_report
+from freebody.present.report.write import report_formats, write_report
 
 MODEL = """
 title: A block
@@ -139,7 +139,7 @@ def _full(*_arguments: object, **_options: object) -> None:
     raise OSError(errno.ENOSPC, "No space left on device")
 
 
-@pytest.mark.parametrize("suffix", [s for s in FORMATS if s != ".pdf"])
+@pytest.mark.parametrize("suffix", [s for s in report_formats() if s != ".pdf"])
 def test_a_report_on_a_full_disk(suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     report = Report("t", "en", "s", (Paragraph(text("words")),), {})
     path = tmp_path / f"r{suffix}"

@@ -20,12 +20,12 @@ from freebody.errors import InputError
 from freebody.language.plain_text import plain, plain_lines, shortened
 from freebody.present.animation import write_animation
 from freebody.present.report.blocks import Bullets, Emphasis, Figure, Paragraph, Report, Section, Step, Table, text
-from freebody.present.report.html import html_page
-from freebody.present.report.latex import latex_document
-from freebody.present.report.markdown import markdown_files
-from freebody.present.report.notebook import notebook_text
-from freebody.present.report.terminal import terminal_text
-from freebody.present.report.typst import typst_files
+from freebody.present.report.formats.html import html_page
+from freebody.present.report.formats.latex import latex_document
+from freebody.present.report.formats.markdown import markdown_files
+from freebody.present.report.formats.notebook import notebook_text
+from freebody.present.report.formats.terminal import terminal_text
+from freebody.present.report.formats.typst import typst_files
 from freebody.present.scene import Scene
 from freebody.present.terminal import answer_lines, solution_lines
 from freebody.study.answering.answer import Answer

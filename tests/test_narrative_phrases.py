@@ -18,7 +18,7 @@ from freebody.narrative.sheets.statement import ExerciseStatement
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.phrases import PLACE, TextPattern, phrases_of
 from freebody.present.report.blocks import Block, Report
-from freebody.present.report.terminal import terminal_text
+from freebody.present.report.formats.terminal import terminal_text
 
 SOURCES = Path(fb.__file__).parent
 ENGLISH = set(

@@ -19,7 +19,7 @@ from freebody.narrative.sheets.sheet import load_systems, sheet
 from freebody.narrative.sheets.variants import rounded
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Figure, Figures, Section, Step, equation_numbers
-from freebody.present.report.terminal import terminal_text
+from freebody.present.report.formats.terminal import terminal_text
 from freebody.study.answering.solve import solve
 
 EXAMPLES = Path(__file__).parent.parent / "examples"

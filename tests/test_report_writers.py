@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from html.parser import HTMLParser
 from importlib import import_module
@@ -19,9 +20,12 @@ from markdown_it import MarkdownIt
 from freebody.errors import InputError
 from freebody.language.expression import Number
 from freebody.language.parser import parse
+from freebody.present.report import formats
 from freebody.present.report.blocks import (
     Columns,
     Difference,
+    Entries,
+    Entry,
     Equation,
     Equations,
     Formula,
@@ -31,20 +35,21 @@ from freebody.present.report.blocks import (
     equation_numbers,
     text,
 )
+from freebody.present.report.formats.html import html_fragment, html_page
+from freebody.present.report.formats.latex import latex_document, latex_fragment
+from freebody.present.report.formats.markdown import markdown_files
+from freebody.present.report.formats.notebook import notebook_text
+from freebody.present.report.formats.terminal import columns, terminal_text
+from freebody.present.report.formats.typst import pdf_bytes, typst_files
 from freebody.present.report.formulas.latex import LatexFormulas
 from freebody.present.report.formulas.line import LineFormulas
 from freebody.present.report.formulas.mathml import MathMLFormulas
 from freebody.present.report.formulas.rows import rows
 from freebody.present.report.formulas.stacked import StackedFormulas
 from freebody.present.report.formulas.typst import TypstFormulas
-from freebody.present.report.html import html_fragment, html_page
-from freebody.present.report.latex import latex_document, latex_fragment
 from freebody.present.report.latex_text import latex_words, web_words
-from freebody.present.report.markdown import markdown_files
-from freebody.present.report.notebook import notebook_text
-from freebody.present.report.terminal import columns, terminal_text
-from freebody.present.report.typst import pdf_bytes, typst_files
-from freebody.present.report.write import FORMATS, check_report_path, write_report
+from freebody.present.report.write import check_report_path, report_formats, write_report
+from freebody.present.report.writer import ReportFormat
 from report_sample import HOSTILE, LAGRANGE, formula, hostile, sample, vector
 
 needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
@@ -370,7 +375,7 @@ def test_a_terminal_is_given_no_control_characters() -> None:
 
 
 # -- files ----------------------------------------------------------------------------------------
-@pytest.mark.parametrize("suffix", FORMATS)
+@pytest.mark.parametrize("suffix", report_formats())
 def test_a_report_is_written_by_the_suffix(suffix: str, tmp_path: Path) -> None:
     if suffix == ".pdf" and find_spec("typst") is None:
         pytest.skip("typst is not installed")
@@ -400,6 +405,104 @@ def test_a_path_that_cannot_be_written_is_told_before_any_work(tmp_path: Path) -
 
 
 def test_without_typst_a_pdf_is_refused_with_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("freebody.present.report.typst.find_spec", lambda name: None)
+    monkeypatch.setattr("freebody.present.report.formats.typst.find_spec", lambda name: None)
     with pytest.raises(InputError, match=r"freebody\[report\]"):
         check_report_path(tmp_path / "a.pdf")
+
+
+# -- a format of one's own ------------------------------------------------------------------------
+ASCIIDOC = '''"""Reports in AsciiDoc, with formulas in its own mathematics."""
+
+from freebody.language.notation import to_text
+from freebody.present.report.formulas.line import LineFormulas
+from freebody.present.report.writer import BlockWriter, ReportFormat
+
+
+class AsciiMath(LineFormulas):
+    def expression(self, expr):
+        return to_text(expr).replace("·", "*")
+
+    def over(self, above, below):
+        return f"({above})/({below})"
+
+
+class AsciiDocWriter(BlockWriter[str]):
+    formulas = AsciiMath()
+
+    def blocks(self, blocks):
+        return "\\n\\n".join(map(self.block, blocks))
+
+    def paragraph(self, text):
+        return self.text(text)
+
+    def equations(self, lines):
+        inner = "\\n".join(self.formulas.formula(line.formula) for line in lines)
+        return f"[stem]\\n++++\\n{inner}\\n++++"
+
+    def bullets(self, items, *, is_numbered):
+        return "\\n".join(f"{'.' if is_numbered else '*'} {item}" for item in items)
+
+    def table(self, table):
+        rows = [row for row in (table.header, *table.rows) if row]
+        return "\\n".join(["|===", *("|" + " |".join(map(self.text, row)) for row in rows), "|==="])
+
+    def figure(self, figure):
+        return f".{self.text(figure.caption)}\\nimage::{figure.number}.svg[]"
+
+    def figures(self, figures):
+        return "\\n\\n".join(map(self.figure, figures))
+
+    def step(self, step):
+        return f".{self.text(step.title)}\\n[%collapsible]\\n====\\n{self.blocks(step.blocks)}\\n===="
+
+    def section(self, section):
+        return f"{'=' * section.level} {self.text(section.title)}\\n\\n{self.blocks(section.blocks)}"
+
+    def beside(self, left, right):
+        return self.blocks([*left, *right])
+
+    def remark(self, text, kind):
+        return f"{'WARNING' if kind == 'warning' else 'NOTE'}: {text}"
+
+    def words(self, text):
+        return f"pass:c[{text}]"
+
+    def formula(self, formula):
+        return f"stem:[{self.formulas.formula(formula)}]"
+
+    def emphasis(self, emphasis):
+        return f"*{self.words(emphasis.words)}*"
+
+    def equation_link(self, number):
+        return f"<<eq-{number}>>"
+
+    def figure_link(self, number):
+        return f"<<fig-{number}>>"
+
+
+def files(report, path, code):
+    return [(path, f"= {report.title}\\n\\n{AsciiDocWriter(report).blocks(report.blocks)}\\n".encode())]
+
+
+ReportFormat(".adoc", "AsciiDoc", files, place=9)
+'''
+
+
+def test_a_new_format_is_one_file_with_a_writer_and_a_dialect(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "asciidoc.py").write_text(ASCIIDOC, encoding="utf-8")
+    monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path)])
+    monkeypatch.setattr(ReportFormat, "known", dict(ReportFormat.known))
+    try:
+        with pytest.raises(InputError, match=r"\.adoc \(AsciiDoc\)"):
+            check_report_path(tmp_path / "a.doc")
+        report = sample()
+        short = (Entries((Entry("value", (text("2.5 m/s"),)), Entry("valid", (text(formula("m", ">", "0")),)))),)
+        (path,) = write_report(replace(report, blocks=(*report.blocks, *short)), tmp_path / "a.adoc")
+    finally:
+        sys.modules.pop(f"{formats.__name__}.asciidoc", None)
+    written = path.read_text(encoding="utf-8")
+    assert written.startswith(f"= {report.title}\n")
+    assert "[stem]\n++++\n" in written
+    assert "|*pass:c[value]* |pass:c[2.5 m/s]\n|*pass:c[valid]* |stem:[m > 0]\n|===" in written
+    for mark in ("\n== ", "|===", "image::1.svg[]", "[%collapsible]"):
+        assert mark in written

@@ -16,12 +16,12 @@ from freebody.language.expression import Call, Expr, Number, Symbol, evaluate, f
 from freebody.language.notation import to_latex, to_mathml, to_pretty_lines, to_python, to_text, to_typst
 from freebody.language.parser import parse
 from freebody.present.report.blocks import Equation, Equations, Formula, Report
-from freebody.present.report.html import html_page
-from freebody.present.report.latex import latex_document
-from freebody.present.report.markdown import markdown_files
-from freebody.present.report.notebook import notebook_text
-from freebody.present.report.terminal import terminal_text
-from freebody.present.report.typst import typst_files
+from freebody.present.report.formats.html import html_page
+from freebody.present.report.formats.latex import latex_document
+from freebody.present.report.formats.markdown import markdown_files
+from freebody.present.report.formats.notebook import notebook_text
+from freebody.present.report.formats.terminal import terminal_text
+from freebody.present.report.formats.typst import typst_files
 from freebody.present.terminal import answer_lines
 from freebody.study.answering.answer import Answer
 from test_examples import EXAMPLES, solved

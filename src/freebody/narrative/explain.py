@@ -40,13 +40,13 @@ class Explanation(WorkedSolutions):
 
     def to_html(self) -> str:
         """A page of its own, without any network."""
-        from freebody.present.report.html import html_page
+        from freebody.present.report.formats.html import html_page
 
         return html_page(self.report)
 
     def to_text(self, width: int = 100) -> str:
         """For a terminal."""
-        from freebody.present.report.terminal import terminal_text
+        from freebody.present.report.formats.terminal import terminal_text
 
         return terminal_text(self.report, width)
 
@@ -63,12 +63,12 @@ class Explanation(WorkedSolutions):
         return f'import freebody\n\nsystem = freebody.System.load("{name}")\nsystem.solve()'
 
     def _repr_html_(self) -> str:
-        from freebody.present.report.html import html_fragment
+        from freebody.present.report.formats.html import html_fragment
 
         return html_fragment(self.report)
 
     def _repr_latex_(self) -> str:
-        from freebody.present.report.latex import latex_fragment
+        from freebody.present.report.formats.latex import latex_fragment
 
         return latex_fragment(self.report)
 

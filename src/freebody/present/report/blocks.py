@@ -98,11 +98,27 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Table:
-    """rows: each as long as the header. marks: by row, "right" or "wrong" or nothing."""
+    """rows: each as long as the header, which may be left out. marks: by row, "right" or "wrong" or nothing."""
 
     header: tuple[Text, ...]
     rows: tuple[tuple[Text, ...], ...]
     marks: tuple[Literal["", "right", "wrong"], ...] = ()
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What is said under a label, one text or several. is_below: it belongs to the entry before."""
+
+    label: str
+    texts: tuple[Text, ...]
+    is_below: bool = False
+
+
+@dataclass(frozen=True)
+class Entries:
+    """Labelled texts: the value of an answer, its conditions, notes on it."""
+
+    entries: tuple[Entry, ...]
 
 
 class Picture(Protocol):
@@ -175,7 +191,7 @@ class Remark:
     kind: Literal["result", "evidence", "warning"] = "result"
 
 
-Block = Paragraph | Equations | Bullets | Table | Figure | Figures | Step | Section | Columns | Remark
+Block = Paragraph | Equations | Bullets | Table | Entries | Figure | Figures | Step | Section | Columns | Remark
 
 
 @dataclass(frozen=True)

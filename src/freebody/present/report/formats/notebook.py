@@ -8,11 +8,13 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import Any
 
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import Block, Figure, Report, Section
-from freebody.present.report.markdown import MarkdownWriter
+from freebody.present.report.formats.markdown import MarkdownWriter
+from freebody.present.report.writer import ReportFormat
 
 
 def notebook_text(report: Report, *, code: str = "") -> str:
@@ -65,3 +67,10 @@ def _groups(blocks: Sequence[Block]) -> Iterator[Sequence[Block]]:
 
 def _lines(text: str) -> list[str]:
     return text.splitlines(keepends=True)
+
+
+def _files(report: Report, path: Path, code: str) -> Sequence[tuple[Path, bytes]]:
+    return [(path, notebook_text(report, code=code).encode())]
+
+
+ReportFormat(".ipynb", "a Jupyter notebook", _files, place=4)

@@ -9,22 +9,16 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from html import escape
+from pathlib import Path
 
+from freebody.errors import InputError
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
-    Bullets,
-    Columns,
     Emphasis,
     Equation,
-    Equations,
     Figure,
-    Figures,
     Formula,
-    Paragraph,
-    Piece,
-    Reference,
-    Remark,
     Report,
     Section,
     Step,
@@ -35,6 +29,7 @@ from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_
 from freebody.present.report.formulas.rows import rows
 from freebody.present.report.latex_text import web_words
 from freebody.present.report.words import capital, word
+from freebody.present.report.writer import BlockWriter, ReportFormat
 
 _ROW_WIDTH = 72
 _MARKS = {"": "", "right": "✓", "wrong": "✗"}
@@ -55,12 +50,12 @@ def markdown_files(report: Report, name: str) -> tuple[str, dict[str, str]]:
     return MarkdownWriter(report, place).document(), files
 
 
-class MarkdownWriter:
+class MarkdownWriter(BlockWriter[str]):
     """Writes the blocks of one report. place: keeps a drawing, and says where it is. has_alerts: remarks as the
     coloured boxes of GitHub, otherwise as quotations."""
 
     def __init__(self, report: Report, place: Callable[[Figure], str], *, has_alerts: bool = True) -> None:
-        self.report = report
+        super().__init__(report)
         self.place = place
         self.has_alerts = has_alerts
 
@@ -71,43 +66,35 @@ class MarkdownWriter:
         subtitle = f"\n\n{_words(self.report.subtitle)}" if self.report.subtitle.strip() else ""
         return f"# {_words(self.report.title)}{subtitle}"
 
-    def word(self, key: str) -> str:
-        return word(self.report, key)
-
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> str:
         return "\n\n".join(self.block(block) for block in blocks)
 
-    def block(self, block: Block) -> str:
-        match block:
-            case Paragraph(text):
-                return self.text(text).strip()
-            case Equations(lines):
-                return self.equations(lines)
-            case Bullets(items, is_numbered):
-                leads = [f"{k}. " if is_numbered else "- " for k in range(1, len(items) + 1)]
-                return "\n".join(lead + self.text(item) for lead, item in zip(leads, items, strict=True))
-            case Table():
-                return self.table(block)
-            case Figure():
-                return self.figure(block)
-            case Figures(figures):
-                return "\n\n".join(self.figure(figure) for figure in figures)
-            case Step():
-                return self.step(block)
-            case Section():
-                level = max(2, min(block.level, 6))
-                return f"{'#' * level} {self.text(block.title)}\n\n{self.blocks(block.blocks)}"
-            case Columns(left, right):
-                return f"{self.blocks(left)}\n\n---\n\n{self.blocks(right)}"
-            case Remark(text, kind):
-                alert = f"> [!{_ALERTS[kind]}]\n" if self.has_alerts else ""
-                sign = {"result": "", "warning": "**!** ", "evidence": "✓ "}[kind] if not alert else ""
-                return f"{alert}> {sign}{self.text(text)}"
+    def paragraph(self, text: Text) -> str:
+        return self.text(text).strip()
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> str:
+        leads = [f"{k}. " if is_numbered else "- " for k in range(1, len(items) + 1)]
+        return "\n".join(lead + item for lead, item in zip(leads, items, strict=True))
+
+    def figures(self, figures: Sequence[Figure]) -> str:
+        return "\n\n".join(self.figure(figure) for figure in figures)
+
+    def section(self, section: Section) -> str:
+        level = max(2, min(section.level, 6))
+        return f"{'#' * level} {self.text(section.title)}\n\n{self.blocks(section.blocks)}"
+
+    def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
+        return f"{self.blocks(left)}\n\n---\n\n{self.blocks(right)}"
+
+    def remark(self, text: str, kind: str) -> str:
+        alert = f"> [!{_ALERTS[kind]}]\n" if self.has_alerts else ""
+        sign = {"result": "", "warning": "**!** ", "evidence": "✓ "}[kind] if not alert else ""
+        return f"{alert}> {sign}{text}"
 
     def step(self, step: Step) -> str:
-        hint = f"\n\n*{_words(capital(self.word('hint')))}:* {self.text(step.hint)}" if step.hint else ""
-        summary = f"<details>\n<summary>{_html(capital(self.word('show the step')))}</summary>"
+        hint = f"\n\n*{capital(self.word('hint'))}:* {self.text(step.hint)}" if step.hint else ""
+        summary = f"<details>\n<summary>{_html(capital(word(self.report, 'show the step')))}</summary>"
         return f"**{self.title(step.title)}**{hint}\n\n{summary}\n\n{self.blocks(step.blocks)}\n\n</details>"
 
     def title(self, text: Text) -> str:
@@ -137,34 +124,35 @@ class MarkdownWriter:
         marks = [_MARKS[mark] for mark in table.marks] + [""] * (len(table.rows) - len(table.marks))
         header = [*([" "] if marked else []), *map(self.text, table.header)]
         body = [[*([marks[k]] if marked else []), *map(self.text, row)] for k, row in enumerate(table.rows)]
+        header = header if table.header or not body else [" "] * len(body[0])  # there must be one
         return "\n".join("| " + " | ".join(row) + " |" for row in (header, ["---"] * len(header), *body))
 
     def figure(self, figure: Figure) -> str:
         label = _words(f"{figure.picture.title}. {figure.picture.description}")
-        name = f"**{_words(capital(self.word('figure')))} {figure.number}**"
+        name = f"**{capital(self.word('figure'))} {figure.number}**"
         return f"![{label}]({self.place(figure)})\n\n{name} {self.text(figure.caption)}"
 
     # -- text -------------------------------------------------------------------------------------
-    def text(self, text: Text) -> str:
-        return "".join(self.piece(piece) for piece in text)
+    def words(self, text: str) -> str:
+        return _words(text)
 
-    def piece(self, piece: Piece) -> str:
-        match piece:
-            case str():
-                return _words(piece)
-            case Formula():
-                return f"${_math(WRITER.formula(piece))}$"
-            case Emphasis(words, "code"):
-                return f"<code>{_words(words)}</code>"
-            case Emphasis(words, look):
-                # Beside a sign, asterisks are not always read as emphasis.
-                mark, element = ("**", "strong") if look == "strong" else ("*", "em")
-                is_plain = words[:1].isalnum() and words[-1:].isalnum()
-                return f"{mark}{_words(words)}{mark}" if is_plain else f"<{element}>{_words(words)}</{element}>"
-            case Reference(number, "equation"):
-                return f"({number})"
-            case Reference(number, _):
-                return f"{_words(self.word('figure'))} {number}"
+    def formula(self, formula: Formula) -> str:
+        return f"${_math(WRITER.formula(formula))}$"
+
+    def emphasis(self, emphasis: Emphasis) -> str:
+        words, look = emphasis.words, emphasis.look
+        if look == "code":
+            return f"<code>{_words(words)}</code>"
+        # Beside a sign, asterisks are not always read as emphasis.
+        mark, element = ("**", "strong") if look == "strong" else ("*", "em")
+        is_plain = words[:1].isalnum() and words[-1:].isalnum()
+        return f"{mark}{_words(words)}{mark}" if is_plain else f"<{element}>{_words(words)}</{element}>"
+
+    def equation_link(self, number: int) -> str:
+        return f"({number})"
+
+    def figure_link(self, number: int) -> str:
+        return f"{self.word('figure')} {number}"
 
 
 def _words(text: str) -> str:
@@ -191,3 +179,17 @@ def _tag(number: int) -> str:
 
 
 _DIALECT = Dialect(web_words, _tag)
+
+
+def _files(report: Report, path: Path, _code: str) -> Sequence[tuple[Path, bytes]]:
+    text, drawings = markdown_files(report, path.stem)
+    return [(path, text.encode()), *((path.parent / name, svg.encode()) for name, svg in drawings.items())]
+
+
+def _check(path: Path) -> None:
+    folder = path.with_name(f"{path.stem}-figures")
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder}: the drawings go into a folder of this name, but there is a file. Rename one")
+
+
+ReportFormat(".md", "Markdown, with the drawings in a folder beside it", _files, _check, place=1)

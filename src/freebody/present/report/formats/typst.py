@@ -19,18 +19,10 @@ from freebody.errors import InputError
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
-    Bullets,
-    Columns,
     Emphasis,
     Equation,
-    Equations,
     Figure,
-    Figures,
     Formula,
-    Paragraph,
-    Piece,
-    Reference,
-    Remark,
     Report,
     Section,
     Step,
@@ -40,6 +32,7 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.rows import formula_width, rows
 from freebody.present.report.formulas.typst import TypstFormulas, quoted
 from freebody.present.report.words import capital, word
+from freebody.present.report.writer import BlockWriter, ReportFormat
 
 _ROW_WIDTH, _COLUMN_WIDTH = 68, 30  # characters of a displayed formula
 _FORMULAS = TypstFormulas()
@@ -76,50 +69,52 @@ def _language(report: Report) -> str:
     return found[0] if found else "en"
 
 
-class _Writer:
+class _Writer(BlockWriter[str]):
     """Writes the blocks of one report and keeps its drawings."""
 
     def __init__(self, report: Report) -> None:
-        self.report = report
+        super().__init__(report)
         self.width = _ROW_WIDTH
         self.drawings: dict[str, str] = {}
         self.labels: set[str] = set()
 
     def word(self, key: str) -> str:
+        """As it is: it becomes a string of Typst together with what stands beside it."""
         return word(self.report, key)
 
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> str:
         return "\n\n".join(self.block(block) for block in blocks)
 
-    def block(self, block: Block) -> str:
-        match block:
-            case Paragraph(text):
-                return self.text(text)
-            case Equations(lines):
-                return f"#equations(({''.join(self.equation(line) + ', ' for line in lines)}))"
-            case Bullets(items, is_numbered):
-                name = "enum" if is_numbered else "list"
-                return f"#{name}({', '.join(f'[{self.text(item)}]' for item in items)})"
-            case Table():
-                return self.table(block)
-            case Figure():
-                return self.figure(block)
-            case Figures(figures):
-                return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
-            case Step(title, hint, inner):
-                given = f"[{self.text(hint)}]" if hint else "none"
-                label = _words(capital(self.word("hint")))
-                return f"#step([{self.text(title)}], {label}, {given})[\n{self.blocks(inner)}\n]"
-            case Section(title, inner, level):
-                return f"#heading(level: {max(1, level - 1)})[{self.text(title)}]\n\n{self.blocks(inner)}"
-            case Columns(left, right):
-                before, self.width = self.width, _COLUMN_WIDTH
-                sides = [self.blocks(left), self.blocks(right)]
-                self.width = before
-                return f"#two-columns[\n{sides[0]}\n][\n{sides[1]}\n]"
-            case Remark(text, kind):
-                return f'#remark("{kind}")[{self.text(text)}]'
+    def paragraph(self, text: Text) -> str:
+        return self.text(text)
+
+    def equations(self, lines: Sequence[Equation]) -> str:
+        return f"#equations(({''.join(self.equation(line) + ', ' for line in lines)}))"
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> str:
+        return f"#{'enum' if is_numbered else 'list'}({', '.join(f'[{item}]' for item in items)})"
+
+    def figures(self, figures: Sequence[Figure]) -> str:
+        return f"#beside({''.join(f'[{self.figure(figure)}], ' for figure in figures)})"
+
+    def step(self, step: Step) -> str:
+        given = f"[{self.text(step.hint)}]" if step.hint else "none"
+        label = _words(capital(self.word("hint")))
+        return f"#step([{self.text(step.title)}], {label}, {given})[\n{self.blocks(step.blocks)}\n]"
+
+    def section(self, section: Section) -> str:
+        level = max(1, section.level - 1)
+        return f"#heading(level: {level})[{self.text(section.title)}]\n\n{self.blocks(section.blocks)}"
+
+    def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
+        before, self.width = self.width, _COLUMN_WIDTH
+        sides = [self.blocks(left), self.blocks(right)]
+        self.width = before
+        return f"#two-columns[\n{sides[0]}\n][\n{sides[1]}\n]"
+
+    def remark(self, text: str, kind: str) -> str:
+        return f'#remark("{kind}")[{text}]'
 
     def equation(self, equation: Equation) -> str:
         broken = rows(equation.formula, self.width)
@@ -156,28 +151,24 @@ class _Writer:
         return f"#drawing({quoted(name)}, {described}, {lead})[{self.text(figure.caption)}] {where}"
 
     # -- text -------------------------------------------------------------------------------------
-    def text(self, text: Text) -> str:
-        return "".join(self.piece(piece) for piece in text)
-
     def words(self, text: str) -> str:
         return f"#{_words(text)};"
 
-    def piece(self, piece: Piece) -> str:
-        match piece:
-            case str():
-                return self.words(piece)
-            case Formula():
-                written = _FORMULAS.formula(piece)
-                # A column within a text would be set in small letters.
-                is_column = any(isinstance(side, tuple) for side in piece.sides)
-                written = f"$display({written})$" if is_column else f"${written}$"
-                return f"#alone({written});" if formula_width(piece) > self.width else written
-            case Emphasis(words, look):
-                return f"#{look}({_words(words)});"
-            case Reference(number, "equation"):
-                return self.link(f"eq-{number}", f"({number})")
-            case Reference(number, _):
-                return self.link(f"fig-{number}", f"{self.word('figure')} {number}")
+    def formula(self, formula: Formula) -> str:
+        written = _FORMULAS.formula(formula)
+        # A column within a text would be set in small letters.
+        is_column = any(isinstance(side, tuple) for side in formula.sides)
+        written = f"$display({written})$" if is_column else f"${written}$"
+        return f"#alone({written});" if formula_width(formula) > self.width else written
+
+    def emphasis(self, emphasis: Emphasis) -> str:
+        return f"#{emphasis.look}({_words(emphasis.words)});"
+
+    def equation_link(self, number: int) -> str:
+        return self.link(f"eq-{number}", f"({number})")
+
+    def figure_link(self, number: int) -> str:
+        return self.link(f"fig-{number}", f"{self.word('figure')} {number}")
 
 
 def _words(text: str) -> str:
@@ -192,3 +183,10 @@ def _still(svg: str) -> str:
     """A drawing as it is on white paper: rules for dark screens left out, variables by what they fall back to."""
     light = re.sub(r"@media[^{]*\{(?:[^{}]|\{[^{}]*\})*\}", "", svg)
     return re.sub(r"var\(\s*--[\w-]+\s*,\s*([^()]+)\)", r"\1", light)
+
+
+def _files(report: Report, path: Path, _code: str) -> Sequence[tuple[Path, bytes]]:
+    return [(path, pdf_bytes(report))]
+
+
+ReportFormat(".pdf", "PDF", _files, lambda _path: check_typst(), place=3)

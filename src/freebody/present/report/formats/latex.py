@@ -9,18 +9,11 @@ from collections.abc import Sequence
 
 from freebody.present.report.blocks import (
     Block,
-    Bullets,
-    Columns,
     Emphasis,
     Equation,
     Equations,
     Figure,
-    Figures,
     Formula,
-    Paragraph,
-    Piece,
-    Reference,
-    Remark,
     Report,
     Section,
     Step,
@@ -30,7 +23,8 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows
 from freebody.present.report.formulas.rows import formula_width
 from freebody.present.report.latex_text import latex_words, math_words
-from freebody.present.report.words import capital, word
+from freebody.present.report.words import capital
+from freebody.present.report.writer import BlockWriter, ReportFormat
 from freebody.present.theme import THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
@@ -87,52 +81,44 @@ def latex_fragment(report: Report) -> str:
     return f"% needs the packages {PACKAGES}\n{MACROS}{colors}{_Writer(report).blocks(report.blocks)}\n"
 
 
-class _Writer:
+class _Writer(BlockWriter[str]):
     """Writes the blocks of one report. width: [characters] of a displayed formula."""
 
     def __init__(self, report: Report, width: int = _ROW_WIDTH) -> None:
-        self.report = report
+        super().__init__(report)
         self.width = width
-
-    def word(self, key: str) -> str:
-        return latex_words(word(self.report, key))
 
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> str:
         """A formula goes on with the paragraph before it, which keeps the space above it small."""
         return "".join(("\n" if isinstance(b, Equations) else "\n\n") + self.block(b) for b in blocks).strip("\n")
 
-    def block(self, block: Block) -> str:
-        match block:
-            case Paragraph(text):
-                return self.text(text)
-            case Equations(lines):
-                return self.equations(lines)
-            case Bullets(items, is_numbered):
-                name = "enumerate" if is_numbered else "itemize"
-                # \relax keeps a bracket at the start of an item from being its option.
-                inner = "\n".join(rf"\item\relax {self.text(item)}" for item in items)
-                return f"\\begin{{{name}}}\n{inner}\n\\end{{{name}}}"
-            case Table():
-                return self.table(block)
-            case Figure():
-                return "\\begin{center}\n" + self.figure(block, r"\linewidth") + "\n\\end{center}"
-            case Figures(figures):
-                share = 0.95 / max(1, min(3, len(figures)))
-                drawn = [_minipage(share, r"\centering", self.figure(figure, r"\linewidth")) for figure in figures]
-                return "\\begin{center}\n" + "\\hfill\n".join(drawn) + "\n\\end{center}"
-            case Step():
-                return self.step(block)
-            case Section():
-                heading = _HEADINGS.get(block.level, "paragraph")
-                title = rf"\{heading}{{\texorpdfstring{{{self.text(block.title)}}}{{{self.bookmark(block.title)}}}}}"
-                return f"{title}\n{self.blocks(block.blocks)}"
-            case Columns(left, right):
-                narrow = _Writer(self.report, _COLUMN_WIDTH)
-                parts = [_minipage(0.48, r"\setlength{\parskip}{4pt}", narrow.blocks(side)) for side in (left, right)]
-                return "\\noindent" + "\\hfill\n".join(parts)
-            case Remark(text, kind):
-                return self.remark(self.text(text), kind)
+    def paragraph(self, text: Text) -> str:
+        return self.text(text)
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> str:
+        name = "enumerate" if is_numbered else "itemize"
+        # \relax keeps a bracket at the start of an item from being its option.
+        inner = "\n".join(rf"\item\relax {item}" for item in items)
+        return f"\\begin{{{name}}}\n{inner}\n\\end{{{name}}}"
+
+    def figure(self, figure: Figure) -> str:
+        return "\\begin{center}\n" + self.drawing(figure) + "\n\\end{center}"
+
+    def figures(self, figures: Sequence[Figure]) -> str:
+        share = 0.95 / max(1, min(3, len(figures)))
+        drawn = [_minipage(share, r"\centering", self.drawing(figure)) for figure in figures]
+        return "\\begin{center}\n" + "\\hfill\n".join(drawn) + "\n\\end{center}"
+
+    def section(self, section: Section) -> str:
+        heading = _HEADINGS.get(section.level, "paragraph")
+        title = rf"\{heading}{{\texorpdfstring{{{self.text(section.title)}}}{{{self.bookmark(section.title)}}}}}"
+        return f"{title}\n{self.blocks(section.blocks)}"
+
+    def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
+        narrow = _Writer(self.report, _COLUMN_WIDTH)
+        parts = [_minipage(0.48, r"\setlength{\parskip}{4pt}", narrow.blocks(side)) for side in (left, right)]
+        return "\\noindent" + "\\hfill\n".join(parts)
 
     def step(self, step: Step) -> str:
         """A line before the title, and the hint in italics, as nothing can be hidden on paper."""
@@ -161,7 +147,7 @@ class _Writer:
     def table(self, table: Table) -> str:
         marked = any(table.marks)
         kinds = "@{}" + ("c@{\\enspace}" if marked else "") + _column_kinds(table)
-        rows = [("" if marked else None, table.header)]
+        rows = [("" if marked else None, table.header)] if table.header else []
         rows += [
             (_MARKS[table.marks[k] if k < len(table.marks) else ""] if marked else None, row)
             for k, row in enumerate(table.rows)
@@ -169,39 +155,39 @@ class _Writer:
         texts = [" & ".join([*([mark] if mark is not None else []), *map(self.cell, row)]) for mark, row in rows]
         # Fractions need room between the rows.
         space = "\\addlinespace[5pt]\n" if any("\\frac" in line for line in texts) else ""
-        body = f" \\\\\n{space}".join(texts[1:])
+        head = f"{texts.pop(0)} \\\\\n\\midrule\n" if table.header else ""
+        body = f" \\\\\n{space}".join(texts)
         return (
             f"\\begin{{center}}\\renewcommand{{\\arraystretch}}{{1.3}}\n\\begin{{tabular}}{{{kinds}@{{}}}}\n\\toprule\n"
-            f"{texts[0]} \\\\\n\\midrule\n{body} \\\\\n\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
+            f"{head}{body} \\\\\n\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
         )
 
     def cell(self, text: Text) -> str:
         return r"{\everymath{\displaystyle}" + self.text(text) + "}"
 
-    def figure(self, figure: Figure, width: str) -> str:
+    def drawing(self, figure: Figure) -> str:
         name = rf"\textbf{{{capital(self.word('figure'))} {figure.number}}}"
         return (
-            f"\\phantomsection\\label{{fig:{figure.number}}}\\frfitted{{{width}}}{{%\n{figure.picture.tikz()}}}\\\\[4pt]\n"
+            f"\\phantomsection\\label{{fig:{figure.number}}}\\frfitted{{\\linewidth}}{{%\n{figure.picture.tikz()}}}\\\\[4pt]\n"
             f"{{\\small {name}\\enspace {self.text(figure.caption)}}}"
         )
 
     # -- text -------------------------------------------------------------------------------------
-    def text(self, text: Text) -> str:
-        return "".join(self.piece(piece) for piece in text)
+    def words(self, text: str) -> str:
+        return latex_words(text)
 
-    def piece(self, piece: Piece) -> str:
-        match piece:
-            case str():
-                return latex_words(piece)
-            case Formula():
-                written = f"${WRITER.formula(piece)}$"
-                return rf"\frfitted{{\linewidth}}{{{written}}}" if formula_width(piece) > self.width else written
-            case Emphasis(words, look):
-                return _LOOKS[look].format(latex_words(words))
-            case Reference(number, "equation"):
-                return rf"(\ref{{eq:{number}}})"
-            case Reference(number, _):
-                return rf"\hyperref[fig:{number}]{{{self.word('figure')}~{number}}}"
+    def formula(self, formula: Formula) -> str:
+        written = f"${WRITER.formula(formula)}$"
+        return rf"\frfitted{{\linewidth}}{{{written}}}" if formula_width(formula) > self.width else written
+
+    def emphasis(self, emphasis: Emphasis) -> str:
+        return _LOOKS[emphasis.look].format(latex_words(emphasis.words))
+
+    def equation_link(self, number: int) -> str:
+        return rf"(\ref{{eq:{number}}})"
+
+    def figure_link(self, number: int) -> str:
+        return rf"\hyperref[fig:{number}]{{{self.word('figure')}~{number}}}"
 
     def bookmark(self, text: Text) -> str:
         """A title without formulas, for the list of contents of a PDF."""
@@ -223,11 +209,15 @@ def _shrunk(formula: str) -> str:
 
 def _column_kinds(table: Table) -> str:
     """Columns of long texts are paragraphs that share the width of the line."""
-    lengths = [0] * len(table.header)
-    for row in (table.header, *table.rows):
+    every = [row for row in (table.header, *table.rows) if row]
+    lengths = [0] * max(map(len, every), default=0)
+    for row in every:
         for k, cell in enumerate(row):
             lengths[k] = max(lengths[k], sum(len(p) if isinstance(p, str) else 12 for p in cell))
     if sum(lengths) <= 75:
         return "l" * len(lengths)
     wide = [max(length, 6) for length in lengths]
     return "".join(rf">{{\raggedright\arraybackslash}}p{{{0.82 * n / sum(wide):.3f}\linewidth}}" for n in wide)
+
+
+ReportFormat(".tex", "LaTeX", lambda report, path, _code: [(path, latex_document(report).encode())], place=2)

@@ -12,18 +12,10 @@ from freebody.language.notation.stacked import TextBox
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
-    Bullets,
-    Columns,
     Emphasis,
     Equation,
-    Equations,
     Figure,
-    Figures,
     Formula,
-    Paragraph,
-    Piece,
-    Reference,
-    Remark,
     Report,
     Section,
     Step,
@@ -33,7 +25,8 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.line import LineFormulas
 from freebody.present.report.formulas.rows import Row, rows, side_width
 from freebody.present.report.formulas.stacked import StackedFormulas, flat
-from freebody.present.report.words import capital, word
+from freebody.present.report.words import capital
+from freebody.present.report.writer import BlockWriter, ReportFormat
 
 WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 120, 40
 _INDENT = 4
@@ -56,13 +49,10 @@ def columns(text: str) -> int:
     return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
 
 
-class _Writer:
+class _Writer(BlockWriter[list[str]]):
     def __init__(self, report: Report, width: int) -> None:
-        self.report = report
+        super().__init__(report)
         self.width = width
-
-    def word(self, key: str) -> str:
-        return plain(word(self.report, key))
 
     # -- blocks -----------------------------------------------------------------------------------
     def blocks(self, blocks: Sequence[Block]) -> list[str]:
@@ -72,34 +62,24 @@ class _Writer:
             lines += [*self.block(block), ""]
         return lines
 
-    def block(self, block: Block) -> list[str]:
-        match block:
-            case Paragraph(text):
-                return self.wrapped(self.text(text))
-            case Equations(lines):
-                return self.equations(lines)
-            case Bullets(items, is_numbered):
-                found: list[str] = []
-                for k, item in enumerate(items, 1):
-                    found += self.wrapped(self.text(item), f"{k:>3}. " if is_numbered else "  • ")
-                return found
-            case Table():
-                return self.table(block)
-            case Figure():
-                return self.figure(block)
-            case Figures(figures):
-                return [line for figure in figures for line in self.figure(figure)]
-            case Step():
-                return self.step(block)
-            case Section():
-                title = self.text(block.title)
-                rule = "─" if block.level <= 2 else "╌"
-                heading = [*self.wrapped(title), rule * min(self.width, columns(title)), ""]
-                return [*heading, *self.blocks(block.blocks)][:-1]
-            case Columns(left, right):
-                return [*self.blocks(left), "· · ·".center(self.width), "", *self.blocks(right)][:-1]
-            case Remark(text, kind):
-                return self.remark(self.text(text), kind)
+    def paragraph(self, text: Text) -> list[str]:
+        return self.wrapped(self.text(text))
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> list[str]:
+        leads = [f"{k:>3}. " if is_numbered else "  • " for k in range(1, len(items) + 1)]
+        return [line for lead, item in zip(leads, items, strict=True) for line in self.wrapped(item, lead)]
+
+    def figures(self, figures: Sequence[Figure]) -> list[str]:
+        return [line for figure in figures for line in self.figure(figure)]
+
+    def section(self, section: Section) -> list[str]:
+        title = self.text(section.title)
+        rule = "─" if section.level <= 2 else "╌"
+        heading = [*self.wrapped(title), rule * min(self.width, columns(title)), ""]
+        return [*heading, *self.blocks(section.blocks)][:-1]
+
+    def beside(self, left: Sequence[Block], right: Sequence[Block]) -> list[str]:
+        return [*self.blocks(left), "· · ·".center(self.width), "", *self.blocks(right)][:-1]
 
     def step(self, step: Step) -> list[str]:
         lines = self.wrapped(self.text(step.title), "▸ ")
@@ -126,10 +106,11 @@ class _Writer:
         return self.wrapped(f"[{name}: {caption}]" if caption else f"[{name}]")
 
     def table(self, table: Table) -> list[str]:
-        texts = [[self.text(cell) for cell in row] for row in (table.header, *table.rows)]
+        texts = [[self.text(cell) for cell in row] for row in (table.header, *table.rows) if row]
         if any(table.marks):
             marks = [_SIGNS[mark] for mark in table.marks] + [" "] * (len(table.rows) - len(table.marks))
-            texts = [[mark, *row] for mark, row in zip([" ", *marks], texts, strict=True)]
+            marks = [" ", *marks] if table.header else marks
+            texts = [[mark, *row] for mark, row in zip(marks, texts, strict=True)]
         sizes = [max(columns(row[k]) for row in texts) for k in range(len(texts[0]))]
         words = [max((columns(w) for row in texts for w in row[k].split(" ")), default=0) for k in range(len(sizes))]
         sizes = _shrunk(sizes, words, self.width - 2 * len(sizes))
@@ -142,7 +123,7 @@ class _Writer:
                 parts = [cell[k] if k < len(cell) else "" for cell in cells]
                 padded = [part + " " * (size - columns(part)) for part, size in zip(parts, sizes, strict=True)]
                 lines.append("  ".join(padded))
-            if row is texts[0]:
+            if table.header and row is texts[0]:
                 lines.append("  ".join("─" * size for size in sizes))
         return lines
 
@@ -187,23 +168,22 @@ class _Writer:
         return [*found, *self.wrapped(note, " " * start)] if note else found
 
     # -- text -------------------------------------------------------------------------------------
-    def text(self, text: Text) -> str:
-        return "".join(self.piece(piece) for piece in text)
+    def words(self, text: str) -> str:
+        return plain(text)
 
-    def piece(self, piece: Piece) -> str:
-        match piece:
-            case str():
-                return plain(piece)
-            case Formula():
-                written = _LINE.formula(piece)
-                # A short formula stays on one line.
-                return written.replace(" ", _NO_BREAK) if len(written) <= 30 else written
-            case Emphasis(words, _):
-                return plain(words)
-            case Reference(number, "equation"):
-                return f"({number})"
-            case Reference(number, _):
-                return f"{self.word('figure')}{_NO_BREAK}{number}"
+    def formula(self, formula: Formula) -> str:
+        written = _LINE.formula(formula)
+        # A short formula stays on one line.
+        return written.replace(" ", _NO_BREAK) if len(written) <= 30 else written
+
+    def emphasis(self, emphasis: Emphasis) -> str:
+        return plain(emphasis.words)
+
+    def equation_link(self, number: int) -> str:
+        return f"({number})"
+
+    def figure_link(self, number: int) -> str:
+        return f"{self.word('figure')}{_NO_BREAK}{number}"
 
     def wrapped(self, text: str, lead: str = "") -> list[str]:
         indent = " " * columns(lead)
@@ -245,3 +225,6 @@ def _shrunk(sizes: list[int], words: list[int], width: int) -> list[int]:
             break
         sizes[max(free, key=lambda k: sizes[k])] -= 1
     return sizes
+
+
+ReportFormat(".txt", "text", lambda report, path, _code: [(path, terminal_text(report).encode())], place=5)

@@ -14,18 +14,11 @@ from importlib.resources import files
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
-    Bullets,
     Columns,
     Emphasis,
     Equation,
-    Equations,
     Figure,
-    Figures,
     Formula,
-    Paragraph,
-    Piece,
-    Reference,
-    Remark,
     Report,
     Section,
     Step,
@@ -34,7 +27,8 @@ from freebody.present.report.blocks import (
 )
 from freebody.present.report.formulas.mathml import MathMLFormulas
 from freebody.present.report.formulas.rows import formula_width, rows
-from freebody.present.report.words import capital, word
+from freebody.present.report.words import capital
+from freebody.present.report.writer import BlockWriter, ReportFormat
 
 _ROW_WIDTH = 64  # characters of a displayed formula before it is broken into rows
 _LABEL_WIDTH = 26  # a longer label may be broken
@@ -106,18 +100,15 @@ def _count_steps(blocks: Sequence[Block]) -> int:
     return n
 
 
-class _Writer:
+class _Writer(BlockWriter[str]):
     """Writes the blocks of one report, and counts the sections and steps that it has met."""
 
     def __init__(self, report: Report, prefix: str) -> None:
-        self.report = report
+        super().__init__(report)
         self.prefix = prefix
         self.n_sections = 0
         self.n_steps = 0
         self.depth = 1
-
-    def word(self, key: str) -> str:
-        return escape(word(self.report, key))
 
     def contents(self) -> str:
         """A list of the top sections, if there are more than two."""
@@ -144,32 +135,27 @@ class _Writer:
     def blocks(self, blocks: Sequence[Block]) -> str:
         return "\n".join(self.block(block) for block in blocks)
 
-    def block(self, block: Block) -> str:
-        match block:
-            case Paragraph(text):
-                return f"<p>{self.text(text)}</p>"
-            case Equations(lines):
-                widest = max((row.width for line in lines for row in rows(line.formula, _ROW_WIDTH)), default=0)
-                # On paper nothing scrolls: a wide formula is made smaller.
-                size = f' style="--widest: {widest}"' if widest > _PAPER_WIDTH else ""
-                return f'<div class="equations"{size}>{"".join(self.equation(line) for line in lines)}</div>'
-            case Bullets(items, is_numbered):
-                element = "ol" if is_numbered else "ul"
-                return f"<{element}>{''.join(f'<li>{self.text(item)}</li>' for item in items)}</{element}>"
-            case Table():
-                return self.table(block)
-            case Figure():
-                return self.figure(block)
-            case Figures(figures):
-                return f'<div class="figures">{"".join(self.figure(figure) for figure in figures)}</div>'
-            case Step():
-                return self.step(block)
-            case Section():
-                return self.section(block)
-            case Columns(left, right):
-                return f'<div class="columns"><div>{self.blocks(left)}</div><div>{self.blocks(right)}</div></div>'
-            case Remark(text, kind):
-                return f'<div class="remark {kind}" role="note"><p>{self.text(text)}</p></div>'
+    def paragraph(self, text: Text) -> str:
+        return f"<p>{self.text(text)}</p>"
+
+    def equations(self, lines: Sequence[Equation]) -> str:
+        widest = max((row.width for line in lines for row in rows(line.formula, _ROW_WIDTH)), default=0)
+        # On paper nothing scrolls: a wide formula is made smaller.
+        size = f' style="--widest: {widest}"' if widest > _PAPER_WIDTH else ""
+        return f'<div class="equations"{size}>{"".join(self.equation(line) for line in lines)}</div>'
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> str:
+        element = "ol" if is_numbered else "ul"
+        return f"<{element}>{''.join(f'<li>{item}</li>' for item in items)}</{element}>"
+
+    def figures(self, figures: Sequence[Figure]) -> str:
+        return f'<div class="figures">{"".join(self.figure(figure) for figure in figures)}</div>'
+
+    def beside(self, left: Sequence[Block], right: Sequence[Block]) -> str:
+        return f'<div class="columns"><div>{self.blocks(left)}</div><div>{self.blocks(right)}</div></div>'
+
+    def remark(self, text: str, kind: str) -> str:
+        return f'<div class="remark {kind}" role="note"><p>{text}</p></div>'
 
     def section(self, section: Section) -> str:
         self.n_sections += 1
@@ -221,7 +207,8 @@ class _Writer:
             cells = "".join(f"<td>{self.text(cell)}</td>" for cell in row)
             body += f'<tr class="{mark}">{self.mark(mark) if marked else ""}{cells}</tr>'
         corner = "<td></td>" if marked else ""
-        return f'<div class="table"><table><thead><tr>{corner}{head}</tr></thead><tbody>{body}</tbody></table></div>'
+        head = f"<thead><tr>{corner}{head}</tr></thead>" if head else ""
+        return f'<div class="table"><table>{head}<tbody>{body}</tbody></table></div>'
 
     def mark(self, mark: str) -> str:
         if not mark:
@@ -237,23 +224,21 @@ class _Writer:
         return f'<figure id="{self.prefix}fig-{figure.number}">{drawing}{caption}</figure>'
 
     # -- text -------------------------------------------------------------------------------------
-    def text(self, text: Text) -> str:
-        return "".join(self.piece(piece) for piece in text)
+    def words(self, text: str) -> str:
+        return _words(text)
 
-    def piece(self, piece: Piece) -> str:
-        match piece:
-            case str():
-                return _words(piece)
-            case Formula():
-                math = _math(_FORMULAS.formula(piece), is_display=False)
-                return f'<span class="wide">{math}</span>' if formula_width(piece) > _INLINE_WIDTH else math
-            case Emphasis(words, look):
-                return _LOOKS[look].format(_words(words))
-            case Reference(number, "equation"):
-                label = f"{self.word('equation')} {number}"
-                return f'<a href="#{self.prefix}eq-{number}" aria-label="{label}">({number})</a>'
-            case Reference(number, _):
-                return f'<a href="#{self.prefix}fig-{number}">{self.word("figure")} {number}</a>'
+    def formula(self, formula: Formula) -> str:
+        math = _math(_FORMULAS.formula(formula), is_display=False)
+        return f'<span class="wide">{math}</span>' if formula_width(formula) > _INLINE_WIDTH else math
+
+    def emphasis(self, emphasis: Emphasis) -> str:
+        return _LOOKS[emphasis.look].format(_words(emphasis.words))
+
+    def equation_link(self, number: int) -> str:
+        return f'<a href="#{self.prefix}eq-{number}" aria-label="{self.word("equation")} {number}">({number})</a>'
+
+    def figure_link(self, number: int) -> str:
+        return f'<a href="#{self.prefix}fig-{number}">{self.word("figure")} {number}</a>'
 
 
 def _count_sections(blocks: Sequence[Block]) -> int:
@@ -280,3 +265,6 @@ def _math(elements: str, is_display: bool = True) -> str:
 
 def _words(text: str) -> str:
     return escape(plain(text))
+
+
+ReportFormat(".html", "a web page", lambda report, path, _code: [(path, html_page(report).encode())])
