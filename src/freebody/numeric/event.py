@@ -11,7 +11,7 @@ from typing import Any, cast
 
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
-from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.snapshot import Snapshot, snapshot_of
 
 
 class EventWatch:
@@ -44,7 +44,7 @@ class EventWatch:
         n = len(now.q)
         for part in (0.25, 0.5, 0.75, 1.0):
             t = now.t + part * (after.t - now.t)
-            s = after if part == 1.0 else now.reference.snapshot(dense(t)[:n], dense(t)[n:], t, now)
+            s = after if part == 1.0 else snapshot_of(now.reference, dense(t)[:n], dense(t)[n:], t, now)
             if self._see(s, now):
                 return self._root(s.t, at)
         return None

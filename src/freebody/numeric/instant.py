@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,9 +27,7 @@ from freebody.numeric import spatial
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
 from freebody.numeric.split import RANK_CUT, Split, stack
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 _CANCELS = 1e-12  # terms that come to less than this part of their sizes come to zero
 
@@ -44,7 +41,7 @@ class Dynamics:
     split: Split
 
 
-def dynamics(reference: Reference, g: JetGeometry, cut: float | None = None) -> Dynamics:
+def dynamics(reference: NumericSystem, g: JetGeometry, cut: float | None = None) -> Dynamics:
     """Accelerations and multipliers. A motion runs through singular poses with a `cut`; without one,
     contradictions there are refused."""
     n, M = len(reference.masses), reference.masses
@@ -65,14 +62,14 @@ def dynamics(reference: Reference, g: JetGeometry, cut: float | None = None) -> 
     return Dynamics(a, multipliers, split)
 
 
-def _gyroscopic(reference: Reference, g: JetGeometry) -> Array:
+def _gyroscopic(reference: NumericSystem, g: JetGeometry) -> Array:
     """-omega x I omega of every body in space."""
     if not reference.system.space:
         return np.zeros(len(reference.masses))
     return spatial.gyroscopic(g.v, reference.masses, reference.frame.columns.values())
 
 
-def _free_motion(reference: Reference, N: Array, push: Array) -> Array:
+def _free_motion(reference: NumericSystem, N: Array, push: Array) -> Array:
     """The accelerations along the free directions N. A thin rod may turn about itself without inertia: where no load
     turns it, it does not begin to."""
     inertia, force = N.T @ (reference.masses[:, None] * N), N.T @ push
@@ -87,12 +84,12 @@ def _free_motion(reference: Reference, N: Array, push: Array) -> Array:
     return N @ np.linalg.solve(inertia, force)
 
 
-def forces(reference: Reference, g: JetGeometry) -> Array:
+def forces(reference: NumericSystem, g: JetGeometry) -> Array:
     """Generalized forces of all loads."""
     return sum(each_force(reference, g), np.zeros(len(reference.masses)))
 
 
-def each_force(reference: Reference, g: JetGeometry) -> Iterator[Array]:
+def each_force(reference: NumericSystem, g: JetGeometry) -> Iterator[Array]:
     """Generalized forces, load by load."""
     for push in reference.system.pushes:
         measure = reference.jet(g, push.measure, push.name)
@@ -100,14 +97,14 @@ def each_force(reference: Reference, g: JetGeometry) -> Iterator[Array]:
             yield law(reference, g, push, measure) * measure.gradient
 
 
-def law(reference: Reference, g: JetGeometry, push: AppliedLoad, measure: Jet | None = None) -> float:
+def law(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, measure: Jet | None = None) -> float:
     """The generalized force of a load, whose measure may be known already."""
     names = _law_names(reference, g, push, measure)
     with named(push.name):
         return finite(evaluate(push.law, names, FLOAT_FUNCTIONS))
 
 
-def check_laws(reference: Reference, g: JetGeometry) -> None:
+def check_laws(reference: NumericSystem, g: JetGeometry) -> None:
     """Raises CannotAnswer naming a load whose law divides by zero here: round-off would make a number of that."""
     for push in reference.system.pushes:
         divisors = [part for part, relation in domain(push.law) if relation != ">="]
@@ -134,7 +131,7 @@ def check_laws(reference: Reference, g: JetGeometry) -> None:
                 )
 
 
-def _law_names(reference: Reference, g: JetGeometry, push: AppliedLoad, measure: Jet | None) -> dict[str, float]:
+def _law_names(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, measure: Jet | None) -> dict[str, float]:
     """The numbers of all that a law contains."""
     needed = free_symbols(push.law)
     names: dict[str, float] = {**reference.frame.values, TIME: g.time.value}
@@ -149,7 +146,7 @@ def _law_names(reference: Reference, g: JetGeometry, push: AppliedLoad, measure:
     return names
 
 
-def _check_consistent(reference: Reference, split: Split, gaps: Array, b: Array) -> None:
+def _check_consistent(reference: NumericSystem, split: Split, gaps: Array, b: Array) -> None:
     gaps, b = split.row_scale * np.abs(gaps), split.row_scale * np.abs(b)
     if gaps.size and gaps.max() > 1e-6 * b.max() + 1e-9 * split.row_scale.max() * reference.sizes.length:
         k = int(gaps.argmax())
@@ -161,7 +158,7 @@ def _check_consistent(reference: Reference, split: Split, gaps: Array, b: Array)
         )
 
 
-def check_inertia(reference: Reference, N: Array, inertia: Array) -> None:
+def check_inertia(reference: NumericSystem, N: Array, inertia: Array) -> None:
     """Raises CannotAnswer naming a body that can move along N without inertia."""
     values, vectors = np.linalg.eigh(inertia)
     if values[0] > RANK_CUT:

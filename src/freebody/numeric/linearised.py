@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,12 +20,11 @@ from freebody.language.sentences import Message
 from freebody.numeric.instant import check_inertia, each_force, forces
 from freebody.numeric.jets import Array, Branch
 from freebody.numeric.placing import PoseEquation
+from freebody.numeric.start import start_velocities
+from freebody.numeric.system import NumericSystem
 
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
 
-
-def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float]) -> tuple[Array, Array]:
+def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, float]) -> tuple[Array, Array]:
     """(M, K), z along independent directions. Raises CannotAnswer if q is no equilibrium."""
     equations, D, n = reference.held_where(q, 0.0), reference.sizes.small_moves, len(q)
     N = reference.split_at(q, branches).null
@@ -55,7 +53,7 @@ def linearised(reference: Reference, q: Array, branches: Mapping[Branch, float])
         moved = max(moved, float(np.linalg.norm(force(z))))
         K[:, i] = -(8.0 * (force(z) - force(-z)) - (force(2.0 * z) - force(-2.0 * z))) / (12.0 * h)
     if np.linalg.norm(pull) > 1e-7 * scale + 1e-5 * moved:
-        if reference.velocities(q, with_start=False).any():
+        if start_velocities(reference, g, (), with_start=False).any():
             raise CannotAnswer(
                 Message(
                     "a driver keeps the system moving, so no pose of it is an equilibrium at rest; freebody modes "

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -21,12 +21,10 @@ from freebody.measures.base import Measure
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 
-def potential(reference: Reference, push: AppliedLoad, value: Callable[[Measure], float]) -> float:
+def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Measure], float]) -> float:
     """Minus the integral of the law over its measure from 0 (for a measure of which only changes mean
     something: from the start) to its value [J]. Raises CannotAnswer where the law has no potential."""
     law, needed = push.law, free_symbols(push.law) - set(reference.frame.values) - {VALUE.name}
@@ -47,7 +45,7 @@ def potential(reference: Reference, push: AppliedLoad, value: Callable[[Measure]
         return -_integral(force, value(push.measure) - origin)
 
 
-def work_between(reference: Reference, push: AppliedLoad, start: float, end: float) -> float:
+def work_between(reference: NumericSystem, push: AppliedLoad, start: float, end: float) -> float:
     """The work of a load that is a law of its own measure alone, from one value of the measure to another [J]."""
     origin = reference.start_value(push.measure)  # type: ignore[arg-type]
 

@@ -8,7 +8,6 @@ turned over before a pose is searched from it, and a pose in which they do not i
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,14 +16,12 @@ from freebody.model.elements import Attitude
 from freebody.model.rotations import UNIT
 from freebody.numeric.jets import Array
 from freebody.numeric.rotation import matrix, rotation_vector
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 FACING = 1e-6  # the cosine between two axes that point the same way, at least
 
 
-def turned_to_face(reference: Reference, q: Array) -> Array:
+def turned_to_face(reference: NumericSystem, q: Array) -> Array:
     """A pose in which joints are as they are named, one body after the other from the ground on: a body whose joint
     faces the wrong way is put parallel to the one before it. What the model gives stays as it is."""
     system = reference.system
@@ -52,21 +49,21 @@ def turned_to_face(reference: Reference, q: Array) -> Array:
     return q
 
 
-def turned_over(reference: Reference, q: Array) -> Iterator[Attitude]:
+def turned_over(reference: NumericSystem, q: Array) -> Iterator[Attitude]:
     """The joints whose axes point the wrong way in a pose."""
     for a in reference.system.attitudes:
         if _has_sense(reference, a) and _agreement(reference, q, a) < FACING:
             yield a
 
 
-def _has_sense(reference: Reference, a: Attitude) -> bool:
+def _has_sense(reference: NumericSystem, a: Attitude) -> bool:
     """Whether the joint keeps axes parallel: that about which it turns, or all three."""
     if not all(reference.system.bodies[name].turns for name in (a.first, a.second)):
         return False
     return not a.turns or (len(a.turns) == 1 and a.turns[0][0] == UNIT[2])
 
 
-def _agreement(reference: Reference, q: Array, a: Attitude) -> float:
+def _agreement(reference: NumericSystem, q: Array, a: Attitude) -> float:
     """The cosine between the axes of both bodies, the least of them where a joint does not let them turn."""
     first = _axes(reference, q, a.first) @ _columns(reference, a.before)
     second = _axes(reference, q, a.second) @ _columns(reference, a.after)
@@ -74,11 +71,11 @@ def _agreement(reference: Reference, q: Array, a: Attitude) -> float:
     return float(cosines[2] if a.turns else cosines.min())
 
 
-def _columns(reference: Reference, axes: Sequence[Components]) -> Array:
+def _columns(reference: NumericSystem, axes: Sequence[Components]) -> Array:
     return np.array([[reference.number(c) for c in axis] for axis in axes]).T
 
 
-def _axes(reference: Reference, q: Array, body: str) -> Array:
+def _axes(reference: NumericSystem, q: Array, body: str) -> Array:
     """The axes of a body as columns, in those of the ground."""
     if body == GROUND:
         return np.eye(3)

@@ -26,7 +26,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -39,9 +38,7 @@ from freebody.numeric.instant import check_inertia, dynamics, each_force, forces
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.spatial import gyroscopic
 from freebody.numeric.split import Split, stack
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 WELL_APART = 0.1  # how much of a coordinate's gradient along the free directions must be its own
 AT_ALL = 1e-4  # and how much of its whole gradient must be along these, in the metric of the masses
@@ -56,7 +53,7 @@ class SmallCoordinate:
     measure: Measure | None
     row: Array  # its gradient
 
-    def jet(self, reference: Reference, g: JetGeometry, v: Array) -> Jet:
+    def jet(self, reference: NumericSystem, g: JetGeometry, v: Array) -> Jet:
         if self.measure is not None:
             return reference.jet(g, self.measure, self.name)
         return Jet(float(self.row @ g.q), self.row, float(self.row @ v))
@@ -72,7 +69,7 @@ class LinearisationPoint:
     branches: Mapping[Branch, float]
     frozen: bool
 
-    def geometry(self, reference: Reference, q: Array, v: Array) -> JetGeometry:
+    def geometry(self, reference: NumericSystem, q: Array, v: Array) -> JetGeometry:
         """What measures see near this state."""
         g = reference.geometry(q, v, self.t, self.branches)
         if self.frozen:
@@ -80,7 +77,7 @@ class LinearisationPoint:
         return g
 
 
-def coordinates(reference: Reference, g: JetGeometry, free: Array) -> list[SmallCoordinate]:
+def coordinates(reference: NumericSystem, g: JetGeometry, free: Array) -> list[SmallCoordinate]:
     """Coordinates along the free directions: named measures first, then angles and places of bodies, as far as
     they are independent, and directions of their own where those do not suffice."""
     D, n = reference.sizes.small_moves, len(g.q)
@@ -110,7 +107,7 @@ def _complement(x: Array) -> Array:
     return np.linalg.qr(x[:, None], mode="complete")[0][:, 1:]
 
 
-def _candidates(reference: Reference) -> Sequence[tuple[str, Measure]]:
+def _candidates(reference: NumericSystem) -> Sequence[tuple[str, Measure]]:
     from freebody.measures.angle import Angle
     from freebody.measures.displacement import Displacement
     from freebody.measures.geometry import GROUND, RIGHT, UP, Point
@@ -133,7 +130,7 @@ class SmallMotion:
     of one as of the other unless rolling or a blade binds velocities only. M, C and K act on the speeds, the
     speeds and the positions."""
 
-    def __init__(self, reference: Reference, at: LinearisationPoint) -> None:
+    def __init__(self, reference: NumericSystem, at: LinearisationPoint) -> None:
         """Raises CannotAnswer where the loads are not smooth."""
         self.reference, self.at = reference, at
         n = len(at.q)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +22,7 @@ from freebody.numeric.instant import Dynamics, dynamics, law
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.potential import potential
 from freebody.numeric.rotation import matrix
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 UNIQUE = 1e-9  # a multiplier is unique if no null vector has a larger component on it
 
@@ -33,7 +31,7 @@ class Snapshot:
     """A system in numbers at one instant: a `State[float]`. Everything raises CannotAnswer where there is no
     finite or no unique value."""
 
-    def __init__(self, reference: Reference, geometry: JetGeometry, q: Array, v: Array, t: float) -> None:
+    def __init__(self, reference: NumericSystem, geometry: JetGeometry, q: Array, v: Array, t: float) -> None:
         self.reference = reference
         self.q, self.v, self.t = q, v, t
         self.geometry = geometry
@@ -126,3 +124,11 @@ class Snapshot:
 
     def _jet(self, measure: Measure | NonholonomicForm) -> Jet:
         return self.reference.jet(self.geometry, measure)
+
+
+def snapshot_of(system: NumericSystem, q: Array, v: Array, t: float = 0.0, near: Snapshot | None = None) -> Snapshot:
+    """A system at one instant; its accelerations and reactions are found when they are first asked for. Angles of
+    lines are counted on from those of `near`, or of the start."""
+    if not (np.isfinite(q).all() and np.isfinite(v).all() and math.isfinite(t)):
+        raise CannotAnswer(Message("the state at t = {t:.6g} s is not finite", t=t))
+    return Snapshot(system, system.geometry(q, v, t, near.branches if near else None), q, v, t)

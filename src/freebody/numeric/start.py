@@ -9,94 +9,38 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
-from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point, SpatialPose
+from freebody.measures.geometry import GROUND, Point, SpatialPose
 from freebody.model.elements import Attitude, NonholonomicForm, RigidBody, Start
 from freebody.numeric import spatial
+from freebody.numeric.described import axes_of, start_pose
 from freebody.numeric.jets import Array, Branch, Jet, JetGeometry
 from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.split import Split, stack
-from freebody.system.system import System
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 N_STARTS = 16
 MOST_STEPS = 3200  # of all starts together
 NO_ENERGY = 1e-7  # of a motion of unit size: it moves massless bodies only
 SINGULAR = 1e-6  # the volume that three unit axes span
-MIDDLE_ANGLE = 0.5  # where three named angles are far from their singular pose [rad]
 Wanted = Sequence[tuple[Measure | NonholonomicForm, float]]  # values that measures, or their rates, must have
-_AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
-
-
-def axes_of(system: System) -> tuple[Direction, ...]:
-    """The axes of the ground."""
-    return _AXES if system.space else _AXES[:2]
 
 
 # -- the pose ---------------------------------------------------------------------------------
-def start_pose(system: System, body: RigidBody, number: Callable[[Expr], float]) -> tuple[float, ...]:
-    """Where a body is by its own `at` and `angle`, or is said to be near, zero where they say nothing: x, y and the
-    angle; in space x, y, z and the rotation vector of its own axes."""
-    start = body.start if body.start.near is None else body.start.with_guess()
-    if system.space:
-        return _start_in_space(system, body, start, number)
-    theta = 0.0 if start.angle is None else number(start.angle)
-    if start.at is None:
-        return 0.0, 0.0, theta
-    point, place = start.at
-    px, py = (number(c) for c in body.points[point])
-    x, y = (number(c) for c in place)
-    c, s = math.cos(theta), math.sin(theta)
-    return x - (c * px - s * py), y - (s * px + c * py), theta
 
 
-def _start_in_space(
-    system: System, body: RigidBody, start: Start, number: Callable[[Expr], float]
-) -> tuple[float, ...]:
-    R = _start_axes(system, body, start, number)
-    center = np.zeros(3)
-    if start.at is not None:
-        point, place = start.at
-        center = np.array([number(c) for c in place]) - R @ np.array([number(c) for c in body.points[point]])
-    return (*map(float, center), *map(float, rotation_vector(R)))
-
-
-def _start_axes(
-    system: System, body: RigidBody, start: Start, number: Callable[[Expr], float], depth: int = 0
-) -> Array:
-    """The axes of a body in space at the start, as far as it is known: named angles have their start values, or else
-    values where a chain of them is not singular."""
-    if not body.chain:
-        return spatial.turned_by(start.turned or (), {}, number)
-    named = [turn.name for turn in body.chain if turn.name]
-    guess = dict.fromkeys(named, 0.0)
-    if len(named) == 3:
-        guess[named[1]] = MIDDLE_ANGLE
-    guess |= {name: number(system.start[name]) for name in named if name in system.start}
-    frame = spatial.UNIT
-    if body.frame != GROUND and depth < len(system.bodies):
-        base = system.bodies[body.frame]
-        own = base.start if base.start.near is None else base.start.with_guess()
-        frame = _start_axes(system, base, own, number, depth + 1)
-    return frame @ spatial.turned_by(body.chain, guess, number)
-
-
-def assembled(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int = N_STARTS) -> Fit:
+def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int = N_STARTS) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`. Parts that nothing joins are assembled each for
     itself, so that what else stands in a model moves nothing in them."""
     groups = reference.groups_joined_by(measure for measure, _value in extra)
@@ -120,7 +64,7 @@ def assembled(reference: Reference, extra: Wanted, guess: Array | None, n_starts
     return fit
 
 
-def _assembled_part(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
+def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part. What is carried follows where it is carried to: it pulls at nothing."""
     carried = _carried(reference, extra)
     rest = frozenset(body.name for body in reference.system.moving) - carried
@@ -138,7 +82,7 @@ def _assembled_part(reference: Reference, extra: Wanted, guess: Array | None, n_
     return _assembled_whole(reference, extra, guess, n_starts)
 
 
-def _carried(reference: Reference, extra: Wanted) -> set[str]:
+def _carried(reference: NumericSystem, extra: Wanted) -> set[str]:
     """Massless bodies of which nothing is said and which are held to one other body at most, those that they carry
     themselves left out."""
     system = reference.system
@@ -160,13 +104,13 @@ def _carried(reference: Reference, extra: Wanted) -> set[str]:
         found |= more
 
 
-def _equations(reference: Reference, extra: Wanted) -> list[PoseEquation]:
+def _equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
     """What holds in the start pose."""
     equations = reference.held_by_targets()
     return [*equations, *_start_equations(reference, extra), *_body_equations(reference, lambda body: body.start)]
 
 
-def _assembled_whole(reference: Reference, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
+def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     """The pose at t = 0 of one part nearest to the guess."""
     for body in reference.system.moving:
         _refuse_singular(reference, body)
@@ -224,7 +168,7 @@ def _assembled_whole(reference: Reference, extra: Wanted, guess: Array | None, n
     return best
 
 
-def _guided(reference: Reference, described: Array) -> list[PoseEquation]:
+def _guided(reference: NumericSystem, described: Array) -> list[PoseEquation]:
     """What guides keep of an angle or of a place, at its value in a pose."""
     found: list[PoseEquation] = []
     g = reference.geometry(described, np.zeros_like(described), 0.0)
@@ -237,7 +181,7 @@ def _guided(reference: Reference, described: Array) -> list[PoseEquation]:
     return found
 
 
-def _refuse_singular(reference: Reference, body: RigidBody) -> None:
+def _refuse_singular(reference: NumericSystem, body: RigidBody) -> None:
     """Three named angles are not determined where their axes are in one plane: at a middle angle of 0 if the first and
     the last turn are about the same axis, of 90 deg otherwise. Raises CannotAnswer if the start is such a pose."""
     named = [turn.name for turn in body.chain if turn.name]
@@ -271,7 +215,7 @@ def _refuse_singular(reference: Reference, body: RigidBody) -> None:
     )
 
 
-def _guess(reference: Reference) -> Array:
+def _guess(reference: NumericSystem) -> Array:
     q = np.zeros(len(reference.masses))
     for body in reference.system.moving:
         pose = start_pose(reference.system, body, reference.number)
@@ -283,7 +227,7 @@ def _guess(reference: Reference) -> Array:
     return q
 
 
-def _starts(reference: Reference, guess: Array, n_starts: int) -> Iterator[Array]:
+def _starts(reference: NumericSystem, guess: Array, n_starts: int) -> Iterator[Array]:
     """The guess, then disturbed ones: first a little, later by the size of the system."""
     yield guess
     for k in range(n_starts):
@@ -291,7 +235,7 @@ def _starts(reference: Reference, guess: Array, n_starts: int) -> Iterator[Array
         yield reference.frame.moved(guess, min(1.0, 0.02 * 2.0**k) * reference.sizes.unit_moves * disturbance)
 
 
-def _start_equations(reference: Reference, extra: Wanted) -> list[PoseEquation]:
+def _start_equations(reference: NumericSystem, extra: Wanted) -> list[PoseEquation]:
     equations: list[PoseEquation] = []
     for name, expr in reference.system.start.items():
         measure = reference.system.measures[name]
@@ -305,7 +249,7 @@ def _guessed(body: RigidBody) -> Start:
     return Start() if body.start.near is None else body.start.near
 
 
-def _body_equations(reference: Reference, start_of: Callable[[RigidBody], Start]) -> list[PoseEquation]:
+def _body_equations(reference: NumericSystem, start_of: Callable[[RigidBody], Start]) -> list[PoseEquation]:
     """A place or an angle that bodies have at the start."""
     equations: list[PoseEquation] = []
     for body in reference.system.moving:
@@ -345,7 +289,7 @@ def _attitude(body: str, R: Array) -> list[PoseEquation]:
 _Rate = tuple[str, Jet, float]  # whose rate, the jet that has it, and what it must be
 
 
-def start_velocities(reference: Reference, g: JetGeometry, extra: Wanted, *, with_start: bool) -> Array:
+def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *, with_start: bool) -> Array:
     """The velocities of least kinetic energy with all wanted rates; see `Reference.velocities`."""
     n = len(g.q)
     wanted = list(wanted_rates(reference, g, extra, with_start))
@@ -383,7 +327,7 @@ def _of_least_energy(masses: Array, free: Array, v: Array) -> Array:
     return v - free @ (Vt[has_energy].T @ along)
 
 
-def _given(reference: Reference, q: Array) -> Array | None:
+def _given(reference: NumericSystem, q: Array) -> Array | None:
     """The velocities, if the model gives those of every body."""
     v = np.zeros(len(reference.masses))
     for body in reference.system.moving:
@@ -398,7 +342,7 @@ def _given(reference: Reference, q: Array) -> Array | None:
     return v
 
 
-def wanted_rates(reference: Reference, g: JetGeometry, extra: Wanted, with_start: bool) -> Iterator[_Rate]:
+def wanted_rates(reference: NumericSystem, g: JetGeometry, extra: Wanted, with_start: bool) -> Iterator[_Rate]:
     """Held measures keep up with their targets; then the rates of the model's start, unless an extra one
     replaces them, and the extra ones."""
     system = reference.system
@@ -416,7 +360,7 @@ def wanted_rates(reference: Reference, g: JetGeometry, extra: Wanted, with_start
         yield from _body_rates(reference, body, g.q)
 
 
-def _body_rates(reference: Reference, body: RigidBody, q: Array) -> Iterator[_Rate]:
+def _body_rates(reference: NumericSystem, body: RigidBody, q: Array) -> Iterator[_Rate]:
     """A velocity or an angular velocity that the model gives to a body at the start."""
     start, columns = body.start, reference.columns(body.name)
     if start.rates is not None and body.turns:

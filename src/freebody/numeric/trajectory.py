@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -23,11 +23,9 @@ from freebody.measures.base import Measure
 from freebody.numeric.event import EventWatch
 from freebody.numeric.instant import dynamics
 from freebody.numeric.jets import Array
-from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.snapshot import Snapshot, snapshot_of
 from freebody.numeric.split import RANK_CUT, Split, stack
-
-if TYPE_CHECKING:
-    from freebody.numeric.reference import Reference
+from freebody.numeric.system import NumericSystem
 
 # The rank cut along a motion, which with it runs through singular poses: rows that nearly depend on each other
 # there are not followed, because they would enlarge the error of a step by the inverse of this.
@@ -39,7 +37,7 @@ N_STEPS = 100_000
 class ReferenceTrajectory:
     """A motion: the states after every step, and the event at which it ended, if there was one."""
 
-    reference: Reference
+    reference: NumericSystem
     snapshots: tuple[Snapshot, ...]
     event_time: float | None = None
     event: Snapshot | None = None
@@ -64,13 +62,13 @@ class ReferenceTrajectory:
         found: list[float] = []
         near: Snapshot | None = None
         for s in self.snapshots:
-            near = self.reference.snapshot(s.q, s.v, s.t, near)
+            near = snapshot_of(self.reference, s.q, s.v, s.t, near)
             found.append(near.value(measure))
         return np.array(found)
 
 
 def integrate(
-    reference: Reference, start: Snapshot, until: float, event: Callable[[Snapshot], float] | None
+    reference: NumericSystem, start: Snapshot, until: float, event: Callable[[Snapshot], float] | None = None
 ) -> ReferenceTrajectory:
     """The motion from a state to a time or an event; see `Reference.integrate`."""
     steps = _Steps(reference, start)
@@ -98,7 +96,7 @@ def integrate(
 class _Steps:
     """What the steps of one motion have in common: what they hold, and which rows they follow."""
 
-    def __init__(self, reference: Reference, start: Snapshot) -> None:
+    def __init__(self, reference: NumericSystem, start: Snapshot) -> None:
         self._reference = reference
         self._equations = reference.held_where(start.q, start.t)
         split = reference.split_at(start.q, start.branches, start.t)

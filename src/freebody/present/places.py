@@ -9,8 +9,8 @@ import numpy as np
 from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND as GROUND_NAME
 from freebody.measures.geometry import Components, Direction, Point
+from freebody.numeric.described import start_pose
 from freebody.numeric.rotation import matrix
-from freebody.numeric.start import start_pose
 from freebody.present.figures import GROUND, Array, Heading, Place, Triple, turned
 from freebody.system.system import System
 

@@ -26,7 +26,8 @@ from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.jets import Array
 from freebody.numeric.options import WITH_STEP
 from freebody.numeric.reference import Reference
-from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.snapshot import Snapshot, snapshot_of
+from freebody.numeric.trajectory import integrate
 from freebody.study.answering.evidence import element_at
 from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
@@ -117,7 +118,7 @@ def _row_of(s: Snapshot, measure: object) -> Array:
 def _moved(s: Snapshot, h: float) -> Snapshot:
     """The state a time h later, to second order."""
     q = s.reference.frame.moved(s.q, h * s.v + h * h / 2 * s.accelerations)
-    return s.reference.snapshot(q, s.v + h * s.accelerations, s.t + h, near=s)
+    return snapshot_of(s.reference, q, s.v + h * s.accelerations, s.t + h, near=s)
 
 
 def equal(found: float, expected: float, what: str, *, relative: float, absolute: float) -> None:
@@ -168,10 +169,12 @@ def gradient_is_the_finite_difference_of_the_measure(kind: str) -> None:
         for k in range(len(s.q)):
             unit = np.eye(len(s.q))[k]
             if hasattr(row.measure, "terms") and not hasattr(row.measure, "value"):
-                difference = s.reference.snapshot(s.q, unit, s.t, near=s).rate(row.measure)
+                difference = snapshot_of(s.reference, s.q, unit, s.t, near=s).rate(row.measure)
             else:
                 ahead, behind = (
-                    s.reference.snapshot(s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(row.measure)
+                    snapshot_of(s.reference, s.reference.frame.moved(s.q, h * unit), s.v, s.t, near=s).value(
+                        row.measure
+                    )
                     for h in (STEP, -STEP)
                 )
                 difference = (ahead - behind) / (2 * STEP)
@@ -274,7 +277,7 @@ def load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
         row = _gradient(s, push.measure)
         for k in range(len(s.q)):
             moved = (s.q + h * np.eye(len(s.q))[k] for h in (STEP, -STEP))
-            ahead, behind = (s.reference.snapshot(q, s.v, s.t, near=s).value(push.measure) for q in moved)  # type: ignore[arg-type]
+            ahead, behind = (snapshot_of(s.reference, q, s.v, s.t, near=s).value(push.measure) for q in moved)  # type: ignore[arg-type]
             equal(row[k], (ahead - behind) / (2 * STEP), f"slope of {push.name}", relative=1e-7, absolute=1e-8)
         equal(s.rate(push.measure), float(row @ s.v), f"rate of {push.name}", relative=1e-12, absolute=1e-12)
 
@@ -314,7 +317,7 @@ def power_is_minus_the_rate_of_the_stored_energy(kind: str) -> None:
     if not Load.kinds[kind].stores_energy:
         return
     s = somewhere(loaded(kind))
-    behind, ahead = (s.reference.snapshot(s.q + h * s.v, s.v, s.t + h, near=s) for h in (-STEP, STEP))
+    behind, ahead = (snapshot_of(s.reference, s.q + h * s.v, s.v, s.t + h, near=s) for h in (-STEP, STEP))
     for push in s.reference.system.pushes:
         fall = (behind.potential(push) - ahead.potential(push)) / (2 * STEP)
         equal(s.law(push) * s.rate(push.measure), fall, f"power of {push.name}", relative=1e-6, absolute=1e-7)
@@ -330,7 +333,7 @@ def total_energy_is_constant_along_the_motion(kind: str) -> None:
     def energy(now: Snapshot) -> float:
         return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.pushes)
 
-    end = s.reference.integrate(s, s.t + 1.0).snapshots[-1]
+    end = integrate(s.reference, s, s.t + 1.0).snapshots[-1]
     equal(energy(end), energy(s), "total energy after a second", relative=1e-9, absolute=0.0)
 
 

@@ -16,6 +16,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import Glossary, TrueWhen, World
 from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.reading import QuestionEvent
 from freebody.study.answering.draws import Draw
@@ -172,5 +173,7 @@ class CourseGlossary(Glossary):
 
     def _world(self, run: WorldRun, snapshot: Snapshot) -> World:
         mode = self._mode(run)
-        draw = Draw(mode.values, snapshot.reference, mode.references[0].assemble())
+        reference = snapshot.reference
+        assert isinstance(reference, Reference)
+        draw = Draw(mode.values, reference, mode.references[0].assemble())
         return CourseWorld(self, draw, snapshot, run, self.place)

@@ -23,6 +23,7 @@ from freebody.narrative.principles.motion_equations import loop_lines, motion_eq
 from freebody.narrative.principles.reactions import introduce_reactions
 from freebody.narrative.principles.table import PrincipleTable
 from freebody.numeric.jets import Array
+from freebody.numeric.start import start_velocities
 from freebody.questions.base import Quantity
 from freebody.questions.conservation import Conserved, GeneralizedMomentum
 from freebody.questions.momentum import AngularMomentum, Momentum, is_among
@@ -377,10 +378,11 @@ def _reader_of_conjugate(q: GeneralizedMomentum, context: Context, balance: Rate
     def conjugate(world: World) -> float:
         here = world.snapshot
         reference = here.reference
+        standing = reference.geometry(here.q, 0.0 * here.v, here.t)
 
         def velocity(of: str) -> Array:
             wanted = [(m, 1.0 if name == of else 0.0) for name, m in measures.items() if m is not None]
-            return reference.velocities(here.q, wanted, here.t, with_start=False)
+            return start_velocities(reference, standing, wanted, with_start=False)
 
         slope = velocity(q.coordinate) - velocity("")
         return float((reference.masses * here.v) @ slope)

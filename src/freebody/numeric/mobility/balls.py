@@ -31,9 +31,9 @@ from freebody.numeric.mobility.exact import (
     spatial_place,
     turned,
 )
-from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix, quaternion, rotation_vector
 from freebody.numeric.split import RANK_CUT
+from freebody.numeric.system import NumericSystem
 
 N_STEPS = 40
 
@@ -49,7 +49,7 @@ class BallPose:
 class BallRows:
     """Some rows of a system in balls. slopes: their gradients at the pose that is looked at, by speeds in floats."""
 
-    def __init__(self, reference: Reference, rows: Sequence[ConstraintRow], t: float, slopes: Array) -> None:
+    def __init__(self, reference: NumericSystem, rows: Sequence[ConstraintRow], t: float, slopes: Array) -> None:
         self.reference, self.rows, self.t = reference, rows, t
         self.slopes = _by_own_axes(reference, slopes)
         parameters, numbers = reference.system.parameters, reference.frame.values
@@ -251,7 +251,7 @@ def _rotation(axes: Sequence[Sequence[Any]]) -> Array:
     return np.array([[float(c) for c in axis] for axis in axes]).T
 
 
-def _by_own_axes(reference: Reference, J: Array) -> Array:
+def _by_own_axes(reference: NumericSystem, J: Array) -> Array:
     """Gradients by the angular velocity along the bodies' own axes in place of their principal ones."""
     found = J.copy()
     for body, columns in reference.frame.columns.items() if reference.system.space else ():

@@ -18,18 +18,18 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
 from freebody.measures.turn import Turn
 from freebody.model.rotations import UNIT
+from freebody.numeric.described import axes_of
 from freebody.numeric.jets import Array
 from freebody.numeric.mobility.rank import CLEAR_CUT, scaled_rows
 from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
-from freebody.numeric.reference import Reference
-from freebody.numeric.start import axes_of
+from freebody.numeric.system import NumericSystem
 from freebody.system.system import System
 
 _STILL = 1e-8  # of the slope of a measure, by the size of the system: less is no motion
 _INDEPENDENT = 1e-6
 
 
-def independent_measures(reference: Reference, q: Array) -> list[tuple[str, Measure]]:
+def independent_measures(reference: NumericSystem, q: Array) -> list[tuple[str, Measure]]:
     """Names and measures at the pose q, one for each freedom."""
     n_free, across = _free(reference, q)
     taken: list[Array] = []
@@ -55,7 +55,7 @@ def independent_measures(reference: Reference, q: Array) -> list[tuple[str, Meas
     return found
 
 
-def _free(reference: Reference, q: Array) -> tuple[int, Callable[[Array], Array]]:
+def _free(reference: NumericSystem, q: Array) -> tuple[int, Callable[[Array], Array]]:
     """How many motions are left free, and the part of a gradient (by the sizes of the system) along them."""
     rows = reference.system.held
     if LARGE < len(rows) <= len(q):

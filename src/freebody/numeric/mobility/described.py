@@ -13,12 +13,12 @@ from freebody.measures.geometry import GROUND, Direction
 from freebody.measures.turn import Alignment
 from freebody.model.elements import Rotation
 from freebody.model.rotations import UNIT
+from freebody.numeric.described import start_pose
 from freebody.numeric.jets import Array, Jet
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.spatial import turned_by
-from freebody.numeric.start import start_pose
 
 
 def described(reference: Reference) -> Array:

@@ -32,8 +32,9 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array, Branch, Jet
 from freebody.numeric.mobility.coordinates import independent_measures
 from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
-from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import snapshot_of
 from freebody.numeric.split import Split
+from freebody.numeric.system import NumericSystem
 
 N_IN_VAIN = 100  # starts that may lead to no pose at all
 _N_STEPS = 40  # of one start: one that has not come together by then seldom does
@@ -64,7 +65,7 @@ class AssemblyModes(list[AssemblyMode]):
 
 
 def assembly_modes(
-    reference: Reference,
+    reference: NumericSystem,
     q: Array,
     fixed: Sequence[tuple[Measure, float]],
     t: float = 0.0,
@@ -110,10 +111,10 @@ def assembly_modes(
     return AssemblyModes(sorted(named, key=lambda mode: search.apart(mode.q, q) > _SAME_SINGULAR), n_done, n_since)
 
 
-def chosen(reference: Reference, q: Array, name: str) -> Array:
+def chosen(reference: NumericSystem, q: Array, name: str) -> Array:
     """The pose (n_q,) of the assembly mode with a name, its independent coordinates as at q. Raises CannotAnswer naming
     the modes that there are."""
-    snapshot = reference.snapshot(q, np.zeros_like(q))
+    snapshot = snapshot_of(reference, q, np.zeros_like(q))
     fixed = [(measure, snapshot.value(measure)) for _name, measure in independent_measures(reference, q)]
     modes = assembly_modes(reference, q, fixed)
     for mode in modes:
@@ -129,7 +130,7 @@ def chosen(reference: Reference, q: Array, name: str) -> Array:
 class _ModeSearch:
     """The equations of one search."""
 
-    def __init__(self, reference: Reference, q: Array, fixed: Sequence[tuple[Measure, float]], t: float) -> None:
+    def __init__(self, reference: NumericSystem, q: Array, fixed: Sequence[tuple[Measure, float]], t: float) -> None:
         rates = [row.name for row in reference.system.held if isinstance(row.measure, NonholonomicForm)]
         if rates:
             raise CannotAnswer(
@@ -239,7 +240,7 @@ class _Turn:
     after: Point
 
 
-def _named(reference: Reference, poses: Sequence[Array], t: float) -> list[AssemblyMode]:
+def _named(reference: NumericSystem, poses: Sequence[Array], t: float) -> list[AssemblyMode]:
     joints = _joints(reference)
     turns = _turns(reference, joints)
     signs = [{turn.joint.name: _sign(reference, q, turn, t) for turn in turns} for q in poses]
@@ -259,7 +260,7 @@ def _by_turns(signs: Sequence[Mapping[str, int]]) -> list[str]:
     return [", ".join(f"{name} {words[sign[name]]}" for name in telling) or "mode" for sign in signs]
 
 
-def _joints(reference: Reference) -> list[_Joint]:
+def _joints(reference: NumericSystem) -> list[_Joint]:
     """The connections that hold two points together."""
     pairs: dict[str, list[Displacement]] = {}
     for row in reference.system.held:
@@ -272,7 +273,7 @@ def _joints(reference: Reference) -> list[_Joint]:
     ]
 
 
-def _turns(reference: Reference, joints: Sequence[_Joint]) -> list[_Turn]:
+def _turns(reference: NumericSystem, joints: Sequence[_Joint]) -> list[_Turn]:
     fixed = {name for name, body in reference.system.bodies.items() if body.fixed} | {GROUND}
     turns: list[_Turn] = []
     for joint in joints:
@@ -286,7 +287,7 @@ def _turns(reference: Reference, joints: Sequence[_Joint]) -> list[_Turn]:
     return turns
 
 
-def _elsewhere(reference: Reference, joints: Sequence[_Joint], but: _Joint, point: Point) -> Point | None:
+def _elsewhere(reference: NumericSystem, joints: Sequence[_Joint], but: _Joint, point: Point) -> Point | None:
     """The first other joint on the body of a point, at another place of it."""
     here = _offset(reference, point)
     for joint in joints:
@@ -296,17 +297,17 @@ def _elsewhere(reference: Reference, joints: Sequence[_Joint], but: _Joint, poin
     return None
 
 
-def _offset(reference: Reference, point: Point) -> Place:
+def _offset(reference: NumericSystem, point: Point) -> Place:
     x, y = (reference.number(c) for c in point.offset)
     return x, y
 
 
-def _place(reference: Reference, q: Array, point: Point, t: float) -> Place:
+def _place(reference: NumericSystem, q: Array, point: Point, t: float) -> Place:
     at = position(reference.geometry(q, np.zeros_like(q), t), point)
     return at.x.value, at.y.value
 
 
-def _sign(reference: Reference, q: Array, turn: _Turn, t: float) -> int:
+def _sign(reference: NumericSystem, q: Array, turn: _Turn, t: float) -> int:
     before, here, after = (_place(reference, q, p, t) for p in (turn.before, turn.joint.points[0], turn.after))
     return _side(before, here, after)
 
@@ -319,7 +320,7 @@ def _side(a: Place, b: Place, c: Place) -> int:
 
 
 def _open_or_crossed(
-    reference: Reference, joints: Sequence[_Joint], poses: Sequence[Array], t: float
+    reference: NumericSystem, joints: Sequence[_Joint], poses: Sequence[Array], t: float
 ) -> list[str] | None:
     """The names of a four-bar's modes; None if it is none, or these do not tell its two modes apart."""
     corners = _four_bar(reference, joints)
@@ -329,7 +330,7 @@ def _open_or_crossed(
     return ["crossed" if cross else "open" for cross in crossed] if crossed[0] != crossed[1] else None
 
 
-def _four_bar(reference: Reference, joints: Sequence[_Joint]) -> list[Point] | None:
+def _four_bar(reference: NumericSystem, joints: Sequence[_Joint]) -> list[Point] | None:
     """The corners in their order, if four pins make one loop of four bodies and nothing else holds a place."""
     others = {row.connection for row in reference.system.held if row.target is None} - {j.name for j in joints}
     fixed = {name for name, body in reference.system.bodies.items() if body.fixed} | {GROUND}

@@ -29,8 +29,8 @@ from freebody.numeric.mobility.balls import BallRows, refined, row_lengths
 from freebody.numeric.mobility.elimination import CircuitElimination, Unclear, unit_rows
 from freebody.numeric.mobility.exact import BITS, precision
 from freebody.numeric.mobility.sparse_rows import LARGE, SparseRows
-from freebody.numeric.reference import Reference
 from freebody.numeric.split import RANK_CUT, stack
+from freebody.numeric.system import NumericSystem
 
 ROUNDED_CUT = 1e-7  # below this part of the largest they do at poses that are only as good as they were assembled
 _MARGIN = 10.0  # of a smallest singular value found by iteration
@@ -76,7 +76,7 @@ class Rank:
         return tuple(row for row in self.rows if row in shared)
 
 
-def rank_at(reference: Reference, q: Array, t: float = 0.0, without: Iterable[str] = ()) -> Rank:
+def rank_at(reference: NumericSystem, q: Array, t: float = 0.0, without: Iterable[str] = ()) -> Rank:
     """The rank of the held rows at a pose, and their circuits.
 
     q: as from `Reference.assemble`, at the time t [s]. without: names of rows ("A.x") or connections ("A") that are
@@ -111,7 +111,7 @@ def _pose(q: Iterable[Any]) -> tuple[float, ...]:
     return tuple(float(x) for x in q)
 
 
-def rows_without(reference: Reference, without: Iterable[str]) -> list[ConstraintRow]:
+def rows_without(reference: NumericSystem, without: Iterable[str]) -> list[ConstraintRow]:
     """The held rows but those of these names, or of connections of these names."""
     held = reference.system.held
     known = {row.name for row in held} | {row.connection for row in held}
@@ -121,12 +121,12 @@ def rows_without(reference: Reference, without: Iterable[str]) -> list[Constrain
     return [row for row in held if row.name not in left_out and row.connection not in left_out]
 
 
-def scaled_rows(reference: Reference, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
+def scaled_rows(reference: NumericSystem, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
     """(n_rows, n_coordinates): gradients in coordinates by the size of the system, brought to unit length."""
     return unit_length(gradients(reference, q, rows, t) * reference.sizes.unit_moves)
 
 
-def gradients(reference: Reference, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
+def gradients(reference: NumericSystem, q: Array, rows: Sequence[ConstraintRow], t: float = 0.0) -> Array:
     """(n_rows, n_coordinates). Raises CannotAnswer where one is not finite."""
     g = reference.geometry(q, np.zeros_like(q), t)
     return stack([reference.gap(row, g).row(len(q)) for row in rows], len(q))
@@ -171,7 +171,7 @@ def _in_floats(J: Array, rank: int) -> tuple[CircuitElimination, str]:
 
 # In balls ---------------------------------------------------------------------------------------
 def _in_balls(
-    reference: Reference, q: Array, t: float, rows: Sequence[ConstraintRow]
+    reference: NumericSystem, q: Array, t: float, rows: Sequence[ConstraintRow]
 ) -> tuple[CircuitElimination | None, str, tuple[float, ...]]:
     """The rows eliminated at a pose known to many digits, how that was found, and the pose; None, and why not.
 

@@ -24,7 +24,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot, snapshot_of
 from freebody.questions.base import Quantity
 from freebody.questions.centres import motion_at_origin
 from freebody.system.system import System
@@ -70,7 +70,7 @@ def in_motion(snapshot: Snapshot) -> Snapshot:
     free = snapshot.reference.split_at(snapshot.q, snapshot.branches, snapshot.t).null
     if free.shape[1] != 1:
         return snapshot
-    return snapshot.reference.snapshot(snapshot.q, free[:, 0], snapshot.t, snapshot)
+    return snapshot_of(snapshot.reference, snapshot.q, free[:, 0], snapshot.t, snapshot)
 
 
 def moving_for(quantity: Quantity, snapshot: Snapshot) -> Snapshot:
@@ -91,7 +91,7 @@ def _along_freedom(system: System, snapshot: Snapshot) -> Snapshot:
             )
         )
     v = free[:, 0] / (float(reference.sizes.relative(free[:, 0]).max()) or 1.0)
-    return reference.snapshot(snapshot.q, v, snapshot.t, snapshot)
+    return snapshot_of(reference, snapshot.q, v, snapshot.t, snapshot)
 
 
 def instant_centres(system: System, snapshot: Snapshot) -> dict[tuple[str, str], CentreOfPair]:

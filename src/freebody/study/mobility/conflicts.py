@@ -24,11 +24,12 @@ from freebody.budgets import allowed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
+from freebody.numeric.described import axes_of
 from freebody.numeric.jets import Array, Jet, JetGeometry
 from freebody.numeric.mobility.described import attitude, described
 from freebody.numeric.placing import ACCEPTED, TOLERANCE, Fit, PoseEquation
 from freebody.numeric.reference import Reference
-from freebody.numeric.start import N_STARTS, axes_of
+from freebody.numeric.start import N_STARTS
 from freebody.system.system import System
 
 MOST_EVALUATIONS = 40_000  # of a single condition; half of it again once it is clear that there is a contradiction

@@ -15,7 +15,8 @@ from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Rope, Shown, in_numbers
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.system import NumericSystem
 from freebody.present.figures import GROUND, Heading, turned
 from freebody.present.layout import headings
 from freebody.present.places import Places
@@ -32,7 +33,7 @@ def rope_of(system: System, connection: str) -> Glyph | None:
 
 
 def pulls(
-    rope: Glyph, rows: Sequence[ConstraintRow], reference: Reference, snapshot: Snapshot
+    rope: Glyph, rows: Sequence[ConstraintRow], reference: NumericSystem, snapshot: Snapshot
 ) -> Iterator[tuple[ConstraintRow, list[Pull]]]:
     """For each row of a string, in order: its pulls at bodies."""
     system = reference.system
@@ -68,7 +69,7 @@ def _fixed(heading: Heading, poses: Array) -> float:
     return heading.angle + (0.0 if heading.body == GROUND else float(poses[0, heading.body, 2]))
 
 
-def _position(reference: Reference, snapshot: Snapshot, point: Point) -> Array:
+def _position(reference: NumericSystem, snapshot: Snapshot, point: Point) -> Array:
 
     r = position(snapshot.geometry, point)
     return np.array([r.x.value, r.y.value])
