@@ -5,6 +5,7 @@ What is expected is derived in its line. A question asks for the first time afte
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
 
@@ -326,19 +327,77 @@ def test_a_formula_that_nobody_would_read_is_told_by_its_size() -> None:
     assert " and b > 0" * 200 in full
 
 
-def test_a_length_taken_positive_at_the_start_is_compared_only_there() -> None:
-    """A spring of no free length from x0: v = |x0 - 3 m| sqrt(k/m) where it passes its anchor, from either side."""
-    text = """
-parameters: {{k: 50 N/m, x0: {x0} m}}
-ground: {{points: {{B: [3 m, 0]}}}}
-bodies: {{block: {{particle: {{mass: 1 kg}}}}}}
+ANCHORED = """
+parameters: {{k: 50 N/m, M: 1 kg, x0: {x0} m, b: 3 m}}
+ground: {{points: {{B: [b, 0]}}}}
+bodies: {{block: {{particle: {{mass: M}}}}}}
 connections: {{guide: {{slider: {{body: block, along: right, through: ground.B}}}}}}
-loads: {{s: {{spring: {{first: ground.B, second: block, stiffness: k, length: 0}}}}}}
+loads: {{s: {{spring: {{first: ground.B, second: block, stiffness: k{length}}}}}}}
 measures: {{x: x of block}}
-start: {{x: x0}}
-questions: [{{find: speed of block when x = 3 m}}]
+start: {{x: x0{rate}}}
 """
-    for x0 in (3.2, 2.5):
-        answer = fb.System.from_text(text.format(x0=x0)).solve()["q1"]
-        assert answer.value == pytest.approx(abs(x0 - 3) * 50**0.5, rel=1e-9)
-        assert any("x₀" in condition for condition in answer.conditions)
+
+
+@pytest.mark.parametrize(("x0", "side"), [(3.4, 1), (2.5, -1)])
+def test_a_length_taken_positive_at_the_start_is_compared_only_there(x0: float, side: int, agrees: Agree) -> None:
+    """A spring with a free length l from x0: M x'' = k (b +- l - x), so v = |x0 - b -+ l| sqrt(k/M) where it is
+    relaxed, after a quarter of a period."""
+    relaxed = "(b + l)" if side > 0 else "(b - l)"
+    told = {
+        f"speed of block when x = {relaxed}": f"{side}*(x0 - {relaxed})*sqrt(k/M)",
+        f"speed of block when x = {3 + 0.1 * side} m": "",
+        "acceleration of x": f"k*({relaxed} - x)/M",
+        f"time when x = {relaxed}": "pi/2*sqrt(M/k)",
+    }
+    model = ANCHORED.format(x0=x0, length=", length: l", rate="").replace("b: 3 m}", "b: 3 m, l: 0.1 m}")
+    solution = fb.System.from_text(model + f"questions: {json.dumps(list(told))}\n").solve()
+    for k, formula in enumerate(told.values()):
+        if formula:
+            agrees(solution, f"q{k + 1}", formula)
+    assert solution["q2"].value == pytest.approx(abs(x0 - 3 - 0.1 * side) * 50**0.5, rel=1e-9)
+    assert "10·b < 31 (as at the start)" in solution["q2"].conditions or side < 0
+    # which side x0 is on when it comes there matters to the first question, not to those after it
+    assert any("x₀" in c for c in solution["q1"].conditions)
+    for k in (3, 4):
+        assert not any("x₀" in c for c in solution[f"q{k}"].conditions), solution[f"q{k}"].conditions
+
+
+def test_a_formula_is_not_told_of_the_other_side_of_an_anchor() -> None:
+    """From 0.4 m short of relaxed it passes the anchor; 0.3 m past it v^2 = k/M (0.4^2 - 0.3^2)."""
+    model = ANCHORED.format(x0=2.5, length=", length: 0.1 m", rate="")
+    answer = _answer(model, "speed of block when x = 3.4 m")
+    assert answer.expression is None
+    assert "keep to 5·b > 17" in answer.reason
+    assert answer.value == pytest.approx((50 * (0.4**2 - 0.3**2)) ** 0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize("x0", [5, 2])
+def test_a_spring_of_no_length_passes_its_anchor(x0: float, agrees: Agree) -> None:
+    """F = -k (x - b) on both sides and at b, where a distance has no direction: x = b + (x0 - b) cos(sqrt(k/m) t)."""
+    told = {
+        "acceleration of x": "k*(b - x)/M",
+        "natural frequency": "sqrt(k/M)",
+        "equilibrium of x": "b",
+        "force in s": "k*abs(x - b)",
+    }
+    model = ANCHORED.format(x0=x0, length=", length: 0", rate=", rate(x): 0")
+    solution = fb.System.from_text(model + f"questions: {json.dumps(list(told))}\n").solve()
+    for k, (question, formula) in enumerate(told.items()):
+        agrees(solution, f"q{k + 1}", formula)
+        assert solution[f"q{k + 1}"].conditions == ("for all positive parameters",), question
+    passing = _answer(model, "speed of block when x = b")
+    assert passing.value == pytest.approx(abs(x0 - 3) * 50**0.5)
+    # it comes as far as 2 b - x0, and to b/2 only if that is as far: |x0 - b| >= b/2
+    half = _answer(model, "kinetic energy when x = b/2").conditions
+    if x0 == 5:
+        assert half == ("(b - 2·x₀)·(3·b - 2·x₀) > 0 (x = b/2 is reached)",)
+
+
+@pytest.mark.parametrize("x0", [5, 2])
+def test_a_spring_relaxed_at_the_start_is_so_on_the_side_where_it_is(x0: float, agrees: Agree) -> None:
+    """Without a free length it pulls with k (x - x0), as long as it stays on that side of its anchor."""
+    model = ANCHORED.format(x0=x0, length="", rate="") + "questions: [acceleration of x, equilibrium of x]\n"
+    solution = fb.System.from_text(model).solve()
+    agrees(solution, "q1", "k*(x0 - x)/M")
+    agrees(solution, "q2", "x0")
+    assert any("> b" in condition for condition in solution["q1"].conditions) == (x0 > 3)

@@ -6,7 +6,7 @@ law; and `glyphs`, which says what is drawn of it. Extension and pulling are pos
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.model.elements import AppliedLoad
@@ -36,6 +36,11 @@ class Load(Spec):
     def pushes(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes."""
         raise NotImplementedError
+
+    def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+        """The force or torque that people ask for, from the values of the laws of what it pushes; None where there is
+        no single one, as of a weight on several bodies."""
+        return self.pulling_sign * laws[0] if len(laws) == 1 else None
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         """What is drawn of it (see `model.glyphs`); nothing if it does not say."""

@@ -9,7 +9,7 @@ from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
 from freebody.loads.law import law
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction
+from freebody.measures.geometry import AXES, GROUND
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
@@ -17,8 +17,6 @@ from freebody.model.spec import Formula, Heading
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 
 
 class Force(Load, kind="force"):

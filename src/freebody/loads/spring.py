@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from freebody.language.expression import ZERO, Symbol, multiply, negate
 from freebody.language.units import (
@@ -18,8 +18,9 @@ from freebody.loads.base import Load
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
+from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import ONE, Direction
+from freebody.measures.geometry import AXES, ONE, Direction
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 class Spring(Load, kind="spring"):
     """`spring: {first: ground.A, second: block, stiffness: k, length: l0}`: pulls with k (l - l0); without a
-    natural length it is relaxed at the start."""
+    natural length it is relaxed at the start. One of length 0 pulls with k r, also through the point itself."""
 
     first: str
     second: str
@@ -48,14 +49,22 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
 """
 
     def pushes(self, names: Names) -> list[AppliedLoad]:
-        distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
+        first, second = names.point(self.first, "first"), names.point(self.second, "second")
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
+        if natural == ZERO:
+            # -k (r_B - r_A) along each axis: where the points meet a distance has no direction, this force is zero
+            axes = zip("xyz" if names.space else "xy", AXES, strict=False)
+            return [AppliedLoad(x, Displacement(second, first, e), negate(multiply(k, VALUE))) for x, e in axes]
+        distance = Distance(first, second)
         if natural is None:
             stretch = Combination(((ONE, distance),), LENGTH)
             return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
         stretch = Composed(Symbol("length") - natural, (("length", distance),), LENGTH)
         return [AppliedLoad("", stretch, negate(multiply(k, VALUE)))]
+
+    def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+        return super().pulls_with(laws, sqrt) if len(laws) == 1 else sqrt(sum(x * x for x in laws))
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         yield glyphs.Spring(names.point(self.first), names.point(self.second))

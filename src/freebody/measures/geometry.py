@@ -152,6 +152,7 @@ RIGHT = Direction(GROUND, (ONE, ZERO), "right")
 UP = Direction(GROUND, (ZERO, ONE), "up")
 LEFT = Direction(GROUND, (number(-1), ZERO), "left")
 DOWN = Direction(GROUND, (ZERO, number(-1)), "down")
+AXES = (RIGHT, UP, Direction(GROUND, (ZERO, ZERO, ONE), "z"))
 COMPASS = {"right": RIGHT, "up": UP, "left": LEFT, "down": DOWN, "x": RIGHT, "y": UP}
 
 

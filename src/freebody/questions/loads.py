@@ -36,9 +36,10 @@ questions: {it: force in spring}
 
     def value(self, system: Described, state: State[Any]) -> Any:
         pushes = [p for p in system.pushes if p.load == self.load]
-        if len(pushes) != 1:
+        force = system.loads[self.load].pulls_with([state.law(p) for p in pushes], state.sqrt)
+        if force is None:
             raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
-        return system.loads[self.load].pulling_sign * state.law(pushes[0])
+        return force
 
     def sentence(self, system: Described) -> Sentence:
         return Sentence("what.load", {"load": self.load})

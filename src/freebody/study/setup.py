@@ -31,6 +31,7 @@ _STILL = 1e-8  # of the slope of a measure: less along all free motions is no ch
 
 _N_WAYS = 6  # directions in which a general pose is looked for
 _OTHER_WAY = 1000  # between their seeds
+_CLOSER = (1.0, 0.5, 0.2, 0.05)  # how far from the file's values draws on its branch are looked for
 
 
 class Setup:
@@ -53,14 +54,28 @@ class Setup:
     @cached_property
     def _made(self) -> SymbolicModel | CannotAnswer:
         """The model, or why there is none: neither is looked for twice."""
-        starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
-        general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
         try:
-            model = SymbolicModel(self.system, [*starts, *general])
+            n, model = len(self.draws), self._formulas()
+            for widest in _CLOSER:  # a spring relaxed at the start is longer than then, or shorter, on one side only
+                kept = [d for d in self.draws if _is_on_branch(model, d, d.start())]
+                if len(kept) == n:
+                    break
+                near = draws(self.system, n, seed=SEED + _OTHER_WAY, widest=widest, near=kept[0])
+                self.draws = [*kept, *(d for d in near if _is_on_branch(model, d, d.start()))][:n]
+                model = self._formulas()
             if self.system.space:
                 self._check_freedoms(model)
         except CannotAnswer as error:
             return error
+        return model
+
+    def _formulas(self) -> SymbolicModel:
+        """The model for the draws there are: signs that formulas leave open are those at the first of them."""
+        starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
+        general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
+        model = SymbolicModel(self.system, [*starts, *general])
+        with suppress(CannotAnswer):  # what the laws take to be positive is so for every question
+            model.loads.wrenches  # noqa: B018
         return model
 
     def _check_freedoms(self, model: SymbolicModel) -> None:
@@ -119,18 +134,16 @@ class Setup:
 
     @property
     def anywhere(self) -> list[Snapshot]:
-        """A general pose and motion for every draw, on the branch for which the formulas are made so far: where one has
-        taken something else to be positive since, other poses and motions are looked for."""
-        for k, d in enumerate(self.draws):
-            if k >= len(self._found_anywhere):
-                self._found_anywhere.append(self._anywhere(d, SEED + k))
-            elif not self.is_on_branch(d, self._found_anywhere[k]):
-                self._found_anywhere[k] = self._anywhere(d, SEED + k)
-        return list(self._found_anywhere)
+        """A general pose and motion for every draw, on the branch for which the formulas are made: where the question
+        at hand takes more to be positive, other poses and motions are looked for."""
+        taken = tuple(x.key() for x in self.model.samples.assumed)
+        if taken not in self._found_anywhere:
+            self._found_anywhere[taken] = [self._anywhere(d, SEED + k) for k, d in enumerate(self.draws)]
+        return list(self._found_anywhere[taken])
 
     @cached_property
-    def _found_anywhere(self) -> list[Snapshot]:
-        return []
+    def _found_anywhere(self) -> dict[tuple[object, ...], list[Snapshot]]:
+        return {}
 
     def _anywhere(self, draw: Draw, seed: int) -> Snapshot:
         # from a start at which something that is positive vanishes half of all ways lead astray, however short
@@ -143,10 +156,7 @@ class Setup:
 
     def is_on_branch(self, draw: Draw, snapshot: Snapshot) -> bool:
         """True where everything that the formulas take to be positive is."""
-        if not self.model.samples.assumed:
-            return True
-        numbers = self.model.samples.numbers(draw.sample(snapshot))
-        return all(self.model.field.evaluate(x, numbers) > 0 for x in self.model.samples.assumed)
+        return _is_on_branch(self.model, draw, snapshot)
 
     def holding(self, state: SymbolicState, *, with_contacts: bool = True) -> list[Condition]:
         """Conditions without which the model itself is not true: what is taken to be positive is, ideal strings
@@ -182,6 +192,13 @@ class Setup:
                     c = replace(c, element=state.here(self.closure.explicit(c.element)))
             found.append(c)
         return found
+
+
+def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
+    if not model.samples.assumed:
+        return True
+    numbers = model.samples.numbers(draw.sample(snapshot))
+    return all(model.field.evaluate(x, numbers) > 0 for x in model.samples.assumed)
 
 
 def _open(x: Ratio, relation: str, purpose: str) -> list[Condition]:

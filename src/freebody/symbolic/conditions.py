@@ -6,6 +6,7 @@ Factors whose sign is known are dropped; what is then true for all admissible va
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from freebody.language.expression import ZERO, Expr, Number, ProductOf, Sum, add, multiply, negate
@@ -92,7 +93,7 @@ def _open_factors(x: Ratio) -> list[Ratio]:
 def _without_known_factors(x: Ratio, relation: str) -> Ratio:
     """The product of the factors whose sign is open, with the sign of the others; x^2 y >= 0 means y >= 0."""
     field = x.field
-    result = field.one
+    result, squares = field.one, list[Ratio]()
     for poly in (x.num, None if x.den is None else x.den):
         if poly is None:
             continue
@@ -106,8 +107,28 @@ def _without_known_factors(x: Ratio, relation: str) -> Ratio:
             is_open = sign in (Sign.UNKNOWN, Sign.ZERO) or (relation == ">" and not sign.is_strict)
             if is_open and not (relation == ">=" and exponent % 2 == 0):
                 plain = _log_as_difference(base)
-                result = result * (plain if exponent % 2 else plain * plain)
+                if exponent % 2:
+                    result = result * plain
+                else:
+                    squares.append(plain)
+    for base in squares:  # a square only says that it does not vanish: nothing where the rest is not positive anyway
+        if not _is_excluded(base, result):
+            result = result * base * base
     return result
+
+
+def _is_excluded(base: Ratio, rest: Ratio) -> bool:
+    """Whether `rest > 0` is known to be false wherever `base` vanishes; looked for where a generator stands in `base`
+    linearly and in none of the others there."""
+    for index in sorted(base.generators()):
+        parts = base.coefficients(index)
+        hidden = base.generators() | rest.generators() if len(parts) == 2 else base.generators()
+        if len(parts) != 2 or any(index in base.field.generators[g].made_of for g in hidden - {index}):
+            continue
+        with suppress(ZeroDivisionError):
+            if decide(base.field.substitute(rest, {index: -parts[0] / parts[1]}), ">") is False:
+                return True
+    return False
 
 
 def _log_as_difference(base: Ratio) -> Ratio:

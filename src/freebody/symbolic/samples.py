@@ -10,7 +10,8 @@ from __future__ import annotations
 import copy
 import math
 import random
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from freebody.language.expression import evaluate
@@ -42,6 +43,15 @@ class Samples:
         other = copy.copy(self)
         other.assumed = list(self.assumed)
         return other
+
+    @contextmanager
+    def apart(self) -> Iterator[None]:
+        """What is assumed inside is so for what is found there only."""
+        n_assumed = len(self.assumed)
+        try:
+            yield
+        finally:
+            del self.assumed[n_assumed:]
 
     # -- numbers of the generators ------------------------------------------------------------
     def read_again(self) -> None:
@@ -236,8 +246,9 @@ class Samples:
         return negative
 
     def is_turned(self, x: Ratio) -> bool | None:
-        """The same; None where speeds stand in it: what moves one way at an instant may move the other at the next."""
+        """The same; None where something stands in it that changes: what is on one side at an instant may be on the
+        other at the next."""
         if sign_of(x) in (Sign.POSITIVE, Sign.NONNEGATIVE):
             return False
         kinds = {self.field.generators[g].kind for g in self.field.ingredients(x)}
-        return None if kinds & {"speed", "acceleration"} else self.is_negative(x)
+        return None if kinds & {"coordinate", "speed", "acceleration", "time"} else self.is_negative(x)

@@ -34,6 +34,7 @@ from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts
 from freebody.symbolic.written import HasNoValue, has_values
 
@@ -71,8 +72,12 @@ class QuestionSolver:
         self.question = question
 
     def answer(self) -> Answer:
+        busy_with(f"answering {self.question.id}: {self.question.text}")
+        with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
+            return self._answer()
+
+    def _answer(self) -> Answer:
         q = self.question
-        busy_with(f"answering {q.id}: {q.text}")
         if q.quantity.scope == "every motion":
             return self._conserved()
         if q.quantity.scope == "rest":
@@ -186,8 +191,10 @@ class QuestionSolver:
                 conditions.append(condition)
         x: Ratio = q.counted(FormulaPassage(self.setup, reached, self._elements))
         self._check_is_told(x)
-        # what is taken to be positive is so at the start: a formula with its sign is compared only there
-        taken = self.setup.holding(self.setup.start_instant, with_contacts=False)
+        # a formula with signs that were taken at the start is compared only where they are so, there and at the event
+        there = SymbolicState(self.model, self.setup.motion.known_at(reached))
+        begins, ends = (self.setup.holding(s, with_contacts=False) for s in (self.setup.start_instant, there))
+        ends = [c for c in ends if not self._moving_in(c.element)]
         evidence = proof.along_motion(
             self.setup,
             self.question.text,
@@ -195,22 +202,24 @@ class QuestionSolver:
             event,
             x,
             reached.time,
-            [*conditions, *taken, *self._root_conditions(x)],
+            [*conditions, *self._root_conditions(x)],
+            [*begins, *ends],
         )
-        return _ClosedForm(x, evidence, conditions, reached.notes, at_start=True, says=reached.says)
+        return _ClosedForm(x, evidence, conditions + ends, reached.notes, at_start=True, says=reached.says)
 
     def _check_is_told(self, x: Ratio) -> None:
         """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
-        model = self.model
-        everything = (*model.coordinates, *model.dependent)
-        left = [c for c in everything if model.field.ingredients(x) & {c.index, c.speed}]
-        if left:
+        if left := self._moving_in(x):
             raise CannotAnswer(
                 Message(
                     "the quantity depends on {names} as well, for whose values at the event no closed form was found",
                     names=", ".join(c.name for c in left),
                 )
             )
+
+    def _moving_in(self, x: Ratio) -> list[Coordinate]:
+        everything = (*self.model.coordinates, *self.model.dependent)
+        return [c for c in everything if self.model.field.ingredients(x) & {c.index, c.speed}]
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)

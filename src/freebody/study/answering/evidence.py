@@ -158,8 +158,10 @@ def along_motion(
     x: Ratio,
     time: Ratio | None,
     conditions: Sequence[Condition],
+    signs: Sequence[Condition] = (),
 ) -> Evidence:
-    """Integrates from the start to the event and compares the time, or the quantity there."""
+    """Integrates from the start to the event and compares the time, or the quantity there. conditions: without which
+    the event does not come; signs: what the formula takes to be positive."""
     witness = CrossCheck(question, Message("numerical integration from the start to the event"), MOTION_TOLERANCE)
     for draw in setup.draw_stream():
         if len(witness.pairs) >= MIN_DRAWS:
@@ -167,7 +169,7 @@ def along_motion(
         start = draw.start()
         try:
             numbers = element_at(setup, (x,), draw, start)
-            if not all(holds(setup, c, draw, start) for c in conditions):
+            if not all(holds(setup, c, draw, start) for c in (*conditions, *signs)):
                 continue
         except NotReal:
             continue
@@ -179,8 +181,17 @@ def along_motion(
             until = 1.5 * expected
         numeric = _at_event(setup, quantity, draw, start, until, event)
         witness.compare(draw, numbers, numeric, partial(magnitude, quantity.dimension, draw.seen(start)))
-    broken = [] if len(witness.pairs) >= MIN_DRAWS or not setup.has_values else _broken(setup, conditions)
-    if broken:
+    is_short = len(witness.pairs) < MIN_DRAWS and setup.has_values
+    if is_short and (broken := _broken(setup, signs)):
+        raise CannotAnswer(
+            Message(
+                "a formula is found only for motions that keep to {needs}, as at the start; this one does not do so "
+                "until '{event}'",
+                event=event.text,
+                needs=", ".join(broken),
+            )
+        )
+    if is_short and (broken := _broken(setup, conditions)):
         raise CannotAnswer(
             Message(
                 "'{event}' does not come at the model's own values: that needs {needs}",

@@ -224,9 +224,8 @@ class Steady:
                     conditions=further(*self.texts()),
                 )
             )
-        assumed = list(self.model.samples.assumed)
-        roots = zeros_of(self.model, self.equations[0], c)
-        self.model.samples.assumed = assumed  # signs of roots do not matter, since both are among the zeros
+        with self.model.samples.apart():  # signs of roots do not matter, since both are among the zeros
+            roots = zeros_of(self.model, self.equations[0], c)
         if not roots or len(roots) > MOST_ROOTS:
             raise CannotAnswer(
                 Message(
