@@ -10,15 +10,16 @@ import pytest
 
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide, implied, possible
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.signed_field import SignedField
 
 POSITIVE, REAL, ACUTE = ("a", "b", "c", "d"), ("x", "y", "theta"), ("beta",)
 
 
 @pytest.fixture(scope="module")
 def names() -> dict[str, Any]:
-    f = Field()
+    f = SignedField()
     known: dict[str, Any] = {name: f.parameter(name, positive=True) for name in (*POSITIVE, *ACUTE)}
     known |= {name: f.parameter(name) for name in REAL}
     f.acute_angles.add(f.index(known["beta"]))
@@ -104,7 +105,7 @@ def test_what_holds_only_somewhere_stays_open(names: Any, text: str, relation: s
 
 
 def test_a_parameter_that_may_be_zero_makes_nothing_strict() -> None:
-    f = Field()
+    f = SignedField()
     h, a = f.parameter("h"), f.parameter("a", positive=True)
     f.nonnegative.add(f.index(h))
     assert decide(h, ">=") is True

@@ -11,8 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freebody.language.expression import Call, Symbol, evaluate
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
+from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy
 
 # parameters a, b > 0 and an angle beta; a coordinate q with the speed u, so that elements move
@@ -24,7 +25,7 @@ class Setting:
     """A field with a few generators, and its leaves for random elements."""
 
     def __init__(self) -> None:
-        f = self.field = Field()
+        f = self.field = SignedField()
         self.a, self.b = f.parameter("a", positive=True), f.parameter("b", positive=True)
         self.beta = f.parameter("beta")
         self.q = f.generator(Generator(Symbol("q"), "coordinate"))
@@ -240,7 +241,7 @@ def test_root_of_a_product_is_the_product_of_the_roots(x: Ratio, y: Ratio) -> No
 
 
 def test_a_term_with_a_sine_of_zero_is_small_beside_its_size_and_a_product_of_small_sines_is_not() -> None:
-    f = Field()
+    f = SignedField()
     length = f.parameter("L", positive=True)
     angles = [f.generator(Generator(Symbol(name), "coordinate")) for name in "pqr"]
     pairs = [cos_sin(f, angle) for angle in angles]

@@ -18,6 +18,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.routh import hurwitz, oscillating, without_implied
+from freebody.symbolic.signed_field import SignedField
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -413,7 +414,7 @@ def _coefficients(field: Field, roots: list[complex]) -> list[Ratio]:
 
 @pytest.mark.parametrize("seed", range(12))
 def test_routh_and_the_roots_agree(seed: int) -> None:
-    rng, field = random.Random(seed), Field()
+    rng, field = random.Random(seed), SignedField()
     roots: list[complex] = [rng.uniform(-2, 0.7)]
     for _ in range(rng.randint(1, 2)):
         z = complex(rng.uniform(-2, 0.7), rng.uniform(0.1, 2))
@@ -430,11 +431,11 @@ def test_routh_and_the_roots_agree(seed: int) -> None:
     [((-1, -2, -5), True), ((-1, 2, -5), False), ((-1, -1 + 2j, -1 - 2j), False), ((-3, -1), True)],
 )
 def test_squares_are_real_and_negative(roots: tuple[complex, ...], is_stable: bool) -> None:
-    signs = oscillating(_coefficients(Field(), list(roots)))
+    signs = oscillating(_coefficients(SignedField(), list(roots)))
     assert all((x.fraction() or 0) > 0 for x in signs) == is_stable
 
 
 def test_the_weaker_of_two_conditions_is_left_out() -> None:
-    f = Field()
+    f = SignedField()
     w, k = f.parameter("w"), f.parameter("k", positive=True)
     assert without_implied([w * w - 2 * k, w * w - 4 * k]) == [w * w - 4 * k]

@@ -12,7 +12,8 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import Stated
 from freebody.study.answering.answer import NOT_VALID
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Field, Generator
+from freebody.symbolic.field import Generator
+from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.validity import NEVER, texts
 
 SLIDER_CRANK = """
@@ -192,7 +193,7 @@ questions: [{find: velocity of theta when theta = u/2}]
 
 def test_pi_is_no_parameter() -> None:
     """pi - 4 > 0 is so for no values of the parameters, of which pi is none; and none is solved for pi."""
-    field = Field()
+    field = SignedField()
     a = field.generator(Generator(Symbol("a"), "parameter"))
     assert texts([Condition(field.pi - 4, ">")]) == [NEVER]
     (line,) = texts([Condition(a - 7 * field.pi - a * a * a, ">")])

@@ -6,7 +6,8 @@ every term brought to one degree by c^2 + s^2 = 1 the polynomial is homogeneous 
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field, Poly, Ratio
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.polynomials import Poly
 from freebody.symbolic.signs import Sign, sign_of
 
 

@@ -17,6 +17,7 @@ from itertools import combinations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -135,7 +136,7 @@ class Closure:
         if any(len(f.terms(part.num)) > _MOST_TERMS for part in (cos, sin)):
             raise CannotAnswer(Message("the formula of {x} would be too long", x=q.name))
         c, s = f.pair_of(q.index) or (-1, -1)
-        return {c: cos, s: sin, q.index: f.angle_with(cos, sin)}
+        return {c: cos, s: sin, q.index: angle_with(f, cos, sin)}
 
     def _side(self, x: Ratio) -> int:
         """The sign of an element that is the branch on which the loop is assembled."""

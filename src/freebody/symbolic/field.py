@@ -1,16 +1,15 @@
 """The field in which the symbolic route computes: exact rational functions.
 
 An element is a quotient of two polynomials with integer coefficients in named generators
-(FLINT does the polynomial arithmetic). A generator may be
+(see `polynomials`). A generator may be
 
 - free: a parameter, a coordinate, a speed, an acceleration, time, a given function of time;
 - bound by a quadratic relation g^2 = r in earlier generators: the sine of an angle whose cosine
   is a generator (s^2 = 1 - c^2), or a square root;
-- a function atom (exp, atan ...) of an earlier element.
+- a function atom (exp, atan ...) of an earlier element (see `atoms`).
 
-Later generators are larger in the lexicographic order, so dividing by g^2 - r is the reduction to the
-normal form. The quotient ring is an integral domain, hence a/b = c/d if and only if a d - b c reduces
-to zero: equality is decided exactly, without `simplify`.
+The quotient ring is an integral domain, hence a/b = c/d if and only if a d - b c reduces to zero: equality is
+decided exactly, without `simplify`.
 
 Every generator knows its time derivative, so `Field.rate` is total differentiation in time.
 """
@@ -22,25 +21,18 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Literal, TypeAlias
-
-import flint
+from typing import Any, Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Number, Symbol, add, divide, multiply, number, power
+from freebody.language.expression import Expr, Number, Symbol, add, divide, multiply, number, power
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
+from freebody.symbolic.half_tangents import cancelled
+from freebody.symbolic.polynomials import Poly, PolynomialRing, Terms, declaration_order, square_part
 from freebody.tolerances import ROUND_OFF
 
-_flint: Any = flint
-Poly: TypeAlias = Any  # fmpz_mpoly: FLINT ships no type information
 Kind = Literal["parameter", "coordinate", "speed", "acceleration", "time", "cos", "sin", "root", "function"]
 
-# Above this many terms an element is no longer something that anybody reads or that factors quickly.
-TERM_LIMIT = 60_000
-_PRIME = 2**61 - 1
-_LOWEST_TERMS_LIMIT = 1_000_000  # terms times the growth that half-angle tangents may bring
-_QUICK_TERMS = 40
 MAX_POWER = 64
 
 
@@ -199,13 +191,12 @@ class Ratio:
         return str(self.field.expression(self))
 
 
-class Field:
-    """The generators, their relations and rates; makes, reduces, differentiates and shows elements."""
+class Field(PolynomialRing):
+    """The generators, their relations and rates; makes, differentiates and shows elements."""
 
     def __init__(self, capacity: int = 64) -> None:
         self.generators: dict[int, Generator] = {}
         self._rates: dict[int, Ratio] = {}
-        self._relations: dict[int, Poly] = {}
         self._atoms: dict[Any, int] = {}
         self.acute_angles: set[int] = set()
         self.nonnegative: set[int] = set()  # parameters that may be zero, and not less
@@ -217,40 +208,30 @@ class Field:
         self.known_pairs: dict[int, tuple[Ratio, Ratio]] = {}  # cosine and sine of angles that are made of them
         self.positive_roots: dict[int, bool] = {}  # what `signs` found out about roots
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
-        self._open(capacity)
-        self.one = self.element(1)
-        self.zero = self.element(0)
+        super().__init__(capacity)
 
     # -- generators ---------------------------------------------------------------------------
     def _open(self, capacity: int) -> None:
-        """Indices count down from the end of the pool: generator k of the pool is named g<k>, and later
-        generators are larger in the lexicographic order. Names are stable when the pool grows."""
-        self._capacity = capacity
-        names = [f"g{k}" for k in range(capacity - 1, -1, -1)]
-        self._context = _flint.fmpz_mpoly_ctx.get(names, _flint.Ordering.lex)
-        self._variables = list(reversed(self._context.gens()))
-
-    def _grow(self) -> None:
-        self._open(2 * self._capacity)
-        self._relations = {k: self._project(p) for k, p in self._relations.items()}
+        super()._open(capacity)
         self.one, self.zero = self.element(1), self.element(0)
-
-    def _project(self, poly: Poly) -> Poly:
-        return poly.project_to_context(self._context)
 
     def generator(self, generator: Generator, rate: Ratio | None = None, key: Any = None) -> Ratio:
         """Adds a generator; with `key`, returns the one already made under that key."""
-        if key is not None and key in self._atoms:
-            return self.variable(self._atoms[key])
+        made = None if key is None else self.known(key)
+        if made is not None:
+            return made
         index = len(self.generators)
-        if index >= self._capacity:
-            self._grow()
+        self.reserve(index + 1)
         self.generators[index] = generator
         if rate is not None:
             self._rates[index] = rate
         if key is not None:
             self._atoms[key] = index
         return self.variable(index)
+
+    def known(self, key: Any) -> Ratio | None:
+        """The generator that was made under a key."""
+        return self.variable(self._atoms[key]) if key in self._atoms else None
 
     def set_rate(self, generator: Ratio, rate: Ratio) -> None:
         self._rates[self.index(generator)] = rate
@@ -259,7 +240,7 @@ class Field:
         self._rates.pop(index, None)
 
     def variable(self, index: int) -> Ratio:
-        return Ratio(self, self._variables[index], None)
+        return Ratio(self, self.variables[index], None)
 
     def index(self, generator: Ratio) -> int:
         (index,) = generator.generators()
@@ -292,16 +273,13 @@ class Field:
         if isinstance(value, Ratio):
             return value
         fraction = Fraction(value)
-        num = self._context.constant(fraction.numerator)
-        den = None if fraction.denominator == 1 else self._context.constant(fraction.denominator)
+        num = self.constant(fraction.numerator)
+        den = None if fraction.denominator == 1 else self.constant(fraction.denominator)
         return Ratio(self, num, den)
 
     def lift(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
         """The numerators, both in the present context (the pool may have grown since)."""
         return self.current(a.num), self.current(b.num)
-
-    def current(self, poly: Poly) -> Poly:
-        return poly if poly.context() is self._context else self._project(poly)
 
     def denominators(self, a: Ratio, b: Ratio) -> tuple[Poly, Poly]:
         one = self.one.num
@@ -309,27 +287,6 @@ class Field:
             one if a.den is None else self.current(a.den),
             one if b.den is None else self.current(b.den),
         )
-
-    def reduce(self, poly: Poly) -> Poly:
-        """Normal form modulo the relations g^2 = r."""
-        if len(poly) > TERM_LIMIT:
-            raise CannotAnswer(
-                Message(
-                    "the closed form would have more than {n} terms; ask for numbers or for the "
-                    "equations of motion instead",
-                    n=TERM_LIMIT,
-                )
-            )
-        if not self._relations or poly.is_constant():
-            return poly
-        degrees = poly.degrees()
-        last = self._capacity - 1
-        if all(degrees[last - index] < 2 for index in self._relations):
-            return poly
-        for index in sorted(self._relations, reverse=True):
-            if poly.degrees()[last - index] >= 2:
-                poly = divmod(poly, self._relations[index])[1]
-        return poly
 
     def quotient(self, num: Poly, den: Poly | None) -> Ratio:
         num = self.reduce(self.current(num))
@@ -347,67 +304,8 @@ class Field:
             num, below = -num, -below
         return Ratio(self, num, None if below.is_one() else below)
 
-    def used(self, poly: Poly) -> set[int]:
-        last = poly.context().nvars() - 1
-        return {last - k for k, degree in enumerate(poly.degrees()) if degree > 0}
-
-    def terms(self, poly: Poly) -> dict[tuple[tuple[int, int], ...], int]:
-        """The polynomial as {((generator, exponent), ...): coefficient}."""
-        last = poly.context().nvars() - 1
-        places = [(k, last - k) for k, degree in enumerate(poly.degrees()) if degree > 0]
-        return {tuple((g, int(m[k])) for k, g in places if m[k]): int(c) for m, c in poly.to_dict().items()}
-
-    def polynomial(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Ratio:
-        data: dict[tuple[int, ...], int] = {}
-        for monomial, coefficient in terms.items():
-            exponents = [0] * self._capacity
-            for index, exponent in monomial:
-                exponents[self._capacity - 1 - index] += exponent
-            key = tuple(exponents)
-            data[key] = data.get(key, 0) + coefficient
-        return Ratio(self, self.reduce(self._context.from_dict(data)), None)
-
-    def _as_written(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Poly:
-        """A polynomial of which no relation is used."""
-        data: dict[tuple[int, ...], int] = {}
-        for monomial, coefficient in terms.items():
-            exponents = [0] * self._capacity
-            for index, exponent in monomial:
-                exponents[self._capacity - 1 - index] += exponent
-            data[tuple(exponents)] = coefficient
-        return self._context.from_dict(data)
-
-    def square_root(self, terms: Mapping[tuple[tuple[int, int], ...], int]) -> Ratio | None:
-        """Of a polynomial that is a perfect square as it is written, before any relation is used; else None."""
-        try:
-            root = self._as_written(terms).sqrt()
-        except (_flint.utils.flint_exceptions.DomainError, ValueError):
-            return None
-        return Ratio(self, self.reduce(root), None)
-
-    def factors_in(self, terms: Mapping[tuple[tuple[int, int], ...], int], generator: int) -> list[list[Ratio]]:
-        """The factors of a polynomial as it is written that contain a generator: coefficients of its powers, lowest
-        first."""
-        poly = self._as_written(terms)
-        small = poly.context().drop_gens(poly.unused_gens())
-        found: list[list[Ratio]] = []
-        for factor, _exponent in poly.project_to_context(small).factor()[1]:
-            parts = self.split(factor.project_to_context(self._context), generator)
-            if len(parts) > 1:
-                found.append([Ratio(self, self.reduce(p), None) for p in parts])
-        return found
-
-    def split(self, poly: Poly, generator: int) -> list[Poly]:
-        """Coefficients of the powers of one generator, lowest first."""
-        poly = self.current(poly)
-        place = self._capacity - 1 - generator
-        parts: dict[int, dict[tuple[int, ...], int]] = {}
-        for monomial, coefficient in poly.to_dict().items():
-            rest = list(monomial)
-            exponent, rest[place] = int(rest[place]), 0
-            parts.setdefault(exponent, {})[tuple(rest)] = coefficient
-        highest = max(parts, default=0)
-        return [self._context.from_dict(parts.get(k, {})) for k in range(highest + 1)]
+    def polynomial(self, terms: Terms) -> Ratio:
+        return Ratio(self, self.reduce(self.as_written(terms)), None)
 
     # -- calculus -----------------------------------------------------------------------------
     def partial(self, x: Ratio, generator: int) -> Ratio:
@@ -512,7 +410,7 @@ class Field:
         outside, inside = self.one, self.one
         if unit < 0:
             inside = -inside
-        square, free = _square_part(abs(unit))
+        square, free = square_part(abs(unit))
         outside, inside = outside * square, inside * free
         for base, exponent in factors:
             taken = self._root_of_square(base, is_negative) if exponent >= 2 else None
@@ -545,23 +443,20 @@ class Field:
                 found[s] = found.get(s, 0) + 2 * n
         return unit, [(base, exponent) for base, exponent in found.items() if exponent]
 
-    @staticmethod
-    def _root_of_square(base: Ratio, is_negative: Callable[[Ratio], bool | None] | None) -> Ratio | None:
+    def _root_of_square(self, base: Ratio, is_negative: Callable[[Ratio], bool | None] | None) -> Ratio | None:
         """|base|, or None if its sign is open and nobody decides it."""
-        if is_negative is not None:
-            turned = is_negative(base)
-            return None if turned is None else -base if turned else base
-        from freebody.symbolic.signs import Sign, sign_of
+        turned = (is_negative or self.has_negative_sign)(base)
+        return None if turned is None else -base if turned else base
 
-        sign = sign_of(base)
-        if sign in (Sign.POSITIVE, Sign.NONNEGATIVE):
-            return base
-        return -base if sign in (Sign.NEGATIVE, Sign.NONPOSITIVE) else None
+    def has_negative_sign(self, x: Ratio) -> bool | None:
+        """Whether |x| is -x, where nobody else tells; None if the sign is open. See `SignedField`."""
+        return None
 
     def _root(self, radicand: Ratio, is_negative: Callable[[Ratio], bool | None] | None = None) -> Ratio:
         key = ("root", radicand.key())
-        if key in self._atoms:
-            return self.variable(self._atoms[key])
+        made = self.known(key)
+        if made is not None:
+            return made
         positive = radicand.fraction() is not None
         shown = power(self.expression(radicand), number(Fraction(1, 2)))
         root = self.generator(
@@ -576,7 +471,7 @@ class Field:
             key=key,
         )
         index = self.index(root)
-        self._relations[index] = self._variables[index] ** 2 - self.current(radicand.num)
+        self.bind(index, radicand.num)
         if not radicand.is_constant():
             # (sqrt r)' = r'/(2 sqrt r)
             self._rates[index] = self.rate(radicand) / (2 * root)
@@ -584,48 +479,7 @@ class Field:
 
     def radicand(self, index: int) -> Ratio:
         """g^2 of a root generator."""
-        return Ratio(self, self._variables[index] ** 2 - self._relations[index], None)
-
-    def unit_pair(self, angle: Ratio, cos: Generator, sin: Generator, key: Any) -> tuple[Ratio, Ratio]:
-        """Cosine and sine of an angle, bound by s^2 = 1 - c^2."""
-        if key in self._atoms:
-            index = self._atoms[key]
-            return self.variable(index), self.variable(index + 1)
-        if len(self.generators) + 2 > self._capacity:
-            self._grow()
-        c = self.generator(cos, key=key)
-        s = self.generator(sin)
-        index = self.index(s)
-        self._relations[index] = self._variables[index] ** 2 + self._variables[index - 1] ** 2 - 1
-        self.angles[index - 1] = angle
-        rate = self.rate(angle)
-        if not rate.is_zero():
-            self._rates[index - 1] = -s * rate
-            self._rates[index] = c * rate
-        return c, s
-
-    def angle_with(self, cos: Ratio, sin: Ratio) -> Ratio:
-        """The angle whose cosine and sine are given elements, pi where 2 atan(sin/(1 + cos)) has no value."""
-        if cos == -1:
-            return self.pi
-        key = ("angle with", cos.key(), sin.key())
-        if key in self._atoms:
-            return self.variable(self._atoms[key])
-        atom = self.generator(
-            Generator(
-                multiply(number(2), Call("atan", self.expression(sin / (1 + cos)))),
-                "function",
-                compute=lambda v, f: f.atan2(self.evaluate(sin, v, f), self.evaluate(cos, v, f)),
-                made_of=self.ingredients(cos) | self.ingredients(sin),
-                remake=lambda follow: self.angle_with(follow(cos), follow(sin)),
-            ),
-            key=key,
-        )
-        self.known_pairs[self.index(atom)] = cos, sin
-        rate = self.lowest_terms(cos * self.rate(sin) - sin * self.rate(cos))
-        if not rate.is_zero():
-            self._rates[self.index(atom)] = rate
-        return atom
+        return Ratio(self, self.square_of(index), None)
 
     def pairs(self, used: Iterable[int]) -> list[tuple[int, int]]:
         """(cosine, sine) generators of the angles of which one occurs."""
@@ -643,179 +497,44 @@ class Field:
         own = self.variable(angle)
         return next(((cos, cos + 1) for cos, known in self.angles.items() if known == own), None)
 
+    # -- common factors -----------------------------------------------------------------------
     def lowest_terms(self, x: Ratio) -> Ratio:
-        """Cancels what numerator and denominator share once c^2 + s^2 = 1 is used.
-
-        With T = tan(angle/2), c = (1 - T^2)/(1 + T^2) and s = 2T/(1 + T^2), the element becomes a quotient of
-        plain polynomials, whose greatest common divisor FLINT finds. Back again, T^j/(1 + T^2)^n is
-        ((1 - c)/2)^a ((1 + c)/2)^b (s/2)^odd. The generators c and s themselves serve as T on the way.
-        """
+        """Cancels what numerator and denominator share once c^2 + s^2 = 1 is used."""
         if x.den is None:
             return x
         pairs = [p for p in self.pairs(self.used(x.den)) if self.generators[p[0]].kind == "cos"]
-        if not pairs or len(x.num) + len(x.den) > _LOWEST_TERMS_LIMIT:
-            return x
-        if self._half_tangent_growth(x, pairs) * (len(x.num) + len(x.den)) > _LOWEST_TERMS_LIMIT:
-            return x
-        num, den = self.current(x.num), self.current(x.den)
-        if not self._may_share(num, den, pairs):
-            return x
-        for pair in pairs:
-            num, den = self._half_tangent(num, den, pair)
-        divisor = num.gcd(den)
-        if divisor.is_constant():
-            return x
-        num, den = num / divisor, den / divisor
-        for pair in pairs:
-            num, den = self._from_half_tangent(num, den, pair)
-        return self.quotient(num, den)
-
-    def _may_share(self, num: Poly, den: Poly, pairs: Sequence[tuple[int, int]]) -> bool:
-        """Whether both may have a common factor with T = tan(angle/2) of a pair: seen modulo a prime, where everything
-        else is a number, cosines and sines on the circle. Factors without any T they cannot share: those divide the
-        elements as they are."""
-        known: dict[int, int] = {}
-        for index in self.used(num) | self.used(den):
-            known[index] = _scattered(index)
-        for c, s in pairs:
-            t = _scattered(c)
-            below = pow(1 + t * t, -1, _PRIME)
-            known[c], known[s] = (1 - t * t) * below % _PRIME, 2 * t * below % _PRIME
-        terms = [self.terms(poly) for poly in (num, den)]
-        return any(self._shares_tangent(terms, pair, known) for pair in pairs)
-
-    @staticmethod
-    def _shares_tangent(
-        both: Sequence[Mapping[tuple[tuple[int, int], ...], int]], pair: tuple[int, int], known: Mapping[int, int]
-    ) -> bool:
-        """Whether two polynomials have a common factor with the T of a pair, the other generators being numbers."""
-        c, s = pair
-        seen: list[dict[tuple[int, int], int]] = []
-        for terms in both:
-            parts: dict[tuple[int, int], int] = {}
-            for monomial, coefficient in terms.items():
-                i = j = 0
-                for index, exponent in monomial:
-                    if index == c:
-                        i = exponent
-                    elif index == s:
-                        j = exponent
-                    else:
-                        coefficient = coefficient * pow(known[index], exponent, _PRIME) % _PRIME
-                parts[i, j] = (parts.get((i, j), 0) + coefficient) % _PRIME
-            seen.append(parts)
-        degree = max(i + j for parts in seen for i, j in parts)
-        plus, minus, double = (_flint.nmod_poly(list(k), _PRIME) for k in ((1, 0, 1), (1, 0, -1), (0, 2)))
-        found: list[Any] = []
-        for parts in seen:
-            total = _flint.nmod_poly([], _PRIME)
-            for (i, j), coefficient in parts.items():
-                total = total + coefficient * minus**i * double**j * plus ** (degree - i - j)
-            found.append(total)
-        return found[0].gcd(found[1]).degree() > 0
-
-    @staticmethod
-    def _half_tangent_growth(x: Ratio, pairs: Sequence[tuple[int, int]]) -> int:
-        """A term of degree n in one angle becomes up to 2n + 1 terms."""
-        growth = 1
-        both: tuple[Poly, Poly] = (x.num, x.den)
-        for c, s in pairs:
-            degree = 0
-            for poly in both:
-                last, degrees = poly.context().nvars() - 1, poly.degrees()
-                degree = max(degree, int(degrees[last - c]) + int(degrees[last - s]))
-            growth *= 2 * degree + 1
-        return growth
-
-    def _half_tangent(self, num: Poly, den: Poly, pair: tuple[int, int]) -> tuple[Poly, Poly]:
-        """Both polynomials times (1 + T^2)^degree, T written as the cosine's generator."""
-        c, s = pair
-        tangent = self._variables[c]
-        result: list[Poly] = []
-        split: list[dict[tuple[int, int], Poly]] = []
-        degree = 0
-        for poly in (num, den):
-            parts: dict[tuple[int, int], Poly] = {}
-            for i, by_cos in enumerate(self.split(poly, c)):
-                for j, rest in enumerate(self.split(by_cos, s)):
-                    if rest != 0:
-                        parts[i, j] = rest
-                        degree = max(degree, i + j)
-            split.append(parts)
-        plus, minus = 1 + tangent**2, 1 - tangent**2
-        for parts in split:
-            total = self.zero.num
-            for (i, j), rest in parts.items():
-                total = total + rest * minus**i * (2 * tangent) ** j * plus ** (degree - i - j)
-            result.append(total)
-        return result[0], result[1]
-
-    def _from_half_tangent(self, num: Poly, den: Poly, pair: tuple[int, int]) -> tuple[Poly, Poly]:
-        c, s = self._variables[pair[0]], self._variables[pair[1]]
-        parts = [self.split(poly, pair[0]) for poly in (num, den)]
-        n = (max(len(p) for p in parts)) // 2
-        result: list[Poly] = []
-        for coefficients in parts:
-            total = self.zero.num
-            for j, rest in enumerate(coefficients):
-                if rest == 0:
-                    continue
-                a, odd = divmod(j, 2)
-                b = n - a - odd
-                # everything times 2^n
-                total = total + rest * (1 - c) ** a * (1 + c) ** b * (s if odd else 1)
-            result.append(self.reduce(total))
-        return result[0], result[1]
+        found = cancelled(self, x.num, x.den, pairs)
+        return x if found is None else self.quotient(*found)
 
     def factor(self, poly: Poly, *, is_quick: bool = False) -> tuple[int, list[tuple[Ratio, int]]]:
-        """Integer content and irreducible factors with exponents, as elements; a quick one leaves a long rest whole.
-
-        Common symbols and the content come out first. If then a symbol occurs in one term only, and there to
-        the first power, the rest is linear in it with coprime parts, hence irreducible; FLINT factors the others."""
-        terms = self.terms(poly)
-        if not terms:
-            return 0, []
-        content, common, rest = primitive(terms)
-        found = [(self.variable(g), e) for g, e in common.items()]
-        if len(terms) == 1:
-            return content, found
-        remaining = self.polynomial(rest)
-        if has_lonely_symbol(rest) or (is_quick and len(rest) > _QUICK_TERMS):
-            return content, [*found, (remaining, 1)]
-        unused = remaining.num.unused_gens()
-        small = remaining.num.context().drop_gens(unused)
-        try:
-            unit, factors = remaining.num.project_to_context(small).factor()
-        except OverflowError:  # FLINT's Python orders factors by machine integers; without factors it is as true
-            return content, [*found, (remaining, 1)]
-        found += [(Ratio(self, f.project_to_context(self._context), None), int(e)) for f, e in factors]
-        return content * int(unit), found
+        """Integer content and irreducible factors with exponents, as elements; a quick one leaves a long rest whole."""
+        content, found = self.factors(poly, is_quick=is_quick)
+        return content, [(Ratio(self, factor, None), exponent) for factor, exponent in found]
 
     def factor_by_degree(self, poly: Poly) -> tuple[int, list[tuple[Ratio, int]]] | None:
-        """Factors of a polynomial made homogeneous in the cosine and sine of its one angle, 1 = c^2 + s^2: so
-        4 c^2 - 4 + ... is a square where it is one. None where this finds no more than `factor`."""
+        """Factors of a polynomial made homogeneous in the cosine and sine of its one angle. None where this finds no
+        more than `factor`."""
         pairs = self.pairs(self.used(poly))
-        if len(pairs) != 1:
+        free = self.homogeneous(poly, pairs[0]) if len(pairs) == 1 else None
+        if free is None:
             return None
-        (c, s), terms = pairs[0], self.terms(poly)
-        degrees = {m: dict(m).get(c, 0) + dict(m).get(s, 0) for m in terms}
-        highest = max(degrees.values(), default=0)
-        if any((highest - d) % 2 for d in degrees.values()) or len(set(degrees.values())) < 2:
-            return None
-        gc, gs = self._variables[c], self._variables[s]
-        free = self.current(poly) - self.current(poly)
-        for m, coefficient in terms.items():
-            term = self._context.constant(coefficient) * (gc**2 + gs**2) ** ((highest - degrees[m]) // 2)
-            for index, exponent in m:
-                term = term * self._variables[index] ** exponent
-            free = free + term
-        small = free.context().drop_gens(free.unused_gens())
-        unit, factors = free.project_to_context(small).factor()
-        found = [(Ratio(self, self.reduce(f.project_to_context(self._context)), None), int(e)) for f, e in factors]
+        unit, factors = self.irreducible(free)
+        found = [(Ratio(self, self.reduce(factor), None), exponent) for factor, exponent in factors]
         found = [(f, e) for f, e in found if f != 1]
-        if sum(e for _f, e in found) <= sum(e for _f, e in self.factor(poly)[1]):
+        if sum(e for _f, e in found) <= sum(e for _f, e in self.factors(poly)[1]):
             return None
-        return int(unit), found
+        return unit, found
+
+    def factors_in(self, terms: Terms, generator: int) -> list[list[Ratio]]:
+        """The factors of a polynomial as it is written that contain a generator: coefficients of its powers, lowest
+        first."""
+        split = [self.split(factor, generator) for factor, _exponent in self.irreducible(self.as_written(terms))[1]]
+        return [[Ratio(self, self.reduce(p), None) for p in parts] for parts in split if len(parts) > 1]
+
+    def root_as_written(self, terms: Terms) -> Ratio | None:
+        """Of a polynomial that is a perfect square as it is written, before any relation is used; else None."""
+        root = self.square_root(self.as_written(terms))
+        return None if root is None else Ratio(self, self.reduce(root), None)
 
     # -- numbers and pictures -----------------------------------------------------------------
     def complete(self, values: Mapping[int, Any], functions: Any = math) -> dict[int, Any]:
@@ -874,87 +593,3 @@ class Field:
                 factors.append(base if exponent == 1 else power(base, number(exponent)))
             summands.append(multiply(*factors))
         return add(*summands)
-
-    def function(self, name: str, argument: Ratio, rate_factor: Callable[[Ratio, Ratio], Ratio]) -> Ratio:
-        """A function atom f(argument) with f' = rate_factor(f, argument) * argument'."""
-        key = (name, argument.key())
-        if key in self._atoms:
-            return self.variable(self._atoms[key])
-        atom = self.generator(
-            Generator(
-                Call(name, self.expression(argument)),
-                "function",
-                positive=name in ("exp", "cosh"),
-                compute=lambda v, f: (
-                    _sign(self.evaluate(argument, v, f))
-                    if name == "sign"
-                    else getattr(f, name)(self.evaluate(argument, v, f))
-                ),
-                made_of=self.ingredients(argument),
-                remake=lambda follow: self.function(name, follow(argument), rate_factor),
-            ),
-            key=key,
-        )
-        self.arguments[self.index(atom)] = (name, argument)
-        inner = self.rate(argument)
-        if not inner.is_zero():
-            self._rates[self.index(atom)] = rate_factor(atom, argument) * inner
-        return atom
-
-
-def _sign(x: Any) -> int:
-    return (x > 0) - (x < 0)
-
-
-Monomial: TypeAlias = tuple[tuple[int, int], ...]
-
-
-def primitive(terms: Mapping[Monomial, int]) -> tuple[int, dict[int, int], dict[Monomial, int]]:
-    """(content, common symbols with exponents, the rest) of a polynomial that is not zero; the content of a single
-    term is its coefficient."""
-    content = math.gcd(*terms.values()) if len(terms) > 1 else next(iter(terms.values()))
-    common = dict(next(iter(terms)))
-    for monomial in terms:
-        powers = dict(monomial)
-        common = {g: min(e, powers[g]) for g, e in common.items() if g in powers}
-    rest = {
-        tuple((g, e - common.get(g, 0)) for g, e in monomial if e > common.get(g, 0)): c // content
-        for monomial, c in terms.items()
-    }
-    return content, common, rest
-
-
-def has_lonely_symbol(terms: Mapping[Monomial, int]) -> bool:
-    """True if a symbol occurs in one term only, and there to the first power."""
-    count: dict[int, int] = {}
-    degree: dict[int, int] = {}
-    for monomial in terms:
-        for g, e in monomial:
-            count[g] = count.get(g, 0) + 1
-            degree[g] = e
-    return any(n == 1 and degree[g] == 1 for g, n in count.items())
-
-
-def declaration_order(monomial: tuple[tuple[int, int], ...]) -> tuple[Any, ...]:
-    """Sorts terms by the order in which symbols were declared, high powers of early symbols first."""
-    return (*((g, -e) for g, e in sorted(monomial)), (10**6, 0))
-
-
-def _square_part(value: int) -> tuple[int, int]:
-    """value = square^2 * free, by trial division (numbers here are small; a big rest stays inside)."""
-    square, free, prime = 1, 1, 2
-    while prime * prime <= value and prime < 10_000:
-        count = 0
-        while value % prime == 0:
-            value //= prime
-            count += 1
-        square *= prime ** (count // 2)
-        free *= prime ** (count % 2)
-        prime += 1
-    root = math.isqrt(value)
-    return (square * root, free) if root * root == value else (square, free * value)
-
-
-def _scattered(k: int) -> int:
-    """A number for a generator, other for every one, in no simple relation with others."""
-    return 2 + 30011 * (k + 1) % 65537

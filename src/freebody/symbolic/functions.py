@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from freebody.language.expression import Call, Expr, evaluate
+from freebody.symbolic.atoms import function_atom, unit_pair
 from freebody.symbolic.field import MAX_POWER, Field, Generator, Ratio
 
 Complex = tuple[Ratio, Ratio]
@@ -124,7 +125,7 @@ def _atom(field: Field, base: Ratio) -> Complex:
             lambda follow: cos_sin(field, follow(base))[part],
         )
 
-    return field.unit_pair(base, generator("cos", 0), generator("sin", 1), ("angle", base.key()))
+    return unit_pair(field, base, generator("cos", 0), generator("sin", 1), ("angle", base.key()))
 
 
 def _of_inverse(field: Field, name: str, u: Ratio) -> Complex | None:
@@ -202,7 +203,7 @@ def known_angle(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None
 
 
 def _arc(field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
-    return field.function(name, argument, lambda _f, u: slope(u))
+    return function_atom(field, name, argument, lambda _f, u: slope(u))
 
 
 # values in parts of pi
@@ -240,7 +241,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         base, multiple = _standard(field, x)
         if abs(multiple) > MAX_POWER:  # no power of an atom, but an atom of its own
             base, multiple = x, 1
-        atom = field.function("exp", base, lambda f, _u: f)
+        atom = function_atom(field, "exp", base, lambda f, _u: f)
         return atom**multiple
 
     def tan(x: Ratio) -> Ratio:
@@ -254,7 +255,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         fraction = x.fraction()
         if fraction is not None:
             return field.element((fraction > 0) - (fraction < 0))
-        return field.function("sign", x, lambda _f, _u: field.zero)
+        return function_atom(field, "sign", x, lambda _f, _u: field.zero)
 
     def cos(x: Ratio) -> Ratio:
         return cos_sin(field, x)[0]
@@ -263,7 +264,7 @@ def functions(field: Field, is_negative: IsNegative | None = None) -> Mapping[st
         return cos_sin(field, x)[1]
 
     def log(x: Ratio) -> Ratio:
-        return field.zero if x == 1 else field.function("log", x, lambda _f, u: 1 / u)
+        return field.zero if x == 1 else function_atom(field, "log", x, lambda _f, u: 1 / u)
 
     def sinh(x: Ratio) -> Ratio:
         return (exp(x) - 1 / exp(x)) / 2

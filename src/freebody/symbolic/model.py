@@ -31,7 +31,7 @@ from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.coordinates import CoordinateChoice
 from freebody.symbolic.dynamics import SymbolicDynamics
 from freebody.symbolic.elimination import RowEquation
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, Slot
 from freebody.symbolic.given_start import GivenStart, PlanarGivenStart
 from freebody.symbolic.kinematics import SymbolicKinematics
@@ -40,6 +40,7 @@ from freebody.symbolic.loads import SymbolicLoads
 from freebody.symbolic.reactions import Reactions
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.samples import Samples
+from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.spatial.given_start import SpatialGivenStart
 from freebody.symbolic.spatial.lines import SpatialLines
@@ -72,7 +73,7 @@ class SymbolicModel:
         self.system = system = in_one_order(system)
         ambient = SPACE if system.space else PLANE
         n = len(system.moving)
-        self.field = Field(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
+        self.field = SignedField(capacity=len(system.parameters) + 10 * n + 3 * len(system.measures) + 24)
         # the unknowns, and what is known of them
         self._unknowns = unknowns = ModelUnknowns(self.field, system)
         self.bodies = bodies = ambient.bodies(system, unknowns)

@@ -26,7 +26,8 @@ from freebody.language.expression import (
     number,
     power,
 )
-from freebody.symbolic.field import Field, Poly, Ratio, declaration_order, has_lonely_symbol, primitive
+from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.polynomials import Poly, declaration_order, has_lonely_symbol, primitive
 from freebody.symbolic.signs import sign_is_negative, sign_is_positive
 from freebody.symbolic.waves import Monomial, Terms, fourier, square_variants
 

@@ -206,7 +206,7 @@ def _bound(c: Condition) -> tuple[Stated, int] | None:
         if front is None or n * n != front or n == 0:
             continue
         for terms in square_variants(field, field.terms((-parts[0]).num)):
-            root = field.square_root(terms)
+            root = field.root_as_written(terms)
             if root is not None:
                 return _bounded(field.variable(g), c.relation, root / n)
     return None

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from freebody.measures.geometry import Vector
+from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import RowEquation
 from freebody.symbolic.field import Ratio
@@ -103,4 +104,4 @@ class SpatialLines(Lines):
         pair = (b / w, -a / w) if d.is_zero() else ((b * w - a * d) / square, -(a * w + b * d) / square)
         c, s = map(f.lowest_terms, pair)
         n_terms = sum(len(f.terms(part)) for x in (c, s) for part in (x.num, x.denominator().num))
-        return f.angle_with(c, s) if n_terms <= _MOST_TERMS else None
+        return angle_with(f, c, s) if n_terms <= _MOST_TERMS else None
