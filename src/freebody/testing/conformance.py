@@ -28,7 +28,7 @@ from freebody.numeric.options import WITH_STEP
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot, snapshot_of
 from freebody.numeric.trajectory import integrate
-from freebody.study.answering.evidence import element_at
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import Simulator

@@ -24,7 +24,7 @@ from freebody.narrative.telling.catalogue import Catalogue, languages
 from freebody.questions.base import FORMS, Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.evidence import element_at
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.setup import Setup
 from freebody.system.reader import register_kinds
 from freebody.testing.conformance import equal

@@ -17,10 +17,11 @@ from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld,
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.questions.reading import Question
+from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.events import FirstEvent
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, pieces
-from freebody.study.phases.tree import NO_FORM, PhaseNode, tree_of, why
+from freebody.study.phases.tree import PhaseNode, tree_of
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.system.system import System
@@ -73,7 +74,7 @@ class PhaseSequence:
             self.tree = tree_of(system)
             self.piece: AnswerBranch = pieces(self.tree, question)[0]
         except NO_FORM as error:
-            raise CannotAnswer(why(error)) from None
+            raise CannotAnswer(why(system, error)) from None
         self.runs = WorldRuns(self.tree, self.piece, question.event)
         self.legs = [self._leg(k) for k in range(len(self.piece.nodes))]
 

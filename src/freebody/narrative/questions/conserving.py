@@ -30,7 +30,7 @@ from freebody.questions.momentum import AngularMomentum, Momentum, is_among
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.evidence import element_at
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.conservation.balance import RateBalance, RatePrinciple
 from freebody.study.conservation.conserved import ConservationFinding, Judge
 from freebody.symbolic.tidy import tidy

@@ -17,7 +17,7 @@ from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.questions.state import AnswerParts, parts_of_state
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.evidence import work_until
+from freebody.study.answering.numbers import work_until
 from freebody.study.answering.passage import NumericPassage
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy

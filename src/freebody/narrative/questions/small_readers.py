@@ -16,8 +16,8 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.narrative.lines.glossary import World
 from freebody.numeric.jets import Array
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.evidence import element_at
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate

@@ -18,7 +18,7 @@ from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.evidence import holds
+from freebody.study.answering.crosscheck import holds
 from freebody.study.steady.extremes import ExtremaSearch, angle_of, at_start_but_for
 from freebody.study.steady.round_turn import FullTurn
 from freebody.study.steady.turning import Extremum, TurningAngle

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from freebody.assess.options import Verdict
+from freebody.assess.verdict import Judgement, Verdict
 from freebody.language.expression import Expr
 from freebody.language.notation import stated_plain, to_latex, to_python
+from freebody.questions.reading import Question
 
+Value = float | tuple[float, ...] | None
 NOT_VALID = "Not valid for the given numbers"  # how a note begins that names a condition which they break
 
 
@@ -47,7 +50,7 @@ class Answer:
     question: str
     expression: Expr | tuple[Expr, ...] | None
     unit: str
-    value: float | tuple[float, ...] | None
+    value: Value
     conditions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     reason: str = ""
@@ -103,3 +106,42 @@ class Answer:
                 "route": self.evidence.route,
             },
         }
+
+
+def made(
+    question: Question,
+    expression: Expr | tuple[Expr, ...] | None,
+    value: Value,
+    *,
+    unit: str | None = None,
+    conditions: Sequence[str] = (),
+    notes: Sequence[str] = (),
+    reason: str = "",
+    judgement: Judgement | None = None,
+    evidence: Evidence | None = None,
+    cases: tuple[AnswerCase, ...] = (),
+    why_no_value: str = "",
+) -> Answer:
+    """The answer to a question. unit: where it is not that of what is asked."""
+    return Answer(
+        question.id,
+        question.text,
+        expression,
+        question.quantity.unit if unit is None else unit,
+        value,
+        tuple(conditions),
+        tuple(notes),
+        reason,
+        choice=None if judgement is None else judgement.choice,
+        options={} if judgement is None else judgement.options,
+        author_notes=() if judgement is None else judgement.notes,
+        evidence=evidence,
+        cases=cases,
+        why_no_value=why_no_value,
+    )
+
+
+def refused(question: Question, reason: str, value: Value = None, *, never: bool = False) -> Answer:
+    """Why there is no closed form, with the number of the numeric route where there is one. never: it is proved that
+    the event does not happen."""
+    return Answer(question.id, question.text, None, question.quantity.unit, value, reason=reason, never=never)

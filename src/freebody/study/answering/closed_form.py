@@ -4,30 +4,32 @@ compared, options are judged."""
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatchmethod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from freebody.assess.options import judge
-from freebody.errors import BudgetExhausted, CannotAnswer, NeverHappens, RoutesDisagree
+from freebody.assess.verdict import Judgement
+from freebody.errors import BudgetExhausted, CannotAnswer, NeverHappens
 from freebody.language.expression import ZERO, Expr, number
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, further
 from freebody.measures.combination import Composed
-from freebody.progress import busy_with
 from freebody.questions.base import Quantity
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
-from freebody.study.answering.answer import Answer, Evidence
+from freebody.study.answering.answer import Answer, Evidence, Value, made
+from freebody.study.answering.crosscheck import element_at, holds
+from freebody.study.answering.finding import Elements, Finding, answered
 from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import FormulaPassage
 from freebody.study.answering.scope import for_all
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
-from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
 from freebody.symbolic.existence import exists
@@ -36,30 +38,9 @@ from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts
-from freebody.symbolic.written import HasNoValue, has_values
+from freebody.symbolic.written import has_values
 
-if TYPE_CHECKING:
-    pass
-
-
-Elements = Ratio | tuple[Ratio, ...]
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
-
-
-@dataclass
-class _ClosedForm:
-    """A closed form on its way to an answer."""
-
-    element: Elements | Fraction
-    evidence: Evidence
-    conditions: list[Condition] = field(default_factory=list[Condition])
-    notes: list[str] = field(default_factory=list[str])
-    up_to_constant: bool = False
-    at_start: bool = False
-    says: list[str] = field(default_factory=list[str])  # conditions in words
-    may_be_complex: bool = False  # roots in it need not be real
-    unit: str | None = None  # where it is not that of the quantity
-    has_value: bool = True  # at the model's own numbers and start
 
 
 class QuestionSolver:
@@ -72,95 +53,84 @@ class QuestionSolver:
         self.question = question
 
     def answer(self) -> Answer:
-        busy_with(f"answering {self.question.id}: {self.question.text}")
         with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
             return self._answer()
 
     def _answer(self) -> Answer:
-        q = self.question
-        if q.quantity.scope == "every motion":
-            return self._conserved()
-        if q.quantity.scope == "rest":
-            from freebody.study.friction.answers import answer
+        match self.question.quantity.scope:
+            case "every motion":
+                return answered(self.system, self.question, self._conserved)
+            case "rest":
+                from freebody.study.friction.answers import answer
 
-            return answer(self.system, q)
-        try:
-            return self._finish(self._find())
-        except NeverHappens as error:
-            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error), never=True)
-        except HasNoValue as error:
-            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
-        except (CannotAnswer, *FAILED) as error:
-            reason = str(error) if isinstance(error, CannotAnswer) else cause(self.system, error)
-            value, unfinished = self._number_instead()
-            return Answer(q.id, q.text, None, self._unit(), value, reason=further(reason, *unfinished))
-        except RoutesDisagree as error:
-            return Answer(q.id, q.text, None, self._unit(), None, reason=str(error))
+                return answer(self.system, self.question)
+            case _:
+                return answered(self.system, self.question, self._smooth, self._number_instead)
+
+    def _smooth(self) -> Answer:
+        return self._finish(self._find())
 
     def _conserved(self) -> Answer:
         """The rate of the quantity, and whether it vanishes; `study/conservation/conserved.py` has more to say."""
         from freebody.study.conservation.conserved import Judge
 
-        q = self.question
-        found = Judge(self.setup).answer(q)
+        found = Judge(self.setup).answer(self.question)
         answer = Message("conserved for every motion") if found.is_conserved else Message("not conserved")
         if found.is_conserved is None:
             answer = found.verdict
         c = found.confirmation
-        return Answer(
-            q.id,
-            q.text,
+        return made(
+            self.question,
             found.rate,
-            q.quantity.unit,
             0.0 if found.rate == number(0) else None,
             conditions=() if found.reason else (answer,),
             notes=(Message("this is its rate"), *found.notes) if found.rate is not None else found.notes,
             reason=found.reason or (further(*found.notes) if found.rate is None else ""),
-            choice=found.choice,
-            options=found.options,
-            author_notes=found.author_notes,
+            judgement=Judgement(found.choice, found.options, found.author_notes),
             evidence=None if c is None else Evidence(c.motions, c.largest_drift or 0.0, c.route),
             why_no_value=Message("the rate depends on the motion"),
         )
 
-    def _number_instead(self) -> tuple[float | tuple[float, ...] | None, tuple[str, ...]]:
+    def _number_instead(self) -> tuple[Value, tuple[str, ...]]:
         """The value of the numeric route where there is no closed form, at the start or at the event; and what is to be
         said where a budget was exhausted on the way."""
         q = self.question
         if not self.setup.has_values or q.quantity.scope == "steady motion":
             return None, ()
         try:
-            return proof.number(self.setup, q.quantity, q.event), ()
+            return number_of(self.setup, q.quantity, q.event), ()
         except BudgetExhausted as error:
             return None, (str(error),)
         except (CannotAnswer, ArithmeticError, ValueError):
             return None, ()
 
-    def _find(self) -> _ClosedForm:
+    def _find(self) -> Finding:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
             self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
         if q.scope == "steady motion":
-            return self._steady()
+            from freebody.study.steady.ask import find
+
+            return find(self.setup, self.question)
         if self.question.event is not None:
             return self._at_event(q)
         return self._found(q)
 
     # -- one instant --------------------------------------------------------------------------
     @singledispatchmethod
-    def _found(self, q: Quantity) -> _ClosedForm:
+    def _found(self, q: Quantity) -> Finding:
         """By the kind of question: what has no finder of its own is a property of an instant."""
         at_start = self.question.at_start
         x = self._elements(q, self._start_of(q) if at_start else self.setup.state)
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         remark = q.remark(self.system)
         notes = [remark] if remark else []
-        return _ClosedForm(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant, at_start=at_start)
+        return Finding(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant)
 
     @_found.register(DegreesOfFreedom)
-    def _freedom(self, q: DegreesOfFreedom) -> _ClosedForm:
+    def _freedom(self, q: DegreesOfFreedom) -> Finding:
         dof = self.model.degrees_of_freedom
-        return _ClosedForm(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
+        return Finding(Fraction(dof), proof.freedom(self.setup, self.question.text, dof))
 
     def _start_of(self, q: Quantity) -> SymbolicState:
         """The start; for an instant centre with one freedom, whose speed cancels, the pose at the start."""
@@ -178,7 +148,7 @@ class QuestionSolver:
         return f.lowest_terms(f.element(value))
 
     # -- an event along the motion ------------------------------------------------------------
-    def _at_event(self, q: Quantity) -> _ClosedForm:
+    def _at_event(self, q: Quantity) -> Finding:
         event = self.question.event
         assert event is not None
         reached = self.setup.motion.reach(event)
@@ -205,7 +175,7 @@ class QuestionSolver:
             [*conditions, *self._root_conditions(x)],
             [*begins, *ends],
         )
-        return _ClosedForm(x, evidence, conditions + ends, reached.notes, at_start=True, says=reached.says)
+        return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
 
     def _check_is_told(self, x: Ratio) -> None:
         """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
@@ -223,7 +193,7 @@ class QuestionSolver:
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
-    def _small(self, q: SmallOscillations) -> _ClosedForm:
+    def _small(self, q: SmallOscillations) -> Finding:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
         conditions: list[Condition] = [*found.rest.exists]
@@ -248,14 +218,14 @@ class QuestionSolver:
         evidence = proof.small_oscillations(
             self.setup, self.question.text, element, found.equilibrium, period=is_period
         )
-        return _ClosedForm(element, evidence, conditions, list(found.notes), at_start=True)
+        return Finding(element, evidence, conditions, list(found.notes))
 
     @_found.register(Equilibrium)
-    def _equilibrium(self, q: Equilibrium) -> _ClosedForm:
+    def _equilibrium(self, q: Equilibrium) -> Finding:
         rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
         evidence = proof.at_rest(self.setup, self.question.text, rest.values, x)
-        return _ClosedForm(x, evidence, [*rest.exists], self._stability(rest), at_start=True)
+        return Finding(x, evidence, [*rest.exists], self._stability(rest))
 
     def _stability(self, rest: ClosedFormRest) -> list[str]:
         """What is to be said of it, with the condition where there is one."""
@@ -275,33 +245,16 @@ class QuestionSolver:
         )
         return [reworded(verdict, where)]
 
-    # -- what goes on evenly ------------------------------------------------------------------
-    def _steady(self) -> _ClosedForm:
-        from freebody.study.steady.ask import find
-
-        x = find(self.setup, self.question)
-        return _ClosedForm(
-            x.element,
-            x.evidence,
-            x.conditions,
-            x.notes,
-            at_start=True,
-            says=x.says,
-            may_be_complex=x.may_be_complex,
-            unit=x.unit,
-            has_value=x.has_value,
-        )
-
     # -- conditions ---------------------------------------------------------------------------
     def _root_conditions(self, x: Elements) -> list[Condition]:
         """Every divisor, root and arc in the shown form."""
         return exists(x if isinstance(x, tuple) else (x,))
 
-    def _finish(self, found: _ClosedForm) -> Answer:
+    def _finish(self, found: Finding) -> Answer:
         q = self.question
         if isinstance(found.element, Fraction):
             expression: Expr | tuple[Expr, ...] = number(found.element)
-            value: float | tuple[float, ...] | None = float(found.element)
+            value: Value = float(found.element)
             conditions: list[str] = []
         else:
             element = found.element
@@ -314,17 +267,14 @@ class QuestionSolver:
             parts = element if isinstance(element, tuple) else (element,)
             conditions = found.says + texts(needed) or [for_all(self.system, parts)]
         judgement = self._judge(found) if q.options else None
-        return Answer(
-            q.id,
-            q.text,
+        return made(
+            q,
             expression,
-            self._unit() if found.unit is None else found.unit,
             value,
-            tuple(conditions),
-            tuple(found.notes),
-            choice=None if judgement is None else judgement.choice,
-            options={} if judgement is None else judgement.options,
-            author_notes=() if judgement is None else judgement.notes,
+            unit=found.unit,
+            conditions=conditions,
+            notes=found.notes,
+            judgement=judgement,
             evidence=found.evidence,
         )
 
@@ -337,7 +287,7 @@ class QuestionSolver:
         zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
         return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
-    def _conditions(self, found: _ClosedForm, element: Elements) -> list[Condition]:
+    def _conditions(self, found: Finding, element: Elements) -> list[Condition]:
         """Everything without which the answer is not true."""
         q = self.question.quantity
         conditions = [*found.conditions]
@@ -381,11 +331,11 @@ class QuestionSolver:
         broken: list[Condition] = []
         for c in conditions:
             with suppress(CannotAnswer, ArithmeticError, ValueError):
-                if not proof.holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
+                if not holds(self.setup, c, draw, start, round_off=_ROUND_OFF):
                     broken.append(c)
         return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in texts(broken)]
 
-    def _judge(self, found: _ClosedForm) -> Any:
+    def _judge(self, found: Finding) -> Judgement:
         element: Any = found.element
         if self.question.quantity.scope == "structure":
             with suppress(CannotAnswer):
@@ -395,7 +345,7 @@ class QuestionSolver:
         dimension = self.question.quantity.dimension
         return judge(self.question, element, dimension, self.model, self.system, up_to_constant=found.up_to_constant)
 
-    def _value(self, element: Elements) -> float | tuple[float, ...] | None:
+    def _value(self, element: Elements) -> Value:
         if not self.setup.has_values:
             return None
         draw = self.setup.draws[0]
@@ -409,12 +359,9 @@ class QuestionSolver:
         except CannotAnswer:
             pass
         try:
-            values = proof.element_at(self.setup, parts, draw, draw.start())
+            values = element_at(self.setup, parts, draw, draw.start())
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
         small = _ROUND_OFF * (magnitude(self.question.quantity.dimension, draw.seen(draw.start())) or 1.0)
         values = tuple(0.0 if abs(v) < small else v for v in values)
         return values if isinstance(element, tuple) else values[0]
-
-    def _unit(self) -> str:
-        return self.question.quantity.unit

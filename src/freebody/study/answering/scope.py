@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.field import Ratio
 from freebody.system.system import System
-
-if TYPE_CHECKING:
-    pass
-
 
 FOR_ALL = Message("for all positive parameters")
 FOR_ALL_VALUES = Message("for all values")

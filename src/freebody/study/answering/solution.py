@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.study.answering.answer import Answer
+from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -24,6 +25,20 @@ class Solution:
     answers: tuple[Answer, ...]
     phases: Phases | None = None  # of a system with contacts or dry friction
     assumed: tuple[str, ...] = ()  # about the start, where the model leaves it open
+
+    @classmethod
+    def of(
+        cls,
+        system: System,
+        model: SymbolicModel,
+        answers: tuple[Answer, ...],
+        phases: Phases | None = None,
+        assumed: tuple[str, ...] = (),
+    ) -> Solution:
+        """With the freedoms and coordinates of a model in formulas."""
+        coordinates, dependent = (tuple(c.name for c in found) for found in (model.coordinates, model.dependent))
+        dof, redundant = model.degrees_of_freedom, tuple(model.redundant)
+        return cls(system, dof, coordinates, dependent, redundant, answers, phases, assumed)
 
     def __getitem__(self, id: str) -> Answer:
         """The answer with an id."""

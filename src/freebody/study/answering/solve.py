@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import number
@@ -14,18 +13,15 @@ from freebody.language.sentences import Message
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question
 from freebody.study.answering import evidence as proof
-from freebody.study.answering.answer import Answer
+from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.numbers import number_of
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.solution import Solution
 from freebody.study.setup import Setup, independent_measures
 from freebody.study.worded import in_words
 from freebody.system.system import System
-
-if TYPE_CHECKING:
-    pass
-
 
 MOST_PLACES = 12  # at which bodies can touch, for formulas
 
@@ -80,7 +76,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         try:
             return _at_rest(system, questions)
         except CannotAnswer as error:  # as a question among others is refused
-            return replace(_in_whole(system, (), setup), answers=tuple(_without_form(q, str(error)) for q in questions))
+            return replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in questions))
     if system.bounds or system.rubs:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
@@ -97,15 +93,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
         QuestionSolver(setup, q).answer() if q.transition is None else _without_contacts(q, q.transition)
         for q in questions
     )
-    return Solution(
-        system,
-        model.degrees_of_freedom,
-        tuple(c.name for c in model.coordinates),
-        tuple(c.name for c in model.dependent),
-        tuple(model.redundant),
-        answers,
-        assumed=assumed_at_start(setup, answers),
-    )
+    return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
 
 
 def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:
@@ -117,7 +105,7 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
         found = _in_phases(system, waiting)
     except ModelError as error:  # of these questions: the others are answered, or refused, by themselves
         reason = "; ".join(problem.message for problem in error.problems)
-        found = replace(rest, answers=tuple(_without_form(q, reason) for q in waiting))
+        found = replace(rest, answers=tuple(refused(q, reason) for q in waiting))
     answers = {a.id: a for a in (*rest.answers, *found.answers)}
     return replace(found, answers=tuple(answers[q.id] for q in questions))
 
@@ -127,7 +115,7 @@ def _without_contacts(q: Question, transition: Transition) -> Answer:
     reason = Message(
         "'{event}' is a change of a contact or of dry friction, and the model has neither", event=transition.text
     )
-    return Answer(q.id, q.text, None, q.quantity.unit, None, reason=reason, never=True)
+    return refused(q, reason, never=True)
 
 
 def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Solution:
@@ -141,12 +129,12 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
             continue
         if q.quantity.scope == "structure":
             evidence = proof.freedom(setup, q.text, dof)
-            answers.append(Answer(q.id, q.text, number(dof), "1", float(dof), evidence=evidence))
+            answers.append(made(q, number(dof), float(dof), evidence=evidence))
             continue
-        value: float | tuple[float, ...] | None = None
+        value: Value = None
         with suppress(CannotAnswer, ArithmeticError, ValueError):
-            value = proof.number(setup, q.quantity, q.event) if setup.has_values else None
-        answers.append(Answer(q.id, q.text, None, q.quantity.unit, value, reason=reason))
+            value = number_of(setup, q.quantity, q.event) if setup.has_values else None
+        answers.append(refused(q, reason, value))
     return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 
@@ -155,14 +143,7 @@ def _at_rest(system: System, questions: Sequence[Question]) -> Solution:
     from freebody.study.friction.answers import answer, prepared
 
     model = prepared(system)[1].model
-    return Solution(
-        system,
-        model.degrees_of_freedom,
-        tuple(c.name for c in model.coordinates),
-        tuple(c.name for c in model.dependent),
-        tuple(model.redundant),
-        tuple(answer(system, q) for q in questions),
-    )
+    return Solution.of(system, model, tuple(answer(system, q) for q in questions))
 
 
 def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
@@ -188,25 +169,10 @@ def _in_phases(system: System, questions: Sequence[Question]) -> Solution:
         except CannotAnswer:
             raise ModelError([Problem((), str(error))], system.file) from error
         found = {a.id: a for a in at_pose.answers}
-        return replace(at_pose, answers=tuple(found.get(q.id) or _without_form(q, str(error)) for q in questions))
+        return replace(at_pose, answers=tuple(found.get(q.id) or refused(q, str(error)) for q in questions))
     phases = phases_of(tree)
-    model = phases.first_model
     answers = tuple(at_rest(system, q) if q.quantity.scope == "rest" else answer(tree, q) for q in questions)
-    return Solution(
-        system,
-        model.degrees_of_freedom,
-        tuple(c.name for c in model.coordinates),
-        tuple(c.name for c in model.dependent),
-        tuple(model.redundant),
-        answers,
-        phases,
-        assumed_at_start(tree.home, answers),
-    )
-
-
-def _without_form(question: Question, reason: str) -> Answer:
-    """The answer to a question that nothing can be said to but why."""
-    return Answer(question.id, question.text, None, question.quantity.unit, None, reason=reason)
+    return Solution.of(system, phases.first_model, answers, phases, assumed_at_start(tree.home, answers))
 
 
 def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
@@ -217,6 +183,6 @@ def _too_many_places(system: System, questions: Sequence[Question]) -> Solution:
         n=len(system.bounds),
     )
     model = Setup(system, 2).model
-    answers = tuple(_without_form(q, reason) for q in questions)
+    answers = tuple(refused(q, reason) for q in questions)
     coordinates = tuple(c.name for c in model.coordinates)
     return Solution(system, model.degrees_of_freedom, coordinates, (), tuple(model.redundant), answers)

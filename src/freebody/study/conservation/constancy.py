@@ -26,8 +26,8 @@ from freebody.numeric.potential import work_between
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import SEED, Draw
-from freebody.study.answering.evidence import element_at
 from freebody.study.conservation.balance import RateBalance
 from freebody.study.setup import Setup
 from freebody.symbolic.vanishing import VanishingCase, is_given_function

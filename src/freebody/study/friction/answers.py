@@ -8,17 +8,17 @@ from dataclasses import replace
 from functools import lru_cache, singledispatchmethod
 
 from freebody.assess.options import Judgement, judge
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.friction_limits import ROUND_OFF
-from freebody.progress import busy_with
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
-from freebody.study.answering.answer import Answer, AnswerCase, Evidence
-from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck
+from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
+from freebody.study.answering.crosscheck import CrossCheck
+from freebody.study.answering.finding import answered
 from freebody.study.answering.scope import for_all
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
@@ -45,12 +45,7 @@ def prepared(system: System) -> tuple[TouchingAtRest, Setup]:
 
 def answer(system: System, question: Question) -> Answer:
     """The answer to a question about rest; without a closed form, its numbers and the reason."""
-    q = question.quantity
-    busy_with(f"answering {question.id}: {question.text}")
-    try:
-        return _Answerer(system, question).answer(q)
-    except (CannotAnswer, RoutesDisagree) as error:
-        return Answer(question.id, question.text, None, q.unit, None, reason=str(error))
+    return answered(system, question, lambda: _Answerer(system, question).answer(question.quantity))
 
 
 class _Answerer:
@@ -125,7 +120,7 @@ class _Answerer:
                 else Message("at the model's own values no limit was found")
             )
             why = why if len(signs) > 1 else notes[0]
-            return self._plain(None, None, notes=notes[1:] if len(signs) == 1 else notes, reason=why)
+            return made(self.question, None, None, notes=notes[1:] if len(signs) == 1 else notes, reason=why)
         shown = values if self.setup.has_values else []
         if any(main is None for main in found):
             reason = Message(
@@ -133,7 +128,7 @@ class _Answerer:
                 words=self._words(limits),
             )
             value = None if not shown else shown[0] if len(shown) == 1 else tuple(shown)
-            return self._plain(None, value, notes=notes, reason=reason)
+            return made(self.question, None, value, notes=notes, reason=reason)
         cases = [main for main in found if main is not None]
         exact = [self._exact(ends, case) for case in cases] if shown else []
         elements = tuple(case.element for case in cases)
@@ -241,10 +236,11 @@ class _Answerer:
         judgement = self._judge(element)
         value = None if not exact else exact[0] if len(exact) == 1 else tuple(exact)
         shown = tuple(map(tidy, elements))
-        return self._plain(
+        return made(
+            self.question,
             shown[0] if len(shown) == 1 else shown,
             value,
-            conditions=tuple(conditions) or (scope(self.system),),
+            conditions=tuple(conditions) or (for_all(self.system),),
             notes=notes,
             evidence=evidence,
             judgement=judgement,
@@ -265,7 +261,8 @@ class _Answerer:
             raise CannotAnswer(Message("no limit of {x} was found among the values that were tried", x=name))
         if limit.main is None:
             words = limit.first.seen.words if limit.first.seen else ""
-            return self._plain(
+            return made(
+                self.question,
                 None,
                 limit.first.edge.value,
                 notes=[Message("first: {words}", words=words)],
@@ -274,35 +271,6 @@ class _Answerer:
         notes: list[str] = [Message("first: {words}, at this {x}", words=limit.main.words, x=to_text(Symbol(name)))]
         exact = [self._exact(ends, limit.main)] if self.setup.has_values else []
         return self._finished(ends, [limit.main], (limit.main.element,), exact, notes, [limit])
-
-    def _plain(
-        self,
-        expression: object,
-        value: object,
-        *,
-        conditions: tuple[str, ...] = (),
-        notes: Sequence[str] = (),
-        reason: str = "",
-        evidence: Evidence | None = None,
-        judgement: Judgement | None = None,
-        cases: tuple[AnswerCase, ...] = (),
-    ) -> Answer:
-        q = self.question
-        return Answer(
-            q.id,
-            q.text,
-            expression,  # type: ignore[arg-type]
-            q.quantity.unit,
-            value,  # type: ignore[arg-type]
-            conditions,
-            tuple(notes),
-            reason=reason,
-            choice=None if judgement is None else judgement.choice,
-            options={} if judgement is None else judgement.options,
-            author_notes=() if judgement is None else judgement.notes,
-            evidence=evidence,
-            cases=cases,
-        )
 
 
 def _cases(limits: Sequence[HoldingLimit]) -> tuple[AnswerCase, ...]:
@@ -339,13 +307,4 @@ def _evidence(question: str, limits: Sequence[HoldingLimit]) -> Evidence:
         for c in limit.compared:
             if c.exact is not None:
                 witness.compare(c.draw, c.exact, c.edge.value)
-    if len(witness.pairs) < MIN_DRAWS:
-        raise CannotAnswer(
-            Message("only {k} of {n} checks against numbers could be made", k=len(witness.pairs), n=MIN_DRAWS)
-        )
     return witness.evidence()
-
-
-def scope(system: System) -> str:
-    """For which parameters an answer without conditions holds."""
-    return for_all(system)

@@ -18,9 +18,9 @@ from freebody.language.sentences import Message, further
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
 from freebody.questions.reading import Question
-from freebody.study.answering.answer import Answer
+from freebody.study.answering.answer import Answer, made
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
@@ -184,17 +184,14 @@ def _answer(
         judgement = judge(question, element, question.quantity.dimension, study.setup.model, study.setup.system)
     if main is not None:
         notes.append(Message("the shown reserve is not negative where it holds"))
-    return Answer(
-        question.id,
-        question.text,
+    return made(
+        question,
         tidy(element),
-        "1" if main is None else "(SI)",
         value,
-        tuple(b.text() for b in kept) or (Message("it always holds"),),
-        tuple(notes),
-        choice=None if judgement is None else judgement.choice,
-        options={} if judgement is None else judgement.options,
-        author_notes=() if judgement is None else judgement.notes,
+        unit="1" if main is None else "(SI)",
+        conditions=tuple(b.text() for b in kept) or (Message("it always holds"),),
+        notes=notes,
+        judgement=judgement,
         evidence=witness.evidence(),
     )
 

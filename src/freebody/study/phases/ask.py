@@ -4,25 +4,25 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from freebody.assess.options import judge
-from freebody.errors import CannotAnswer, RoutesDisagree
+from freebody.assess.verdict import Judgement
+from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import reworded
 from freebody.language.sentences import Message
-from freebody.progress import busy_with
 from freebody.questions.reading import Question
-from freebody.study.answering.answer import Answer, AnswerCase, Evidence
+from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
+from freebody.study.answering.finding import answered
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
-from freebody.study.phases.tree import NO_FORM, PhaseTree, why
+from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, summary
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import SolvedRelation, readable
@@ -32,19 +32,15 @@ _ROUND_OFF = 1e-12
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
-    unit = question.quantity.unit
-    busy_with(f"answering {question.id}: {question.text}")
-    try:
-        if question.quantity.scope not in ("instant", "course"):
-            raise CannotAnswer(Message("the system changes its contacts; ask for a motion, a force, or an energy"))
-        found = pieces(tree, question)
-        parts = _merged(found)
-        evidence = [compare(tree, question, piece) for group in parts for piece in group]
-    except NO_FORM as error:
-        return Answer(question.id, question.text, None, unit, None, reason=why(error))
-    except RoutesDisagree as error:
-        return Answer(question.id, question.text, None, unit, None, reason=str(error))
-    return _answer(tree, question, parts, evidence, unit)
+    return answered(tree.system, question, lambda: _by_cases(tree, question))
+
+
+def _by_cases(tree: PhaseTree, question: Question) -> Answer:
+    if not question.quantity.is_of_state:
+        raise CannotAnswer(Message("the system changes its contacts; ask for a motion, a force, or an energy"))
+    parts = _merged(pieces(tree, question))
+    evidence = [compare(tree, question, piece) for group in parts for piece in group]
+    return _answer(tree, question, parts, evidence)
 
 
 def _merged(found: list[AnswerBranch]) -> list[list[AnswerBranch]]:
@@ -64,9 +60,7 @@ def _shown(piece: AnswerBranch) -> Expr | tuple[Expr, ...]:
     return tuple(map(readable, piece.value)) if isinstance(piece.value, tuple) else readable(piece.value)
 
 
-def _answer(
-    tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]], evidence: list[Evidence], unit: str
-) -> Answer:
+def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]], evidence: list[Evidence]) -> Answer:
     regions = sorted((r for group in parts for r in _regions(tree, group)), key=lambda r: int(r.sets[0]))
     own = regions[0]
     main = own.piece
@@ -87,7 +81,7 @@ def _answer(
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
-    judgement: Any = None
+    judgement: Judgement | None = None
     if question.options:
         is_home = main.is_home
         model = tree.home.model if is_home else main.phase.model
@@ -102,17 +96,13 @@ def _answer(
             up_to_constant=question.quantity.is_up_to_constant,
             region=region,
         )
-    return Answer(
-        question.id,
-        question.text,
+    return made(
+        question,
         _shown(main),
-        unit,
         value,
-        own.conditions or (_for_all(tree),),
-        tuple(notes),
-        choice=None if judgement is None else judgement.choice,
-        options={} if judgement is None else judgement.options,
-        author_notes=() if judgement is None else judgement.notes,
+        conditions=own.conditions or (for_all(tree.system),),
+        notes=notes,
+        judgement=judgement,
         evidence=Evidence(
             sum(e.draws for e in evidence), max(e.worst_relative_difference for e in evidence), evidence[0].route
         ),
@@ -160,11 +150,7 @@ def _broken(tree: PhaseTree, region: _Region) -> str:
     return Message("the model takes another way there")
 
 
-def _for_all(tree: PhaseTree) -> str:
-    return for_all(tree.system)
-
-
-def _value(tree: PhaseTree, piece: AnswerBranch) -> float | tuple[float, ...] | None:
+def _value(tree: PhaseTree, piece: AnswerBranch) -> Value:
     """In numbers at the model's values; a function of the state at the start."""
     parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
     values: list[float] = []

@@ -20,8 +20,14 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import (
+    INSTANT_TOLERANCE,
+    MOTION_TOLERANCE,
+    CrossCheck,
+    element_at,
+    without_numbers,
+)
 from freebody.study.answering.draws import SEED, Draw
-from freebody.study.answering.evidence import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.spread import disagreement
 from freebody.study.phases.pieces import AnswerBranch
@@ -39,7 +45,6 @@ from freebody.study.phases.witness import (
 )
 from freebody.system.system import System
 
-N_CHECKED = 5
 ROUND_OFF = 1e-12  # of rates at the start [SI]
 _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are left to other sets
 
@@ -63,14 +68,12 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
         if at_start
         else Message("floating-point solve of all bodies and contacts at random poses and speeds")
     )
-    witness = CrossCheck(question.text, route, INSTANT_TOLERANCE)
-    phase = piece.phase
-    for n, k in enumerate(piece.sets):
-        if len(witness.pairs) >= N_CHECKED:
-            break
-        values = tree.sets.one(int(k))
-        try:
-            mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), values)
+    check = CrossCheck(question.text, route, INSTANT_TOLERANCE)
+
+    def compare(numbered: tuple[int, int]) -> None:
+        n, k = numbered
+        with without_numbers():
+            mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(k))
             reference = mode.references[0]
             begin = reference.snapshot(q, v)
             draw = Draw(mode.values, reference, q)
@@ -78,16 +81,19 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
                 q, v = reference.wander(q, np.random.default_rng(SEED + n), 0.1)
             now = mode.snapshot(q, v, 0.0)
             numeric = value_in_mode(question.quantity, tree.system, mode.system, now)
-        except CannotAnswer:
-            continue
-        if piece.is_home:
-            exact: Any = _home_numbers(tree, piece, int(k))
-        else:
-            numbers = phase.model.samples.numbers(draw.sample(now), draw.sample(begin))
-            parts = piece.value if isinstance(piece.value, tuple) else (piece.value,)
-            exact = tuple(float(phase.model.field.evaluate(p, numbers)) for p in parts)
-        witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, now))
-    return witness.evidence()
+        exact = (
+            _home_numbers(tree, piece, k)
+            if piece.is_home
+            else element_at(piece.phase.setup, piece.value, draw, now, begin)
+        )
+        check.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, now))
+
+    return check.gather(enumerate(_numbered(piece)), compare).evidence()
+
+
+def _numbered(piece: AnswerBranch) -> list[int]:
+    """Its parameter sets."""
+    return [int(k) for k in piece.sets]
 
 
 def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
@@ -102,11 +108,10 @@ def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
 def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
     derivatives of a gap the first that does not vanish is positive."""
-    witness = CrossCheck(
-        question.text, Message("floating-point rates and accelerations at the start"), INSTANT_TOLERANCE
-    )
-    for k in piece.sets[:N_CHECKED]:
-        mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(int(k)))
+    check = CrossCheck(question.text, Message("floating-point rates and accelerations at the start"), INSTANT_TOLERANCE)
+
+    def compare(k: int) -> None:
+        mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(k))
         now = mode.snapshot(q, v, 0.0)
         if question.transition is not None and question.transition.kind == "opens":
             rows = [tree.bound_row(name) for name in (tree.closed | tree.moving) - mode.mode.closed]
@@ -116,26 +121,27 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
             states = [(s, now.acceleration(mode.rubs[n].row.measure)) for n, s in mode.mode.states.items() if s]
             begins = all(s * a > 0 for s, a in states)
         draw = Draw(mode.values, mode.references[0], q)
-        witness.compare(draw, _home_numbers(tree, piece, int(k)), 0.0 if begins else np.inf)
-    return witness.evidence()
+        check.compare(draw, _home_numbers(tree, piece, k), 0.0 if begins else np.inf)
+
+    return check.gather(_numbered(piece), compare).evidence()
 
 
 def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """What is counted from the start is nothing at the start, but for the energy that an impact takes."""
-    witness = CrossCheck(
-        question.text, Message("floating-point energies before and after the impact"), INSTANT_TOLERANCE
-    )
+    check = CrossCheck(question.text, Message("floating-point energies before and after the impact"), INSTANT_TOLERANCE)
     node = piece.nodes[-1]
-    for k in piece.sets[:N_CHECKED]:
-        values = tree.sets.one(int(k))
+
+    def compare(k: int) -> None:
+        values = tree.sets.one(k)
         mode, q, v = begun(tree.system, stage(tree, node), values)
         taken = 0.0
         if node.impact is not None:
             before, _q, _v = before_impact(tree.system, node.impact.before.kept, values)
             taken = _energy(before, mode.system) - _energy(mode.snapshot(q, v, 0.0), mode.system)
         counted = question.quantity.counted(_Nothing(taken))
-        witness.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, int(k)), counted)
-    return witness.evidence()
+        check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
+
+    return check.gather(_numbered(piece), compare).evidence()
 
 
 @dataclass(frozen=True)
@@ -171,20 +177,17 @@ def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, 
 # -- an event ---------------------------------------------------------------------------------
 def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     route = Message("numerical integration, every phase to the event that ends it")
-    witness = CrossCheck(question.text, route, MOTION_TOLERANCE)
+    check = CrossCheck(question.text, route, MOTION_TOLERANCE)
     assert piece.first is not None
+    expected = piece.first.watch
     ends = None if piece.time is None else tree.numbers(piece.time)
-    for k in piece.sets:
-        if len(witness.pairs) >= N_CHECKED:
-            break
-        exact = _home_numbers(tree, piece, int(k))
+
+    def compare(k: int) -> None:
+        exact = _home_numbers(tree, piece, k)
         if not np.isfinite(exact).all() or (ends is not None and not 0 < ends[k] < _LONGEST):
-            continue
-        try:
-            seen = run(tree, question.event, piece, int(k), None if ends is None else float(ends[k]))
-        except CannotAnswer:
-            continue
-        expected = piece.first.watch
+            return
+        with without_numbers():
+            seen = run(tree, question.event, piece, k, None if ends is None else float(ends[k]))
         event = seen[-1].event
         draw = Draw(seen[0].mode.values, seen[0].mode.references[0], seen[0].q)
         if all(other[:2] != (expected.kind, expected.name) for other in seen[-1].together):
@@ -198,8 +201,9 @@ def _along_motion(tree: PhaseTree, question: Question, piece: AnswerBranch) -> E
             )
             raise disagreement(differ, draw.reference)
         numeric = _number(tree, question.quantity, piece, seen)
-        witness.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, seen[-1].snapshot()))
-    return witness.evidence()
+        check.compare(draw, exact, numeric, partial(magnitude, question.quantity.dimension, seen[-1].snapshot()))
+
+    return check.gather(_numbered(piece), compare).evidence()
 
 
 def run(

@@ -15,18 +15,18 @@ from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.reading import Question, QuestionEvent
+from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.events import FirstEvent, first_events
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import NO_FORM, PhaseEnd, PhaseNode, PhaseTree, why
+from freebody.study.phases.tree import PhaseEnd, PhaseNode, PhaseTree
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.state import SymbolicState, law_polynomial
 
-Elements = Ratio | tuple[Ratio, ...]
 _NONE = 1e-12  # a distance or a speed that is none [SI]
 
 
@@ -257,7 +257,7 @@ def _in_phase(
     try:
         outcomes = first_events(node.phase, tree.sets, sets, [watch])
     except NO_FORM as error:
-        met.append(why(error))
+        met.append(why(tree.system, error))
         return
     for outcome in outcomes:
         if outcome.first is not None and outcome.first.watch is watch:

@@ -22,9 +22,10 @@ from typing import Any
 import numpy as np
 
 from freebody.budgets import allowed
-from freebody.errors import CannotAnswer, ExpressionError
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
 from freebody.study.phases.events import FirstEvent, PhaseOutcome, Proofs, first_events
 from freebody.study.phases.home import Home
@@ -46,17 +47,6 @@ MAX_IMPACTS = 2  # one after the other, in formulas
 _ZERO = 1e-9
 _EFFORT = 1000  # what an effort is told by
 _NONE = 1e-12  # a rate that is none, beside the others
-# what can go wrong with formulas that are too long, or that have no value
-NO_FORM = (CannotAnswer, ExpressionError, OverflowError, ZeroDivisionError)
-
-
-def why(error: Exception) -> str:
-    """Why there is no closed form, for a user."""
-    return (
-        str(error)
-        if isinstance(error, CannotAnswer)
-        else Message("the formulas become too long here; simulate the motion")
-    )
 
 
 @dataclass
@@ -222,7 +212,7 @@ class PhaseTree(Home):
             )
             blows = [(blow, *self._tested(collision, blow)) for blow in collision.blows()]
         except NO_FORM as error:
-            self.reasons.append(why(error))
+            self.reasons.append(why(self.system, error))
             return []
         labels = np.full(self.sets.n, NOTHING)
         for k, (_blow, _elements, tests) in enumerate(blows):
@@ -265,7 +255,7 @@ class PhaseTree(Home):
             touching = collision.kept | rates.keys()
             slips = {r.name: self.to_home(collision.setup, after.rate(r.row.measure)) for r in self._rubbing(touching)}
         except NO_FORM as error:
-            self.reasons.append(why(error))
+            self.reasons.append(why(self.system, error))
             return []
         found: list[PhaseNode] = []
         for signs, sets in self._by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
@@ -302,7 +292,7 @@ class PhaseTree(Home):
                 checks += _without_slip(mode, instant)
                 own = [self._test(*check) for check in checks]
             except NO_FORM as error:
-                self.reasons.append(why(error))
+                self.reasons.append(why(self.system, error))
                 continue
             tests += [t for t in own if t.relation != "="]
             holds = np.all([t.holds & t.known for t in own], axis=0) if own else np.ones(self.sets.n, dtype=bool)
@@ -430,7 +420,7 @@ class PhaseTree(Home):
         try:
             outcomes = first_events(node.phase, self.sets, node.sets)
         except NO_FORM as error:
-            node.reason = why(error)
+            node.reason = why(self.system, error)
             return
         gone = [row.connection for row in ideal_bounds(self.system) if row.name not in node.phase.mode.closed]
         again = (
@@ -493,7 +483,7 @@ class PhaseTree(Home):
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:
-            edge.stops = why(error)
+            edge.stops = why(self.system, error)
             return
         if not edge.nodes and not edge.stops:
             edge.stops = self.reasons[-1] if len(self.reasons) > n_reasons else Message("no mode is consistent there")

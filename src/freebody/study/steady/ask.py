@@ -9,11 +9,11 @@ from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes, SpinStability, SteadyStability, SteadyValue
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import SteadyFinding
 
 
-def find(setup: Setup, question: Question) -> SteadyFinding:
+def find(setup: Setup, question: Question) -> Finding:
     """The closed form with its evidence. Raises CannotAnswer with the reason where there is none."""
     if question.event is not None:
         raise CannotAnswer(Message("what goes on evenly has no event; leave out 'when'"))
@@ -21,33 +21,33 @@ def find(setup: Setup, question: Question) -> SteadyFinding:
 
 
 @singledispatch
-def _find(q: Quantity, setup: Setup, question: Question) -> SteadyFinding:
+def _find(q: Quantity, setup: Setup, question: Question) -> Finding:
     raise CannotAnswer(Message("this is no question about steady motion"))
 
 
 @_find.register(SteadyValue)
-def _value(q: SteadyValue, setup: Setup, question: Question) -> SteadyFinding:
+def _value(q: SteadyValue, setup: Setup, question: Question) -> Finding:
     from freebody.study.steady.values import steady_value
 
     return steady_value(setup, question, q)
 
 
 @_find.register(Extremes)
-def _extremes(q: Extremes, setup: Setup, question: Question) -> SteadyFinding:
+def _extremes(q: Extremes, setup: Setup, question: Question) -> Finding:
     from freebody.study.steady.extremes import extremes
 
     return extremes(setup, question, q)
 
 
 @_find.register(SpinStability)
-def _spin(q: SpinStability, setup: Setup, question: Question) -> SteadyFinding:
+def _spin(q: SpinStability, setup: Setup, question: Question) -> Finding:
     from freebody.study.steady.spin import spin_stability
 
     return spin_stability(setup, question, q)
 
 
 @_find.register(SteadyStability)
-def _stability(q: SteadyStability, setup: Setup, question: Question) -> SteadyFinding:
+def _stability(q: SteadyStability, setup: Setup, question: Question) -> Finding:
     from freebody.study.steady.stability import steady_stability
 
     return steady_stability(setup, question)

@@ -15,8 +15,8 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import CrossCheck, NotReal, element_at
 from freebody.study.answering.draws import SEED, Draw
-from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, Steady
@@ -32,10 +32,13 @@ def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Sol
     witness = CrossCheck(
         question, Message("accelerations of the full system at random poses with these rates"), _TOLERANCE
     )
-    for draw, found in motions(setup, steady, solutions):
-        gaps = [_unevenness(setup, steady, draw, snapshot) for snapshot in found]
+
+    def compare(seen: tuple[Draw, list[Snapshot]]) -> None:
+        draw, found = seen
+        gaps = [_unevenness(steady, draw, snapshot) for snapshot in found]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
-    return witness.evidence()
+
+    return witness.gather(motions(setup, steady, solutions), compare).evidence()
 
 
 def during_steady_motion(
@@ -52,7 +55,7 @@ def during_steady_motion(
     )
     for draw, found in motions(setup, steady, solutions):
         for snapshot in found:
-            if _unevenness(setup, steady, draw, snapshot) > _TOLERANCE:
+            if _unevenness(steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
             numeric = quantity.value(setup.system, draw.seen(snapshot))
             exact = element_at(setup, elements, draw, snapshot)
@@ -61,14 +64,10 @@ def during_steady_motion(
 
 
 def motions(setup: Setup, steady: Steady, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
-    """Steady motions, one for each root, at as many draws as are needed."""
-    n = 0
+    """Steady motions, one for each root, at the draws at which there are some."""
     for k, draw in enumerate(setup.draw_stream()):
-        if n >= MIN_DRAWS:
-            return
         found = _motion(setup, steady, solutions, draw, k)
         if found:
-            n += 1
             yield draw, found
 
 
@@ -145,7 +144,7 @@ def coordinate_accelerations(steady: Steady, draw: Draw, snapshot: Snapshot) -> 
     return np.array([seen.acceleration(m) for m in measures if m is not None])
 
 
-def _unevenness(setup: Setup, steady: Steady, draw: Draw, snapshot: Snapshot) -> float:
+def _unevenness(steady: Steady, draw: Draw, snapshot: Snapshot) -> float:
     """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled."""
     here = coordinate_accelerations(steady, draw, snapshot)
     others = [

@@ -14,8 +14,9 @@ from freebody.language.notation import joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import SteadyFinding, odd_part
+from freebody.study.steady.reduced import odd_part
 from freebody.study.steady.round_turn import over_a_turn
 from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
@@ -28,7 +29,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 
-def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
+def extremes(setup: Setup, question: Question, q: Extremes) -> Finding:
     """(least, largest). Raises CannotAnswer where they have no closed form, or there is none."""
     model = setup.model
     value = q.of.value(setup.system, setup.state)
@@ -45,7 +46,7 @@ def extremes(setup: Setup, question: Question, q: Extremes) -> SteadyFinding:
     least, largest = search.ordered(search.stationary(x))
     evidence = over_a_turn(setup, question.text, q.of, c, least, largest, search.conditions)
     notes = [_where(Message("least"), least, c), _where(Message("largest"), largest, c), *turning.notes]
-    return SteadyFinding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
+    return Finding((least.value, largest.value), evidence, search.conditions + _kept(setup, turning), notes)
 
 
 def _kept(setup: Setup, turning: TurningAngle) -> list[Condition]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 
 import numpy as np
 
@@ -12,8 +13,8 @@ from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.evidence import MIN_DRAWS, CrossCheck, NotReal, element_at
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.linear import Linear
@@ -32,25 +33,22 @@ def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) 
         question, Message("numerical linearisation of the full system with slow and fast rates"), _TOLERANCE
     )
     verdicts = CrossCheck(question, Message("exponents of the numerical linearisation"), _TOLERANCE)
-    for draw in setup.draws:
-        for factor in _FACTORS:
-            try:
-                about = About(setup, linear, draw, factor)
-                coefficients = np.array(element_at(setup, tuple(linear.coefficients), draw, about.snapshot))
-                values = element_at(setup, tuple(signs), draw, about.snapshot)
-            except NotReal:
-                continue
-            matrix = about.matrix()
-            exact = np.roots(coefficients[::-1])
-            size = float(np.abs(exact).max(initial=0.0)) or 1.0
-            powers = size ** np.arange(len(coefficients))[::-1]
-            numeric = np.poly(matrix)[::-1]
-            witness.compare(draw, tuple(coefficients / coefficients[-1] / powers), tuple(numeric / powers))
-            grows = float(exact.real.max(initial=0.0)) / size
-            if not _CLEARLY_STABLE < grows < _CLEARLY_NOT and _is_clear(values):
-                verdicts.compare(draw, float(all(v > 0 for v in values)), float(grows <= _CLEARLY_STABLE))
-        if len(witness.pairs) >= 4 * MIN_DRAWS:
-            break
+
+    def compare(case: tuple[Draw, float]) -> None:
+        draw, factor = case
+        about = About(setup, linear, draw, factor)
+        coefficients = np.array(element_at(setup, tuple(linear.coefficients), draw, about.snapshot))
+        values = element_at(setup, tuple(signs), draw, about.snapshot)
+        exact = np.roots(coefficients[::-1])
+        size = float(np.abs(exact).max(initial=0.0)) or 1.0
+        powers = size ** np.arange(len(coefficients))[::-1]
+        numeric = np.poly(about.matrix())[::-1]
+        witness.compare(draw, tuple(coefficients / coefficients[-1] / powers), tuple(numeric / powers))
+        grows = float(exact.real.max(initial=0.0)) / size
+        if not _CLEARLY_STABLE < grows < _CLEARLY_NOT and _is_clear(values):
+            verdicts.compare(draw, float(all(v > 0 for v in values)), float(grows <= _CLEARLY_STABLE))
+
+    witness.gather(product(setup.draws, _FACTORS), compare, 4 * MIN_DRAWS)
     verdicts.evidence()
     return witness.evidence()
 

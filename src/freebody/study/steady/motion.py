@@ -18,7 +18,7 @@ from freebody.language.notation import compared, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
-from freebody.study.steady.finding import without_square_roots
+from freebody.study.steady.reduced import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel

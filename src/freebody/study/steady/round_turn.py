@@ -13,8 +13,8 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.evidence import INSTANT_TOLERANCE, MIN_DRAWS, CrossCheck, NotReal, element_at, holds
 from freebody.study.setup import Setup
 from freebody.study.steady.turning import Extremum
 from freebody.symbolic.conditions import Condition
@@ -38,20 +38,18 @@ def over_a_turn(
     route = Message("the full system at the extremal poses and at {n} others round the turn", n=N_POSES)
     reached = CrossCheck(question, route, INSTANT_TOLERANCE)
     between = CrossCheck(question, route, INSTANT_TOLERANCE)
-    for draw in setup.draw_stream():
-        if len(reached.pairs) >= MIN_DRAWS:
-            break
+
+    def compare(draw: Draw) -> None:
         turn = FullTurn(setup, draw, c, quantity)
-        try:
-            if not all(holds(setup, k, draw, turn.start) for k in conditions):
-                continue
-            low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
-            poses = [turn.angle_of(e) for e in (least, largest)]
-        except NotReal:
-            continue
+        if not all(holds(setup, k, draw, turn.start) for k in conditions):
+            return
+        low, high = element_at(setup, (least.value, largest.value), draw, turn.start)
+        poses = [turn.angle_of(e) for e in (least, largest)]
         reached.compare(draw, (low, high), tuple(map(turn.at, poses)))
         outside = max(max(low - value, value - high, 0.0) for value in turn.values())
         between.compare(draw, 1.0, 1.0 + outside / max(abs(low), abs(high)))
+
+    reached.gather(setup.draw_stream(), compare)
     between.evidence()
     return reached.evidence()
 

@@ -23,10 +23,10 @@ from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import SpinStability
 from freebody.study.answering.answer import Evidence
+from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.evidence import CrossCheck
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
@@ -41,7 +41,7 @@ _AXES = "xyz"
 _PRODUCTS: dict[frozenset[int], int] = {frozenset((0, 1)): 3, frozenset((0, 2)): 4, frozenset((1, 2)): 5}
 
 
-def spin_stability(setup: Setup, question: Question, q: SpinStability) -> SteadyFinding:
+def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Finding:
     """The square of the exponent of a small disturbance, negative where the spin is stable."""
     model = setup.model
     _check_moments(model, q.body)
@@ -58,7 +58,7 @@ def spin_stability(setup: Setup, question: Question, q: SpinStability) -> Steady
             axis=f"{q.body}.{q.axis}",
         )
     ]
-    return SteadyFinding(square, evidence, notes=notes, says=[stable_if([-square])])
+    return Finding(square, evidence, notes=notes, says=[stable_if([-square])])
 
 
 def _check_moments(model: SymbolicModel, body: str) -> None:

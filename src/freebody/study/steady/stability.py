@@ -18,9 +18,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
-from freebody.study.answering.evidence import element_at
+from freebody.study.answering.crosscheck import element_at
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
-from freebody.study.steady.finding import SteadyFinding
 from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import agrees
 from freebody.study.steady.motion import Steady
@@ -30,7 +30,7 @@ from freebody.symbolic.routh import hurwitz, oscillating, squares
 from freebody.symbolic.tidy import tidy
 
 
-def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
+def steady_stability(setup: Setup, question: Question) -> Finding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
     linear = linear_at_start(setup, Steady(setup.model))
     signs: list[Ratio] = []
@@ -57,7 +57,7 @@ def steady_stability(setup: Setup, question: Question) -> SteadyFinding:
         )
     element = shown[0] if len(shown) == 1 else tuple(shown)
     unit = "" if roots is None else None  # coefficients of powers of s have several
-    return SteadyFinding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
+    return Finding(element, evidence, notes=notes, says=[says], may_be_complex=True, unit=unit)
 
 
 def _what(roots: Sequence[Ratio] | None) -> str:

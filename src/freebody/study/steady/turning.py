@@ -23,7 +23,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call
 from freebody.language.notation import Stated, compared, joined, reworded, to_text
 from freebody.language.sentences import Message
-from freebody.study.steady.finding import without_square_roots
+from freebody.study.steady.reduced import without_square_roots
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel

@@ -10,10 +10,11 @@ from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message, further
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
+from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
-from freebody.study.steady.finding import SteadyFinding, odd_part, without_square_roots
 from freebody.study.steady.motion import Solutions, Steady, unknown_of
+from freebody.study.steady.reduced import odd_part, without_square_roots
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Field, Ratio
 from freebody.symbolic.tidy import tidy
@@ -23,7 +24,7 @@ _THERE_IS = Message("there is such a motion")
 _AT_REST = 1e-9
 
 
-def steady_value(setup: Setup, question: Question, q: SteadyValue) -> SteadyFinding:
+def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     """A rate or a place by the conditions of steady motion, or any other quantity during one."""
     steady = Steady(setup.model)
     unknown = unknown_of(steady, q)
@@ -41,7 +42,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> SteadyFind
     purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
     ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
     conditions = ranges + setup.holding(steady.state)
-    return SteadyFinding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
+    return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
 
 
 def _is_place(q: SteadyValue) -> bool:
@@ -69,7 +70,7 @@ def _ranges(x: Ratio, purpose: str) -> list[Condition]:
     return found
 
 
-def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> SteadyFinding:
+def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) -> Finding:
     f = setup.model.field
     value = q.of.value(setup.system, steady.state)
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
@@ -84,7 +85,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     if not has_value and setup.has_values:
         notes.append(Message("no value: the given start is not in steady motion"))
     element = shown[0] if not isinstance(value, tuple) else shown
-    return SteadyFinding(element, evidence, conditions, notes, says, has_value=has_value)
+    return Finding(element, evidence, conditions, notes, says, has_value=has_value)
 
 
 def _starts_steadily(setup: Setup, steady: Steady) -> bool:

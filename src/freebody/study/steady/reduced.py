@@ -1,27 +1,9 @@
-"""What the questions about steady motion find, on its way to an answer."""
+"""Formulas without what no root or sign of them needs: roots of squares, and even powers."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
-from freebody.study.answering.answer import Evidence
-from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-
-
-@dataclass
-class SteadyFinding:
-    """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
-
-    element: Ratio | tuple[Ratio, ...]
-    evidence: Evidence
-    conditions: list[Condition] = field(default_factory=list[Condition])
-    notes: list[str] = field(default_factory=list[str])
-    says: list[str] = field(default_factory=list[str])
-    may_be_complex: bool = False  # roots in it need not be real
-    unit: str | None = None  # where it is not that of the quantity
-    has_value: bool = True  # at the model's own start
 
 
 def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:

@@ -1,0 +1,68 @@
+"""A closed form on its way to an answer, and how what goes wrong on the way is told.
+
+Every kind of question goes the same way, whatever moves or rests: a formula is found, what it needs is gathered, the
+numeric route confirms it, options are judged (`find -> conditions -> evidence -> judge`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from freebody.errors import CannotAnswer, ExpressionError, NeverHappens, RoutesDisagree
+from freebody.language.sentences import Message, further
+from freebody.progress import busy_with
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer, Evidence, Value, refused
+from freebody.study.worded import FAILED, cause
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.written import HasNoValue
+from freebody.system.system import System
+
+Elements = Ratio | tuple[Ratio, ...]
+Instead = Callable[[], tuple[Value, tuple[str, ...]]]  # a number, and what is to be said of how it was looked for
+_TOO_LONG = (ExpressionError, OverflowError)  # what goes wrong with formulas that are too long
+NO_FORM = (CannotAnswer, *_TOO_LONG, *FAILED)  # what leaves a question, or a part of it, without a closed form
+
+
+@dataclass
+class Finding:
+    """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
+
+    element: Elements | Fraction
+    evidence: Evidence
+    conditions: list[Condition] = field(default_factory=list[Condition])
+    notes: list[str] = field(default_factory=list[str])
+    says: list[str] = field(default_factory=list[str])
+    up_to_constant: bool = False
+    may_be_complex: bool = False  # roots in it need not be real
+    unit: str | None = None  # where it is not that of the quantity
+    has_value: bool = True  # at the model's own numbers and start
+
+
+def answered(
+    system: System, question: Question, answer: Callable[[], Answer], instead: Instead | None = None
+) -> Answer:
+    """The answer, or the reason why there is none. instead: the number that is shown without a closed form; where the
+    routes disagree, or nothing has a value, there is none."""
+    busy_with(f"answering {question.id}: {question.text}")
+    try:
+        return answer()
+    except NeverHappens as error:
+        return refused(question, str(error), never=True)
+    except (HasNoValue, RoutesDisagree) as error:
+        return refused(question, str(error))
+    except NO_FORM as error:
+        value, unfinished = (None, ()) if instead is None else instead()
+        return refused(question, further(why(system, error), *unfinished), value)
+
+
+def why(system: System, error: Exception) -> str:
+    """Why there is no closed form, for a user."""
+    if isinstance(error, CannotAnswer):
+        return str(error)
+    if isinstance(error, _TOO_LONG):
+        return Message("the formulas become too long here; simulate the motion")
+    return cause(system, error)
