@@ -401,3 +401,41 @@ def test_a_spring_relaxed_at_the_start_is_so_on_the_side_where_it_is(x0: float, 
     agrees(solution, "q1", "k*(x0 - x)/M")
     agrees(solution, "q2", "x0")
     assert any("> b" in condition for condition in solution["q1"].conditions) == (x0 > 3)
+
+
+WHEEL = """
+parameters: {m: 2 kg, r: 0.2 m, M: 0.5 N m, k: 2 N m/rad, w: 3 rad/s, w_1: 20 rad/s}
+bodies: {wheel: {disk: {mass: m, radius: r}}}
+connections: {axle: {pin: [wheel.center, ground.O]}}
+loads: {LOAD}
+measures: {phi: {angle of wheel}}
+start: {phi: 0, rate(phi): w}
+"""
+
+
+def test_turns_are_counted_where_nothing_touches(agrees: Agree) -> None:
+    """I phi'' = M with I = m r^2/2: (w_1^2 - w^2) I/(2 M) over a full turn."""
+    system = fb.System.from_text(WHEEL.replace("LOAD", "drive: {torque: {on: wheel, magnitude: M}}"))
+    solution = system.solve("turns of wheel until rate(phi) = w_1")
+    agrees(solution, solution.answers[0].id, "m*r**2*(w_1**2 - w**2)/(8*pi*M)")
+
+
+def test_turns_are_not_counted_where_a_body_turns_both_ways() -> None:
+    system = fb.System.from_text(WHEEL.replace("LOAD", "back: {torsional_spring: {body: wheel, stiffness: k}}"))
+    answer = system.solve("turns of wheel until phi = 0").answers[0]
+    assert not answer.is_answered
+    assert "turns one way and then the other" in answer.reason
+
+
+def test_a_vector_is_told_at_an_event(agrees: Agree) -> None:
+    text = """
+parameters: {m: 2 kg, h: 5 m, v: 3 m/s, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: h, rate(x): v, rate(y): 0}
+"""
+    solution = fb.System.from_text(text).solve("velocity of ball when y = 0")
+    (answer,) = solution.answers
+    assert answer.value == pytest.approx((3.0, -((2 * 9.81 * 5) ** 0.5)), rel=1e-12)
+    agrees(solution, answer.id, ["v", "-sqrt(2*g*h)"])

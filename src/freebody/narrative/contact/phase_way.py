@@ -19,9 +19,10 @@ from freebody.narrative.lines.script import Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, pieces
-from freebody.study.phases.tree import PhaseNode, tree_of
+from freebody.study.phases.tree import tree_of
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.system.system import System

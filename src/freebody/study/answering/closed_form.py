@@ -26,14 +26,13 @@ from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, answered
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_of
-from freebody.study.answering.passage import FormulaPassage
+from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
 from freebody.symbolic.existence import exists
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -159,7 +158,7 @@ class QuestionSolver:
                 raise NeverHappens(Message("{event} is never reached after the start", event=event.text))
             if condition is not None:
                 conditions.append(condition)
-        x: Ratio = q.counted(FormulaPassage(self.setup, reached, self._elements))
+        x: Elements = q.counted(smooth_passage(self.setup, reached, self._elements))
         self._check_is_told(x)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
@@ -177,7 +176,7 @@ class QuestionSolver:
         )
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
 
-    def _check_is_told(self, x: Ratio) -> None:
+    def _check_is_told(self, x: Elements) -> None:
         """Raises CannotAnswer where coordinates are left whose values at the event are not known."""
         if left := self._moving_in(x):
             raise CannotAnswer(
@@ -187,9 +186,10 @@ class QuestionSolver:
                 )
             )
 
-    def _moving_in(self, x: Ratio) -> list[Coordinate]:
+    def _moving_in(self, x: Elements) -> list[Coordinate]:
         everything = (*self.model.coordinates, *self.model.dependent)
-        return [c for c in everything if self.model.field.ingredients(x) & {c.index, c.speed}]
+        inside = set[int]().union(*map(self.model.field.ingredients, x if isinstance(x, tuple) else (x,)))
+        return [c for c in everything if inside & {c.index, c.speed}]
 
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)

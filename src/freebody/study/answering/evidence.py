@@ -68,7 +68,7 @@ def along_motion(
     question: str,
     quantity: Quantity,
     event: QuestionEvent,
-    x: Ratio,
+    x: Ratio | tuple[Ratio, ...],
     time: Ratio | None,
     conditions: Sequence[Condition],
     signs: Sequence[Condition] = (),
@@ -79,7 +79,7 @@ def along_motion(
 
     def compare(draw: Draw) -> None:
         start = draw.start()
-        exact = element_at(setup, (x,), draw, start)
+        exact = element_at(setup, x, draw, start)
         if not all(holds(setup, c, draw, start) for c in (*conditions, *signs)):
             return
         until = LONGEST if time is None else 1.5 * element_at(setup, (time,), draw, start)[0]

@@ -40,7 +40,7 @@ def at_event(
 ) -> object:
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
-    return quantity.counted(NumericPassage(setup, start, found.event, found.time, work))
+    return quantity.counted(NumericPassage(setup, start, found.event, found.time, work, found.links))
 
 
 def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: float) -> float:

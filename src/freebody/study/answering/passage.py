@@ -1,83 +1,162 @@
-"""Smooth motions from the start to an event, as quantities count along them: in formulas, and in numbers.
+"""Motions from the start to an event, as quantities count along them: in formulas, and in numbers.
 
-Heat and revolutions are counted where contacts or dry friction are (`study/phases`).
+A motion is a sequence of phases, each with one law; a smooth motion has one phase. An impact, or a contact that opens,
+adds a phase of no length behind the event where the value just after it is meant.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
+from freebody.study.answering.finding import Elements
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.system.system import System
 
 _WORK_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the work of a load")
-_ANGLE_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the change of angle")
+_TURNED = 1e-12  # rad: less is round-off
+_ROUND_OFF = 1e-9  # of the product of two rates
+
+
+@dataclass(frozen=True)
+class FormulaPhase:
+    """One law of motion, from `begin` to `end`. told: takes an element of its field into that of the answer."""
+
+    begin: SymbolicState
+    end: SymbolicState
+    told: Callable[[Ratio], Ratio]
+
+    def at_begin(self, measure: Measure) -> Ratio:
+        return self.told(self.begin.value(measure))
+
+    def at_end(self, measure: Measure) -> Ratio:
+        return self.told(self.end.value(measure))
+
+    def rates(self, measure: Measure) -> tuple[Ratio, Ratio]:
+        """At the beginning, or, where it starts at rest, what it is accelerated with; and at the end."""
+        first = self.begin.rate(measure)
+        if first.is_zero():
+            first = self.begin.acceleration(measure)
+        return self.told(first), self.told(self.end.rate(measure))
 
 
 @dataclass(frozen=True)
 class FormulaPassage:
-    """In formulas. elements: of a quantity in a state."""
+    """In formulas. system: without what only friction pushes; numbers: an element of the answer at all samples."""
 
-    setup: Setup
-    reached: Reached
-    elements: Callable[[Quantity, SymbolicState], Any]
+    system: System
+    phases: Sequence[FormulaPhase]
+    elapsed: Ratio | None
+    why_no_time: str
+    elements: Callable[[Quantity, SymbolicState], Elements]
+    numbers: Callable[[Ratio], Array]
 
     def time(self) -> Ratio:
-        if self.reached.time is None:
-            raise CannotAnswer(self.reached.why_no_time)
-        return self.reached.time
+        if self.elapsed is None:
+            raise CannotAnswer(self.why_no_time)
+        return self.elapsed
 
     def change(self, measure: Measure) -> Ratio:
-        before = self.setup.start_instant.value(measure)
-        return self.setup.model.field.lowest_terms(self._state.value(measure) - before)
+        x = self.phases[-1].at_end(measure) - self.phases[0].at_begin(measure)
+        return x.field.lowest_terms(x)
 
     def work(self, load: str) -> Ratio:
         """Of a load that is a function of its own measure: minus the change of its potential."""
-        f, before, after = self.setup.model.field, self.setup.start_instant, self._state
-        total = f.zero
-        pushes = [p for p in self.setup.system.pushes if p.load == load]
+        pushes = [p for p in self.system.pushes if p.load == load]
         if not pushes:
             raise CannotAnswer(Message("{load} is no load; the work of a constraint is asked as power", load=load))
+        first, last = self.phases[0], self.phases[-1]
+        parts: list[Ratio] = []
         for push in pushes:
             law_polynomial(push)
-            total = total + before.potential(push) - after.potential(push)
-        return f.lowest_terms(total)
+            parts.append(first.told(first.begin.potential(push)) - last.told(last.end.potential(push)))
+        return parts[0].field.lowest_terms(sum(parts[1:], parts[0]))
 
     def heat(self) -> Ratio:
         raise CannotAnswer(_WORK_INSTEAD)
 
     def revolutions(self, body: str) -> Ratio:
-        raise CannotAnswer(_ANGLE_INSTEAD)
+        """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
+        angle, turned = Angle(body), list[Ratio]()
+        for phase in self.phases:
+            rates = [self.numbers(x) for x in phase.rates(angle)]
+            if np.nanmin(rates[0] * rates[1], initial=0.0) < -_ROUND_OFF:
+                raise both_ways(body)
+            x = phase.at_end(angle) - phase.at_begin(angle)
+            values = self.numbers(x)
+            signs = set(np.sign(values[np.abs(values) > _TURNED]).tolist())
+            if len(signs) > 1:
+                raise CannotAnswer(
+                    Message(
+                        "which way {body} turns depends on the parameter values; ask for the change of its angle",
+                        body=body,
+                    )
+                )
+            turned.append(-x if signs == {-1.0} else x)
+        f = turned[0].field
+        return f.lowest_terms(sum(turned[1:], turned[0]) / (2 * f.pi))
 
-    def there(self, quantity: Quantity) -> Ratio:
-        x = self.elements(quantity, self._state)
-        if isinstance(x, tuple):
-            raise CannotAnswer(Message("ask for one component of the vector at an event"))
-        return x
+    def there(self, quantity: Quantity) -> Elements:
+        last = self.phases[-1]
+        x = self.elements(quantity, last.end)
+        return tuple(map(last.told, x)) if isinstance(x, tuple) else last.told(x)
 
-    @property
-    def _state(self) -> SymbolicState:
-        return SymbolicState(self.setup.model, self.setup.motion.known_at(self.reached))
+
+def smooth_passage(
+    setup: Setup, reached: Reached, elements: Callable[[Quantity, SymbolicState], Elements]
+) -> FormulaPassage:
+    """A motion of one phase."""
+    there = SymbolicState(setup.model, setup.motion.known_at(reached))
+    phase = FormulaPhase(setup.start_instant, there, lambda x: x)
+    return FormulaPassage(
+        setup.system,
+        (phase,),
+        reached.time,
+        reached.why_no_time,
+        elements,
+        lambda x: np.array(setup.model.samples.at_starts(x), dtype=np.float64),
+    )
+
+
+def turned_through(body: str, angles: Sequence[float]) -> float:
+    """How often a body has turned, from its angles [rad] along one phase. Raises CannotAnswer where it turns both ways:
+    how far it gets between the instants is not known."""
+    steps = np.diff(np.asarray(angles, dtype=np.float64))
+    if steps.min(initial=0.0) < -_ROUND_OFF and steps.max(initial=0.0) > _ROUND_OFF:
+        raise both_ways(body)
+    return float(np.abs(steps).sum()) / (2.0 * np.pi)
+
+
+def both_ways(body: str) -> CannotAnswer:
+    """The reason why revolutions are not counted."""
+    return CannotAnswer(
+        Message("{body} turns one way and then the other; ask for the change of its angle instead", body=body)
+    )
 
 
 @dataclass(frozen=True)
 class NumericPassage:
-    """In numbers. power_integral: of a load, up to the event."""
+    """A smooth motion in numbers. power_integral: of a load, up to the event; links: instants on the way there."""
 
     setup: Setup
     start: Snapshot
     event: Snapshot
     end: float
     power_integral: Callable[[str], float]
+    links: Sequence[Snapshot] = ()
 
     def time(self) -> float:
         return self.end
@@ -92,7 +171,8 @@ class NumericPassage:
         raise CannotAnswer(_WORK_INSTEAD)
 
     def revolutions(self, body: str) -> float:
-        raise CannotAnswer(_ANGLE_INSTEAD)
+        angle = Angle(body)
+        return turned_through(body, [s.value(angle) for s in (self.start, *self.links, self.event)])
 
     def there(self, quantity: Quantity) -> Any:
         return quantity.value(self.setup.system, self.event)

@@ -29,10 +29,12 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
+from freebody.study.answering.passage import turned_through
 from freebody.study.answering.spread import disagreement
+from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.pieces import AnswerBranch
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import PhaseNode, PhaseTree
+from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import (
     MAX_TIME,
     FollowedPhase,
@@ -262,9 +264,11 @@ class _Passage:
         return sum(map(_heat, self.seen)) + _taken_by_impacts(self.seen, self.begin, self.now)
 
     def revolutions(self, body: str) -> float:
-        angle = Angle(body)
-        marks = [self.begin.value(angle), *(s.snapshot().value(angle) for s in self.seen)]
-        return float(np.abs(np.diff(marks)).sum()) / (2 * np.pi)
+        angle, total = Angle(body), 0.0
+        for seen in self.seen:
+            instants = [seen.begin, *(seen.mode.references[0].snapshot(*at) for at in seen.looks), seen.snapshot()]
+            total += turned_through(body, [s.value(angle) for s in instants])
+        return total
 
     def there(self, quantity: Quantity) -> Any:
         return value_in_mode(quantity, self.base, self.mode, self.now)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
@@ -10,22 +10,19 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.measures.base import Measure
-from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
-from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.events import FirstEvent, first_events
+from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.passage import elements_in, passage_of
 from freebody.study.phases.phase import Phase, PhaseWatch
-from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
-from freebody.study.phases.tree import PhaseEnd, PhaseNode, PhaseTree
+from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
-from freebody.symbolic.state import SymbolicState, law_polynomial
 
 _NONE = 1e-12  # a distance or a speed that is none [SI]
 
@@ -55,27 +52,9 @@ class AnswerBranch:
         return self.first is None and self.time is not None
 
 
-@dataclass(frozen=True)
-class _WayToPhase:
-    """From the start to the beginning of a phase."""
-
-    nodes: tuple[PhaseNode, ...]
-    edges: tuple[PhaseEnd, ...]
-    conditions: tuple[Condition, ...]
-
-    def on(self, edge: PhaseEnd, node: PhaseNode) -> _WayToPhase:
-        return _WayToPhase(
-            (*self.nodes, node), (*self.edges, edge), (*self.conditions, *edge.conditions, *node.conditions)
-        )
-
-    @property
-    def last(self) -> PhaseNode:
-        return self.nodes[-1]
-
-
 def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     """The answer, part by part; that of the model's own values first. Raises CannotAnswer where there is none."""
-    roots = [_WayToPhase((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
+    roots = [WayToPhase((n,), (), (*tree.assumed, *n.conditions)) for n in tree.roots]
     met: list[str] = []
     if question.transition is not None:
         found = list(_at_transition(tree, question, question.transition, roots))
@@ -112,11 +91,11 @@ def _not_found(tree: PhaseTree, question: Question, met: list[str]) -> str:
 
 
 # -- one instant ------------------------------------------------------------------------------
-def _at_instant(tree: PhaseTree, question: Question, way: _WayToPhase) -> AnswerBranch:
+def _at_instant(tree: PhaseTree, question: Question, way: WayToPhase) -> AnswerBranch:
     """In the phase in which the motion begins."""
     phase = way.last.phase
     state = phase.start_instant if question.at_start else phase.state
-    value = _elements(tree, phase, question.quantity, state)
+    value = elements_in(tree, phase, question.quantity, state)
     parts = value if isinstance(value, tuple) else (value,)
     moving = {c.index for c in phase.model.coordinates} | {c.speed for c in phase.model.coordinates}
     is_home = not any(phase.model.field.ingredients(p) & moving for p in parts)
@@ -134,25 +113,9 @@ def _just_after(node: PhaseNode) -> str:
     return Message("just after the impact of {contacts}", contacts=node.impact.contacts)
 
 
-def _elements(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
-    value = value_in_mode(quantity, tree.system, phase.system, state)
-    f = phase.model.field
-    still = _still(phase)
-    if isinstance(value, tuple):
-        return tuple(f.lowest_terms(f.follow(f.element(v), still)) for v in value)  # type: ignore[arg-type]
-    return f.lowest_terms(f.follow(f.element(value), still))
-
-
-def _still(phase: Phase) -> dict[int, Ratio]:
-    try:
-        return phase.course.still
-    except CannotAnswer:
-        return {}
-
-
 # -- events of contacts -----------------------------------------------------------------------
 def _at_transition(
-    tree: PhaseTree, question: Question, asked: Transition, ways: list[_WayToPhase]
+    tree: PhaseTree, question: Question, asked: Transition, ways: list[WayToPhase]
 ) -> Iterator[AnswerBranch]:
     for way in ways:
         if not way.edges and (at_once := _at_once(tree, asked, way.last)):
@@ -207,8 +170,8 @@ def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
     return ""
 
 
-def _at_the_start(tree: PhaseTree, question: Question, way: _WayToPhase, why: str) -> AnswerBranch:
-    phase, zero = way.last.phase, tree.home.model.field.zero
+def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str) -> AnswerBranch:
+    zero = tree.home.model.field.zero
     notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
     if way.last.impact is None and question.quantity.kinematic_order in (0, 1):
         # places and velocities are those of the start, as it is written there
@@ -219,7 +182,7 @@ def _at_the_start(tree: PhaseTree, question: Question, way: _WayToPhase, why: st
         else:
             value = f.lowest_terms(f.element(given))
     else:
-        value = _value(tree, question.quantity, way, phase, phase.start_instant, zero)
+        value = question.quantity.counted(passage_of(tree, way, zero, way.last.sets))
     return AnswerBranch(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
 
 
@@ -234,7 +197,7 @@ def _is_meant(asked: Transition, watch: PhaseWatch) -> bool:
 
 # -- a measure reaches a value ----------------------------------------------------------------
 def _at_event(
-    tree: PhaseTree, question: Question, event: QuestionEvent, ways: list[_WayToPhase], met: list[str]
+    tree: PhaseTree, question: Question, event: QuestionEvent, ways: list[WayToPhase], met: list[str]
 ) -> Iterator[AnswerBranch]:
     """In every phase up to the event; `met` collects why there is no closed form on some ways."""
     for way in ways:
@@ -246,7 +209,7 @@ def _in_phase(
     tree: PhaseTree,
     question: Question,
     event: QuestionEvent,
-    way: _WayToPhase,
+    way: WayToPhase,
     watch: PhaseWatch,
     sets: Chosen,
     given: list[Condition],
@@ -300,7 +263,7 @@ def _watches(
 def _piece(
     tree: PhaseTree,
     question: Question,
-    way: _WayToPhase,
+    way: WayToPhase,
     first: FirstEvent,
     conditions: list[Condition],
     sets: Chosen,
@@ -312,20 +275,17 @@ def _piece(
         notes.append(
             Message("that it gets so far was checked at many parameter values; there is no short condition for it")
         )
-    phase = way.last.phase
-    there = SymbolicState(phase.model, {**_still(phase), **first.zero.values})
     if after is not None:
-        phase, there = after.phase, after.phase.start_instant
         notes.append(_just_after(after))
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
         notes.append(
             Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
         )
-    value = _value(tree, question.quantity, way, phase, there, time, first, after)
+    value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
     return AnswerBranch(value, True, list(way.nodes), first, [*way.conditions, *conditions], sets, time, notes, after)
 
 
-def _total(tree: PhaseTree, way: _WayToPhase, first: FirstEvent) -> Ratio | None:
+def _total(tree: PhaseTree, way: WayToPhase, first: FirstEvent) -> Ratio | None:
     """Time since the start: the phases before and the part of the last one."""
     total = tree.home.model.field.zero
     for edge in way.edges:
@@ -333,151 +293,3 @@ def _total(tree: PhaseTree, way: _WayToPhase, first: FirstEvent) -> Ratio | None
             return None
         total = total + edge.time
     return None if first.zero.time is None else total + tree.to_home(way.last.phase, first.zero.time)
-
-
-def _value(
-    tree: PhaseTree,
-    quantity: Quantity,
-    way: _WayToPhase,
-    phase: Phase,
-    there: SymbolicState,
-    time: Ratio | None,
-    first: FirstEvent | None = None,
-    after: PhaseNode | None = None,
-) -> Elements:
-    """The quantity at an instant of a phase, by the parameters alone; `first` ends the last phase of the way there."""
-    return quantity.counted(_Passage(tree, way, phase, there, time, first, after))
-
-
-@dataclass(frozen=True)
-class _Passage:
-    """The way to an instant of a phase, in formulas of the parameters alone."""
-
-    tree: PhaseTree
-    way: _WayToPhase
-    phase: Phase
-    state: SymbolicState
-    elapsed: Ratio | None
-    first: FirstEvent | None
-    after: PhaseNode | None
-
-    def time(self) -> Ratio:
-        if self.elapsed is None:
-            raise CannotAnswer(
-                Message(
-                    "the time is the integral of the coordinate over its speed, which has no elementary closed form "
-                    "here; simulate the motion for a number"
-                )
-            )
-        return self.elapsed
-
-    def change(self, measure: Measure) -> Ratio:
-        begin = self._begin
-        last, earlier = self.state.value(measure), begin.start_instant.value(measure)
-        return self.tree.to_home(self.phase, last) - self.tree.to_home(begin, earlier)
-
-    def heat(self) -> Ratio:
-        nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
-        return sum((_taken_by_impact(self.tree, node) for node in nodes), _heat(self.tree, self.way, self.first))
-
-    def revolutions(self, body: str) -> Ratio:
-        return _revolutions(self.tree, body, self.way, self.first)
-
-    def work(self, load: str) -> Ratio:
-        pushes = [p for p in plain(self.phase.system).pushes if p.load == load]
-        if not pushes:
-            raise CannotAnswer(Message("{load} is no load; ask for the energy lost, or for power", load=load))
-        total = self.tree.home.model.field.zero
-        for push in pushes:
-            law_polynomial(push)
-            before = self.tree.to_home(self._begin, self._begin.start_instant.potential(push))
-            total = total + before - self.tree.to_home(self.phase, self.state.potential(push))
-        return total
-
-    def there(self, quantity: Quantity) -> Elements:
-        value = _elements(self.tree, self.phase, quantity, self.state)
-        if isinstance(value, tuple):
-            return tuple(self.tree.to_home(self.phase, v) for v in value)
-        return self.tree.to_home(self.phase, value)
-
-    @property
-    def _begin(self) -> Phase:
-        return self.way.nodes[0].phase
-
-
-def _heat(tree: PhaseTree, way: _WayToPhase, first: FirstEvent | None) -> Ratio:
-    """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
-    s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
-    total = tree.home.model.field.zero
-    for k, node in enumerate(way.nodes):
-        phase, last = node.phase, k == len(way.edges)
-        rubbing = frictions(phase.system)
-        if not rubbing:
-            continue
-        ends = first if last else way.edges[k].first
-        if ends is None:
-            continue
-        zero = ends.zero
-        if isinstance(phase.course, EnergyMotion):
-            total = total + _energy_lost(tree, phase, zero.values)
-            continue
-        time = None if zero.time is None else tree.to_home(phase, zero.time)
-        if time is None:
-            raise CannotAnswer(Message("the time of the event has no closed form, so neither has the heat of friction"))
-        for push in rubbing:
-            power = phase.state.law(push) * phase.state.rate(push.measure)
-            for n, coefficient in enumerate(phase.course.along(power)):
-                total = total - tree.to_home(phase, coefficient) * time ** (n + 1) / (n + 1)
-    return total
-
-
-def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
-    """What the mechanical energy loses from the beginning of a phase to a state of it."""
-    if not only_friction_takes_energy(phase.system):
-        raise CannotAnswer(
-            Message("other loads do work as well, and the heat of friction has no closed form; simulate the motion")
-        )
-    there = SymbolicState(phase.model, {**_still(phase), **values})
-    system = plain(phase.system)
-    before, after = (EnergyOf("total").value(system, state) for state in (phase.start_instant, there))
-    return tree.to_home(phase, before) - tree.to_home(phase, after)
-
-
-def _taken_by_impact(tree: PhaseTree, node: PhaseNode) -> Ratio:
-    """What the mechanical energy loses in the collision with which a phase begins."""
-    if node.impact is None:
-        return tree.home.model.field.zero
-    setup, phase = node.impact.before.setup, node.phase
-    before = EnergyOf("total").value(plain(setup.system), node.impact.before.now)
-    after = EnergyOf("total").value(plain(phase.system), phase.start_instant)
-    return tree.to_home(setup, before) - tree.to_home(phase, after)
-
-
-def _revolutions(tree: PhaseTree, body: str, way: _WayToPhase, first: FirstEvent | None) -> Ratio:
-    """Angles turned through, without sign, over a full turn; in every phase the body turns one way only."""
-    from freebody.measures.angle import Angle
-
-    home = tree.home.model.field
-    total = home.zero
-    for k, node in enumerate(way.nodes):
-        phase = node.phase
-        ends = way.edges[k].first if k < len(way.edges) else first
-        values = phase.start.values if ends is None else ends.zero.values
-        end = SymbolicState(phase.model, {**_still(phase), **values})
-        angle = Angle(body)
-        a, b = (tree.to_home(phase, s.value(angle)) for s in (phase.start_instant, end))
-        u, w = (tree.numbers(tree.to_home(phase, s.rate(angle))) for s in (phase.start_instant, end))
-        turned = tree.numbers(b - a)[way.last.sets]
-        if (u * w)[way.last.sets].min() < -1e-9 and not isinstance(phase.course, EnergyMotion):
-            raise CannotAnswer(
-                Message("{body} turns one way and then the other; ask for the change of its angle instead", body=body)
-            )
-        signs = set(np.sign(turned[np.abs(turned) > 1e-12]).tolist())
-        if len(signs) > 1:
-            raise CannotAnswer(
-                Message(
-                    "which way {body} turns depends on the parameter values; ask for the change of its angle", body=body
-                )
-            )
-        total = total + (a - b if signs == {-1.0} else b - a)
-    return total / (2 * home.pi)

@@ -14,11 +14,12 @@ from freebody.language.expression import Call, Expr, Symbol, add
 from freebody.language.notation import stated_plain, to_python
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
+from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import RegionCase, Regions, regions
-from freebody.study.phases.tree import PhaseEnd, PhaseImpact, PhaseNode, PhaseTree, tree_of
+from freebody.study.phases.tree import PhaseTree, tree_of
 from freebody.study.phases.words import happening, label, states, summary
 from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes

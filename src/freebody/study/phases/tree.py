@@ -1,21 +1,14 @@
 """The tree of phases: from the start, which mode holds, what ends it, which mode follows.
 
-At an instant every closed bound and every friction without slip is up for decision. A mode is consistent if
-
-    closed   N >= 0                        open at gap 0    gap'' > 0 (gap' > 0)
-    sticks   -mu_s N <= T <= mu_s N        slides           s slip' > 0, or slip' = 0 and s slip'' > 0
-
-Which of these holds, and which event comes first, is looked up at several hundred random parameter sets (`Sets`), and
-the inequalities that told them apart are the conditions of the branch, as formulas.
-Source of the cases: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 5.
+Which of the consistent modes (`consistent.py`) holds, and which event comes first, is looked up at several hundred
+random parameter sets (`Sets`), and the inequalities that told them apart are the conditions of the branch, as formulas.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -26,12 +19,14 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.study.answering.finding import NO_FORM, why
+from freebody.study.phases.consistent import candidates, checks, without_slip
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
-from freebody.study.phases.events import FirstEvent, PhaseOutcome, Proofs, first_events
+from freebody.study.phases.events import PhaseOutcome, Proofs, first_events
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import Blow, ClosedFormCollision
+from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
-from freebody.study.phases.phase import Phase, PhaseWatch, Placed, has_lines
+from freebody.study.phases.phase import Phase, Placed, has_lines
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
@@ -42,78 +37,10 @@ from freebody.system.system import System
 
 MAX_DEPTH = 5
 MAX_NODES = 24
-MAX_CANDIDATES = 48
 MAX_IMPACTS = 2  # one after the other, in formulas
 _ZERO = 1e-9
 _EFFORT = 1000  # what an effort is told by
 _NONE = 1e-12  # a rate that is none, beside the others
-
-
-@dataclass
-class PhaseEnd:
-    """How a phase ends: by an event after a time (None where energy alone describes the motion), or never."""
-
-    first: FirstEvent | None
-    time: Ratio | None  # since the phase began, in the home field
-    conditions: list[Condition]
-    sets: Chosen  # indices of the parameter sets that take this way
-    nodes: list[PhaseNode] = field(default_factory=list["PhaseNode"])
-    stops: str = ""  # why nothing follows
-    is_exact: bool = True  # the conditions tell it from the other ends
-    is_proved: bool = True  # that nothing else ends the phase follows from formulas
-
-    @property
-    def watch(self) -> PhaseWatch | None:
-        return None if self.first is None else self.first.watch
-
-
-@dataclass(frozen=True)
-class PhaseImpact:
-    """A collision with which a phase begins: what hits, and the impulses by row in the home field; `before` is the
-    state just before."""
-
-    hits: tuple[str, ...]
-    impulses: Mapping[str, Ratio]
-    before: ClosedFormCollision
-
-    @property
-    def words(self) -> str:
-        return Message("impact of {contacts}", contacts=self.contacts)
-
-    @property
-    def contacts(self) -> str:
-        return in_turn([*dict.fromkeys(label(name) for name in self.hits)])
-
-
-@dataclass
-class PhaseNode:
-    """A phase in the tree; its conditions are those that make it the one that follows."""
-
-    phase: Phase
-    conditions: list[Condition]
-    sets: Chosen
-    depth: int
-    edges: list[PhaseEnd] = field(default_factory=list[PhaseEnd])
-    reason: str = ""  # why its motion has no closed form
-    impact: PhaseImpact | None = None  # with which it begins
-    n_impacts: int = 0  # so far
-    is_exact: bool = True
-    known: tuple[Condition, ...] = ()  # what holds on the way to it
-
-
-@dataclass(frozen=True)
-class PhaseStart:
-    """A state in which a phase begins: what touches without parting, slips by friction, and what comes from before."""
-
-    placed: Placed
-    closed: frozenset[str]
-    slips: Mapping[str, Ratio]
-    before: Mapping[str, int] = field(default_factory=dict[str, int])
-    excluded: tuple[str, int] | None = None
-    impact: PhaseImpact | None = None
-    n_impacts: int = 0
-    known: tuple[Condition, ...] = ()  # what holds on the way to it
-    given: tuple[Condition, ...] = ()  # what makes it the state that follows
 
 
 class PhaseTree(Home):
@@ -283,14 +210,14 @@ class PhaseTree(Home):
         phases: list[tuple[Phase, list[Inequality]]] = []
         labels = np.full(self.sets.n, NOTHING)
         tests: list[Test] = []
-        for mode in self._candidates(instant, left):
+        for mode in candidates(self, instant, left):
             if not len(left) or self.n_nodes >= allowed(MAX_NODES):
                 break
             try:
                 phase = self._phase(mode, instant.placed, left)
-                checks = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in self._checks(phase, instant)]
-                checks += _without_slip(mode, instant)
-                own = [self._test(*check) for check in checks]
+                needed = [(self.to_home(phase, x), rel, purpose) for x, rel, purpose in checks(phase, instant)]
+                needed += without_slip(mode, instant)
+                own = [self._test(*check) for check in needed]
             except NO_FORM as error:
                 self.reasons.append(why(self.system, error))
                 continue
@@ -299,7 +226,7 @@ class PhaseTree(Home):
             mine = left[holds[left]]
             if len(mine):
                 labels[mine] = len(phases)
-                phases.append((phase, checks))
+                phases.append((phase, needed))
                 self.n_nodes += 1
                 left = left[~holds[left]]
         if not phases:
@@ -307,9 +234,9 @@ class PhaseTree(Home):
         found: list[PhaseNode] = []
         for cell in cells(labels, indices, [replace(t, against="") for t in tests]):
             if cell.label != NOTHING:
-                phase, checks = phases[cell.label]
-                cuts = [cut for cut in cell.cuts if not any(cut[:2] == check[:2] for check in checks)]
-                conditions = self.conditions([*checks, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
+                phase, needed = phases[cell.label]
+                cuts = [cut for cut in cell.cuts if not any(cut[:2] == check[:2] for check in needed)]
+                conditions = self.conditions([*needed, *((x, relation, "") for x, relation, _p in cuts)], cell.sets)
                 node = PhaseNode(phase, [*instant.given, *conditions], cell.sets, depth, is_exact=cell.is_exact)
                 node.impact, node.n_impacts, node.known = instant.impact, instant.n_impacts, instant.known
                 found.append(node)
@@ -339,80 +266,6 @@ class PhaseTree(Home):
         gone = self.closed - phase.mode.closed
         rates = (phase.state.rate(self.bound_row(name).measure) for name in gone)
         return any(not phase.start_instant.here(rate).is_zero() for rate in rates)
-
-    def _candidates(self, instant: PhaseStart, indices: Chosen) -> Iterator[ContactMode]:
-        """Modes in the order in which they are tried: all closed, sticking before sliding."""
-        closed, slips, before, excluded = instant.closed, instant.slips, instant.before, instant.excluded
-        choices: list[list[tuple[str, int | None]]] = []
-        for name in sorted(closed):
-            open_now = excluded == (name, 0)
-            choices.append([(name, None)] if open_now else [(name, 1), (name, None)])
-        for name, slip in slips.items():
-            signs: list[int]
-            if slip.is_zero():
-                signs = [0, 1, -1]
-                if excluded is not None and excluded[0] == name:
-                    signs = [excluded[1]] if excluded[1] else signs
-            else:
-                numbers = self.numbers(slip)[indices]
-                signs = [s for s in (1, -1) if np.any(s * numbers > 0)]
-                if np.any(numbers == 0):
-                    signs.append(0)
-            choices.append([(name, s) for s in signs])
-        tried = itertools.islice(itertools.product(*choices), 4 * allowed(MAX_CANDIDATES))
-        seen: set[ContactMode] = set()
-        modes: list[tuple[int, int, ContactMode]] = []
-        for k, combination in enumerate(tried):
-            still = {n for n, s in combination if n in closed and s is not None}
-            still |= {n for n in closed if n not in dict(combination)}
-            rubs = {n: s for n, s in combination if n in slips and s is not None and self._touches(n, still)}
-            mode = ContactMode.of(still, rubs)
-            if mode not in seen:
-                seen.add(mode)
-                n_changes = sum(before.get(n, s) != s for n, s in rubs.items()) + 3 * (len(closed) - len(still))
-                modes.append((n_changes, k, mode))
-        modes.sort(key=lambda item: item[:2])
-        yield from (mode for _n, _k, mode in modes[: allowed(MAX_CANDIDATES)])
-
-    def _touches(self, rub: str, closed: set[str]) -> bool:
-        of = next(r.of for r in self.system.rubs if r.name == rub)
-        return not of or of in closed
-
-    def _checks(self, phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
-        """Inequalities between elements of the parameters that make the mode consistent at its start. What an event has
-        just let go of, by a force that falls through its limit, goes on of itself."""
-        closed, slips, excluded = instant.closed, instant.slips, instant.excluded
-        here, model = phase.start_instant.here, phase.model
-        if phase.determinant is not None:
-            yield here(phase.determinant), ">", Message("friction forces exist")
-        for watch in phase.watches:
-            if watch.kind == "opens":
-                yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
-            elif watch.kind == "slips":
-                yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
-            elif watch.kind == "slip ends":
-                slip = slips[watch.name]
-                sign = phase.mode.states[watch.name]
-                if excluded is not None and excluded[0] == watch.name:
-                    continue
-                if slip.is_zero():
-                    rub = phase.rubs[watch.name]
-                    yield (
-                        sign * here(phase.state.acceleration(rub.row.measure)),
-                        ">",
-                        Message("{contact} slips", contact=watch.connection),
-                    )
-                else:
-                    yield here(watch.element), ">", Message("{contact} slips", contact=watch.connection)
-        let_go = "" if excluded is None else excluded[0]
-        for name in sorted(closed - phase.mode.closed - {let_go}):
-            gap = phase.gap(phase.base_row(name))
-            rate = here(model.in_independent_speeds(model.rate(gap)))
-            if rate.is_zero():
-                second = model.field.substitute(model.rate(model.rate(gap)), model.dynamics.solved_accelerations)
-                yield here(second), ">", Message("{contact} opens", contact=name.partition(".")[0])
-            else:
-                yield rate, ">", Message("{contact} opens", contact=name.partition(".")[0])
 
     # -- how a phase ends -------------------------------------------------------------------------
     def _end(self, node: PhaseNode) -> None:
@@ -536,16 +389,6 @@ def tree_of(system: System) -> PhaseTree:
 def _tree(system: System, _effort: int) -> PhaseTree:
     """With another effort it is another tree."""
     return PhaseTree(system)
-
-
-def _without_slip(mode: ContactMode, instant: PhaseStart) -> list[Inequality]:
-    """What sticks from the start on although a slip is possible there must have none."""
-    states = mode.states
-    return [
-        (x, "=", Message("{contact} does not slip", contact=name.partition(".")[0]))
-        for name, x in instant.slips.items()
-        if states.get(name) == 0 and not x.is_zero()
-    ]
 
 
 def _connections(names: Sequence[str]) -> str:

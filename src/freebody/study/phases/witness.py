@@ -49,6 +49,7 @@ class PhaseSnapshot:
     v: Array
     begin: Snapshot  # the start of the phase
     together: tuple[tuple[str, str, int], ...] = ()  # all events at that instant
+    looks: tuple[tuple[Array, Array, float], ...] = ()  # places, velocities and times on the way
 
     def snapshot(self) -> Snapshot:
         return self.mode.snapshot(self.q, self.v, self.time)
@@ -235,6 +236,7 @@ class NumericMode:
             return np.concatenate([y[n:], self.accelerations(y[:n], y[n:], t)])
 
         roots: list[tuple[float, int]] = []
+        looks: list[tuple[Array, Array, float]] = []
         armed = np.array([watch(q, v, start) for _event, watch in watches]) > _STILL
         for a, b, state in _looks(derivative, np.concatenate([q, v]), start, until):
             y = state(b)
@@ -251,10 +253,11 @@ class NumericMode:
                 time, k = max(at_once, key=lambda r: r[1])
                 y = state(time)
                 together = tuple(watches[other][0] for _time, other in at_once)
-                return PhaseSnapshot(watches[k][0], time, self, y[:n], y[n:], begin, together)
+                return PhaseSnapshot(watches[k][0], time, self, y[:n], y[n:], begin, together, tuple(looks))
             armed |= now > _STILL
             q, v = y[:n], y[n:]
-        return PhaseSnapshot(None, until, self, q, v, begin)
+            looks.append((q, v, b))
+        return PhaseSnapshot(None, until, self, q, v, begin, (), tuple(looks))
 
 
 def _looks(

@@ -27,6 +27,7 @@ from freebody.numeric.instant import forces
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
+from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
@@ -314,7 +315,7 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
     value = reference.frame.values[name]
     unit = abs(value) or 1.0
 
-    def with_value(x: float) -> Reference:
+    def with_value(x: float) -> NumericSystem:
         other = copy(reference)
         other.frame = replace(reference.frame, values={**reference.frame.values, name: x}, _constants={})
         return other

@@ -1,0 +1,100 @@
+"""The tree of phases as it is made: phases, what ends them, the impacts with which they begin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from freebody.language.sentences import Message, in_turn
+from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.impact import ClosedFormCollision
+from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.phase import Phase, PhaseWatch, Placed
+from freebody.study.phases.words import label
+from freebody.symbolic.conditions import Condition
+from freebody.symbolic.field import Ratio
+
+
+@dataclass
+class PhaseEnd:
+    """How a phase ends: by an event after a time (None where energy alone describes the motion), or never."""
+
+    first: FirstEvent | None
+    time: Ratio | None  # since the phase began, in the home field
+    conditions: list[Condition]
+    sets: Chosen  # indices of the parameter sets that take this way
+    nodes: list[PhaseNode] = field(default_factory=list["PhaseNode"])
+    stops: str = ""  # why nothing follows
+    is_exact: bool = True  # the conditions tell it from the other ends
+    is_proved: bool = True  # that nothing else ends the phase follows from formulas
+
+    @property
+    def watch(self) -> PhaseWatch | None:
+        return None if self.first is None else self.first.watch
+
+
+@dataclass(frozen=True)
+class PhaseImpact:
+    """A collision with which a phase begins: what hits, and the impulses by row in the home field; `before` is the
+    state just before."""
+
+    hits: tuple[str, ...]
+    impulses: Mapping[str, Ratio]
+    before: ClosedFormCollision
+
+    @property
+    def words(self) -> str:
+        return Message("impact of {contacts}", contacts=self.contacts)
+
+    @property
+    def contacts(self) -> str:
+        return in_turn([*dict.fromkeys(label(name) for name in self.hits)])
+
+
+@dataclass
+class PhaseNode:
+    """A phase in the tree; its conditions are those that make it the one that follows."""
+
+    phase: Phase
+    conditions: list[Condition]
+    sets: Chosen
+    depth: int
+    edges: list[PhaseEnd] = field(default_factory=list[PhaseEnd])
+    reason: str = ""  # why its motion has no closed form
+    impact: PhaseImpact | None = None  # with which it begins
+    n_impacts: int = 0  # so far
+    is_exact: bool = True
+    known: tuple[Condition, ...] = ()  # what holds on the way to it
+
+
+@dataclass(frozen=True)
+class PhaseStart:
+    """A state in which a phase begins: what touches without parting, slips by friction, and what comes from before."""
+
+    placed: Placed
+    closed: frozenset[str]
+    slips: Mapping[str, Ratio]
+    before: Mapping[str, int] = field(default_factory=dict[str, int])
+    excluded: tuple[str, int] | None = None
+    impact: PhaseImpact | None = None
+    n_impacts: int = 0
+    known: tuple[Condition, ...] = ()  # what holds on the way to it
+    given: tuple[Condition, ...] = ()  # what makes it the state that follows
+
+
+@dataclass(frozen=True)
+class WayToPhase:
+    """From the start to the beginning of a phase."""
+
+    nodes: tuple[PhaseNode, ...]
+    edges: tuple[PhaseEnd, ...]
+    conditions: tuple[Condition, ...]
+
+    def on(self, edge: PhaseEnd, node: PhaseNode) -> WayToPhase:
+        return WayToPhase(
+            (*self.nodes, node), (*self.edges, edge), (*self.conditions, *edge.conditions, *node.conditions)
+        )
+
+    @property
+    def last(self) -> PhaseNode:
+        return self.nodes[-1]

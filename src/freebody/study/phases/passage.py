@@ -1,0 +1,144 @@
+"""What comes together on the way through phases, in formulas of the parameters alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.questions.base import Quantity
+from freebody.questions.energy import Energy as EnergyOf
+from freebody.study.answering.finding import Elements
+from freebody.study.answering.passage import FormulaPassage, FormulaPhase
+from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.nodes import PhaseNode, WayToPhase
+from freebody.study.phases.numbers import Chosen
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
+from freebody.study.phases.tree import PhaseTree
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.course import EnergyMotion
+from freebody.symbolic.state import SymbolicState
+
+_NO_TIME = Message(
+    "the time is the integral of the coordinate over its speed, which has no elementary closed form here; simulate the "
+    "motion for a number"
+)
+
+
+@dataclass(frozen=True)
+class _WithFriction(FormulaPassage):
+    """A passage on which friction and impacts take energy."""
+
+    tree: PhaseTree
+    way: WayToPhase
+    first: FirstEvent | None
+    after: PhaseNode | None
+
+    def heat(self) -> Ratio:
+        nodes = (*self.way.nodes, *(() if self.after is None else (self.after,)))
+        return sum((_taken_by_impact(self.tree, node) for node in nodes), _heat(self.tree, self.way, self.first))
+
+
+def passage_of(
+    tree: PhaseTree,
+    way: WayToPhase,
+    elapsed: Ratio | None,
+    sets: Chosen,
+    first: FirstEvent | None = None,
+    after: PhaseNode | None = None,
+) -> FormulaPassage:
+    """The way to an instant: the event `first` that ends the last phase of a way, just behind the impact with which
+    another one begins (`after`), or the start. sets: the parameter sets that go this way."""
+    phases: list[FormulaPhase] = []
+    for k, node in enumerate(way.nodes):
+        ends = way.edges[k].first if k < len(way.edges) else first
+        values = node.phase.start.values if ends is None else {**still_in(node.phase), **ends.zero.values}
+        end = SymbolicState(node.phase.model, values)
+        phases.append(FormulaPhase(node.phase.start_instant, end, partial(tree.to_home, node.phase)))
+    last = way.last.phase
+    if after is not None:
+        last = after.phase
+        phases.append(FormulaPhase(last.start_instant, last.start_instant, partial(tree.to_home, last)))
+
+    def elements(quantity: Quantity, state: SymbolicState) -> Elements:
+        return elements_in(tree, last, quantity, state)
+
+    return _WithFriction(
+        plain(last.system),
+        phases,
+        elapsed,
+        _NO_TIME,
+        elements,
+        lambda x: tree.numbers(x)[sets],
+        tree,
+        way,
+        first,
+        after,
+    )
+
+
+def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:
+    value = value_in_mode(quantity, tree.system, phase.system, state)
+    f = phase.model.field
+    still = still_in(phase)
+    if isinstance(value, tuple):
+        return tuple(f.lowest_terms(f.follow(f.element(v), still)) for v in value)  # type: ignore[arg-type]
+    return f.lowest_terms(f.follow(f.element(value), still))
+
+
+def still_in(phase: Phase) -> dict[int, Ratio]:
+    try:
+        return phase.course.still
+    except CannotAnswer:
+        return {}
+
+
+def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
+    """What dry friction turns into heat: in every phase the integral of -F s' over time, F the friction along the slip
+    s, which is not negative whatever else does work; where the motion is known by its energy alone, what that loses."""
+    total = tree.home.model.field.zero
+    for k, node in enumerate(way.nodes):
+        phase, last = node.phase, k == len(way.edges)
+        rubbing = frictions(phase.system)
+        if not rubbing:
+            continue
+        ends = first if last else way.edges[k].first
+        if ends is None:
+            continue
+        zero = ends.zero
+        if isinstance(phase.course, EnergyMotion):
+            total = total + _energy_lost(tree, phase, zero.values)
+            continue
+        time = None if zero.time is None else tree.to_home(phase, zero.time)
+        if time is None:
+            raise CannotAnswer(Message("the time of the event has no closed form, so neither has the heat of friction"))
+        for push in rubbing:
+            power = phase.state.law(push) * phase.state.rate(push.measure)
+            for n, coefficient in enumerate(phase.course.along(power)):
+                total = total - tree.to_home(phase, coefficient) * time ** (n + 1) / (n + 1)
+    return total
+
+
+def _energy_lost(tree: PhaseTree, phase: Phase, values: Mapping[int, Ratio]) -> Ratio:
+    """What the mechanical energy loses from the beginning of a phase to a state of it."""
+    if not only_friction_takes_energy(phase.system):
+        raise CannotAnswer(
+            Message("other loads do work as well, and the heat of friction has no closed form; simulate the motion")
+        )
+    there = SymbolicState(phase.model, {**still_in(phase), **values})
+    system = plain(phase.system)
+    before, after = (EnergyOf("total").value(system, state) for state in (phase.start_instant, there))
+    return tree.to_home(phase, before) - tree.to_home(phase, after)
+
+
+def _taken_by_impact(tree: PhaseTree, node: PhaseNode) -> Ratio:
+    """What the mechanical energy loses in the collision with which a phase begins."""
+    if node.impact is None:
+        return tree.home.model.field.zero
+    setup, phase = node.impact.before.setup, node.phase
+    before = EnergyOf("total").value(plain(setup.system), node.impact.before.now)
+    after = EnergyOf("total").value(plain(phase.system), phase.start_instant)
+    return tree.to_home(setup, before) - tree.to_home(phase, after)
