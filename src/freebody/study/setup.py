@@ -168,7 +168,11 @@ class Setup:
             if row.unilateral and with_contacts:
                 with suppress(CannotAnswer):
                     found += _open(row.sign * state.multiplier(row), ">=", closed(row.connection, row.reaction))
-        return found
+        return found + self.reserves(state) if with_contacts else found
+
+    def reserves(self, state: SymbolicState) -> list[Condition]:
+        """Conditions under which dry friction that sticks does so."""
+        return []
 
     @cached_property
     def closure(self) -> Closure:

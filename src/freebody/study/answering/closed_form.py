@@ -312,10 +312,13 @@ class QuestionSolver:
             return []
         if rests:
             values = find_equilibrium(self.model, self.setup.start, stable_first=q.is_about_stable).values
-            state = SymbolicState(self.model, values)
+            still = {c.speed: self.model.field.zero for c in self.model.coordinates}
+            state = SymbolicState(self.model, values | still)
         elif self.question.event is not None:
             state = self.setup.start_instant
-        return has_values(state, measures, with_loads=not self._is_kinematic(q) or self.question.event is not None)
+        with_loads = not self._is_kinematic(q) or self.question.event is not None
+        found = has_values(state, measures, with_loads=with_loads)
+        return [*found, *self.setup.reserves(state)] if rests else found
 
     def _is_kinematic(self, q: Quantity) -> bool:
         """Whether the quantity follows from geometry alone."""

@@ -19,6 +19,7 @@ from freebody.study.answering.finding import answered
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
+from freebody.study.phases.kept import in_first_modes
 from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
@@ -37,7 +38,7 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
     if not question.quantity.is_of_state:
-        raise CannotAnswer(Message("the system changes its contacts; ask for a motion, a force, or an energy"))
+        return in_first_modes(tree, question)
     parts = _merged(pieces(tree, question))
     evidence = [compare(tree, question, piece) for group in parts for piece in group]
     return _answer(tree, question, parts, evidence)

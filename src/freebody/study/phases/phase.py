@@ -62,9 +62,11 @@ class PhaseWatch:
 
 
 class Given(Setup):
-    """A system set up for given parameter sets, without drawing."""
+    """A system set up for given parameter sets, without drawing. model: of the same system, where there is one."""
 
-    def __init__(self, system: System, values: Sequence[Mapping[str, float]]) -> None:
+    def __init__(
+        self, system: System, values: Sequence[Mapping[str, float]], model: SymbolicModel | None = None
+    ) -> None:
         self.system = system
         self.draws = []
         for chosen in values:
@@ -74,6 +76,9 @@ class Given(Setup):
                 self.draws.append(Draw(own, reference, reference.assemble()))
         if not self.draws:
             raise CannotAnswer(Message("the phase cannot be assembled at its start"))
+        if model is not None:
+            self._made = model
+            return
         starts = [d.sample() for d in self.draws]
         general = [d.sample(d.anywhere(SEED, 0.0, 0.1), is_start=False) for d in self.draws[:2]]
         self._made = SymbolicModel(system, [*starts, *general])

@@ -1,0 +1,99 @@
+"""Questions that are about one law of motion, of a system with contacts or dry friction: freedoms, what is conserved,
+small and steady motions. They are answered in the mode with which the motion begins.
+
+What touches keeps touching and what sticks keeps sticking, which gives the conditions: at the equilibrium, or in the
+steady motion, contacts push and friction stays within its limits.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.loads.base import Load
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer, AnswerCase
+from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.scope import for_all
+from freebody.study.phases.nodes import PhaseNode
+from freebody.study.phases.phase import Given, Phase
+from freebody.study.phases.quantities import frictions
+from freebody.study.phases.result import relations
+from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.words import label, summary
+from freebody.study.setup import N_DRAWS, Setup
+from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.state import SymbolicState
+
+
+class KeptMode(Given):
+    """The mode of a phase, kept for good; its first draw has the model's own values where the motion begins in it."""
+
+    def __init__(self, tree: PhaseTree, node: PhaseNode) -> None:
+        self.phase: Phase = node.phase
+        self.is_own = tree.system.has_values and 0 in node.sets
+        system = self.phase.system
+        friction = {push.load: Load() for push in frictions(system)}  # a load as others are, which stores nothing
+        kept = replace(system, loads={**system.loads, **friction})
+        super().__init__(kept, tree.sets.some(node.sets, N_DRAWS), self.phase.model)
+
+    @property
+    def has_values(self) -> bool:
+        return self.is_own
+
+    def reserves(self, state: SymbolicState) -> list[Condition]:
+        found: list[Condition] = []
+        for watch in self.phase.watches:
+            if watch.kind == "slips":
+                what = Message("{contact} does not slip", contact=watch.connection)
+                condition, _possible = require(state.here(watch.element), ">=", what)
+                found += [] if condition is None else [condition]
+        return found
+
+
+def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
+    """The answer in the mode with which the motion begins at the model's own values; the others are further cases.
+    Raises CannotAnswer where there is no such mode."""
+    if not tree.roots:
+        raise CannotAnswer(
+            tree.reasons[0] if tree.reasons else Message("no state of the contacts is consistent with the start")
+        )
+    own, *rest = tree.roots
+    answer = _in_mode(tree, own, question)
+    if not answer.is_answered:
+        return answer
+    others: list[tuple[PhaseNode, Answer]] = []
+    for node in rest:
+        with suppress(CannotAnswer):
+            other = _in_mode(tree, node, question)
+            if other.expression is not None and not _is_same(answer, other):
+                others.append((node, other))
+    notes = (*answer.notes, Message("while the system {what}", what=summary(own.phase)))
+    if not others or answer.expression is None:
+        return replace(answer, notes=notes)
+    cases = [_case(tree, node, other) for node, other in [(own, answer), *others]]
+    return replace(answer, notes=notes, conditions=cases[0].conditions or (for_all(tree.system),), cases=tuple(cases))
+
+
+def _in_mode(tree: PhaseTree, node: PhaseNode, question: Question) -> Answer:
+    sliding = [label(name) for name, state in node.phase.mode.states.items() if state]
+    if sliding and question.quantity.scope == "small motion":
+        raise CannotAnswer(
+            Message("{names} slides at the start: there is no small motion about it", names=", ".join(sliding))
+        )
+    setup: Setup = KeptMode(tree, node)
+    return QuestionSolver(setup, question).answer()
+
+
+def _is_same(one: Answer, other: Answer) -> bool:
+    return one.expression == other.expression and one.conditions == other.conditions
+
+
+def _case(tree: PhaseTree, node: PhaseNode, answer: Answer) -> AnswerCase:
+    """What holds in a mode, where that is the one with which the motion begins."""
+    begins = tuple(r.text() for r in relations(tree, [*tree.assumed, *node.conditions]))
+    assert answer.expression is not None
+    own = tuple(c for c in answer.conditions if not c.startswith("for all "))
+    return AnswerCase(answer.expression, tuple(dict.fromkeys((*begins, *own))), summary(node.phase))
