@@ -28,7 +28,7 @@ from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.tapes import Tapes
 from freebody.numeric.reference import Reference
 from freebody.study.settled import settled, start_mode
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 from mechanisms import chain, ladder, tree
 
 ROOT = Path(__file__).parents[1]

@@ -33,7 +33,7 @@ from freebody.present.space.painter import Shot, paint, shots
 from freebody.present.space.solids import Solid
 from freebody.present.space.stills import draw, owner
 from freebody.present.view import View
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 from freebody.system.system import System
 
 register_kinds()

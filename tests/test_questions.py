@@ -14,7 +14,7 @@ import pytest
 import freebody as fb
 import freebody.questions
 from freebody.questions.base import FORMS, Quantity
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 from freebody.testing.questions import QUESTION_CHECKS, check_question
 from test_docs import CONTRIBUTING, blocks
 

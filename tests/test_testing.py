@@ -19,7 +19,7 @@ from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.model.shapes import Shape
 from freebody.numeric.reference import Reference
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 from freebody.testing import MUTATIONS, RELATIONS, End, check, mutated, random_model, run
 from freebody.testing.__main__ import main
 from freebody.testing.models import Maker, is_assembled, maker

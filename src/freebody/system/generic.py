@@ -26,7 +26,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from freebody.connections.base import Connection
-from freebody.errors import InputError, ModelError
+from freebody.errors import InputError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.geometry import GROUND, Components, Direction, Point
@@ -34,9 +34,13 @@ from freebody.model.elements import BodyPlane, ConstraintRow, Line, Nonholonomic
 from freebody.model.names import Names
 from freebody.model.rotations import dot
 from freebody.system.modes import sticking_row
-from freebody.system.reader import Reader
+from freebody.system.reading.bodies import BodySections
+from freebody.system.reading.connections import read_bounds
+from freebody.system.reading.head import read_space
+from freebody.system.reading.measures import read_measures
+from freebody.system.reading.parameters import read_parameters
+from freebody.system.reading.source import Source
 from freebody.system.system import System
-from freebody.system.unspecified import Unspecified
 
 Kind = Literal["point", "radius", "direction", "length", "target", "parameter"]
 TIME = "t"
@@ -153,27 +157,68 @@ class _GenericNames(Names):
         return Direction(found.body, tuple(c / size for c in along), found.name)
 
 
-class _GenericReader(Reader):
+class _GenericBodies(BodySections):
+    """Reads the bodies of a model that has been read before, over symbols."""
+
+    def __init__(self, source: Source, names: _GenericNames) -> None:
+        super().__init__(source)
+        self.names: _GenericNames = names
+
+    def ground(self) -> None:
+        super().ground()
+        points = self.names.bodies[GROUND].points
+        for name, pair in points.items():
+            points[name] = self.names.fresh_point(GROUND, name, pair)
+
+    def body(self, name: str, value: Any) -> RigidBody | None:
+        body = super().body(name, value)
+        if body is None:
+            return None
+        middle = {"mass_center", "center", body.default_point}
+        points = {
+            key: pair if key in middle and pair == self.names.origin else self.names.fresh_point(name, key, pair)
+            for key, pair in body.points.items()
+        }
+        radius = body.radius
+        if radius is not None:
+            radius = self.names.fresh("radius", name, f"the radius of {name}", self.names.numeric(radius))
+        return replace(body, points=points, radius=radius)
+
+    def plane(self, body: RigidBody, name: str, spec: Any) -> BodyPlane:
+        plane = super().plane(body, name, spec)
+        normal = self.names.turned(plane.normal, plane.normal.body, plane.name, "plane", plane.name)
+        return BodyPlane(self._own_point(plane.through, plane.name), normal, plane.name)
+
+    def line(self, body: RigidBody, name: str, spec: Any) -> Line:
+        line = super().line(body, name, spec)
+        through = self._own_point(line.through, line.name)
+        direction = self.names.turned(line.direction, line.direction.body, line.name, "line", line.name)
+        return Line(through, direction, line.name)
+
+    def _own_point(self, point: Point, owner: str) -> Point:
+        """A point that has symbols already, or gets those of a line or plane."""
+        if any(free_symbols(c) & self.names.data.keys() for c in point.offset):
+            return point
+        return replace(point, offset=self.names.fresh_point(point.body, f"point of {owner}", point.offset))
+
+
+class _GenericReader:
     """Reads a model that has been read before, over symbols."""
 
-    names: _GenericNames
-
     def __init__(self, system: System, values: Mapping[str, float]) -> None:
-        super().__init__(system.document, system.file)
         self.names = _GenericNames(values)
-        self.open = Unspecified(self.names, self.data)
+        self.source = Source(system.document, system.file, self.names)
         self.like = system
 
     def model(self) -> GenericModel:
         names = self.names
-        self._space()
-        self._parameters()
-        self._bodies()
-        names.connections = connections = self._specs("connections", Connection.kinds)
+        read_space(self.source)
+        read_parameters(self.source)
+        _GenericBodies(self.source, names).read()
+        names.connections = connections = self.source.specs("connections", Connection.kinds)
         measures = self._measures()
         rows = [*self._rows(connections), *self._bounded_rows(connections)]
-        if names.problems:
-            raise ModelError([self.document.locate(p) for p in names.problems], self.file)
+        self.source.refuse_problems()
         wanted = {row.name for row in self.like.held}
         held = tuple(row for row in rows if row.name in wanted)
         assembled = tuple(
@@ -200,7 +245,7 @@ class _GenericReader(Reader):
     def _bounded_rows(self, connections: Mapping[str, Connection]) -> list[ConstraintRow]:
         """Rows of contacts, stops and dry friction that the system holds, as in one of its modes."""
         wanted = {row.name for row in self.like.held}
-        contacts, limits, brakes = self._bounds(connections)
+        contacts, limits, brakes = read_bounds(self.names, connections)
         bounds, rubs = list(limits), list(brakes)
         for pair in contacts:
             more_bounds, more_rubs = pair.elements()
@@ -209,49 +254,11 @@ class _GenericReader(Reader):
         rows = [bound.row for bound in bounds] + [sticking_row(rub) for rub in rubs]
         return [row for row in rows if row.name in wanted]
 
-    # -- bodies -------------------------------------------------------------------------------
-    def _ground(self) -> None:
-        super()._ground()
-        points = self.names.bodies[GROUND].points
-        for name, pair in points.items():
-            points[name] = self.names.fresh_point(GROUND, name, pair)
-
-    def _body(self, name: str, value: Any) -> RigidBody | None:
-        body = super()._body(name, value)
-        if body is None:
-            return None
-        middle = {"mass_center", "center", body.default_point}
-        points = {
-            key: pair if key in middle and pair == self.names.origin else self.names.fresh_point(name, key, pair)
-            for key, pair in body.points.items()
-        }
-        radius = body.radius
-        if radius is not None:
-            radius = self.names.fresh("radius", name, f"the radius of {name}", self.names.numeric(radius))
-        return replace(body, points=points, radius=radius)
-
-    def _plane(self, body: RigidBody, name: str, spec: Any) -> BodyPlane:
-        plane = super()._plane(body, name, spec)
-        normal = self.names.turned(plane.normal, plane.normal.body, plane.name, "plane", plane.name)
-        return BodyPlane(self._own_point(plane.through, plane.name), normal, plane.name)
-
-    def _line(self, body: RigidBody, name: str, spec: Any) -> Line:
-        line = super()._line(body, name, spec)
-        through = self._own_point(line.through, line.name)
-        direction = self.names.turned(line.direction, line.direction.body, line.name, "line", line.name)
-        return Line(through, direction, line.name)
-
-    def _own_point(self, point: Point, owner: str) -> Point:
-        """A point that has symbols already, or gets those of a line or plane."""
-        if any(free_symbols(c) & self.names.data.keys() for c in point.offset):
-            return point
-        return replace(point, offset=self.names.fresh_point(point.body, f"point of {owner}", point.offset))
-
     # -- rows ---------------------------------------------------------------------------------
     def _measures(self) -> dict[str, Any]:
         self.names.owner = "a measure"
         try:
-            return super()._measures()
+            return read_measures(self.source)
         finally:
             self.names.owner = ""
 

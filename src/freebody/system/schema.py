@@ -9,7 +9,7 @@ from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.model.shapes import Shape
 from freebody.model.spec import Spec
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 
 _FORMULA = {"type": ["string", "number"], "description": "an expression, or a quantity such as 3 kg"}
 # components: two in the plane, three in space

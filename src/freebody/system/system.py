@@ -19,7 +19,7 @@ from freebody.model.names import did_you_mean
 from freebody.model.spec import Spec
 from freebody.questions.reading import Question
 from freebody.system.description import SystemDescription
-from freebody.system.reader import Reader
+from freebody.system.reader import read_system
 from freebody.system.unspecified import with_dimension
 
 
@@ -70,7 +70,7 @@ class System(SystemDescription):
 
     @classmethod
     def _read(cls, document: Document, file: str | None) -> Self:
-        read = Reader(document, file).system()
+        read = read_system(document, file)
         return cls(**{f.name: getattr(read, f.name) for f in fields(read)})
 
     # -- asking -------------------------------------------------------------------------------

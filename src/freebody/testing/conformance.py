@@ -32,8 +32,8 @@ from freebody.study.answering.crosscheck import element_at
 from freebody.study.pictures.picture import picture
 from freebody.study.setup import Setup
 from freebody.study.simulation.simulator import Simulator
+from freebody.system.kinds import register_kinds
 from freebody.system.modes import ContactMode, in_mode
-from freebody.system.reader import register_kinds
 from freebody.system.schema import json_schema
 from freebody.system.system import System as Description
 

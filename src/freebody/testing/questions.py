@@ -26,7 +26,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.setup import Setup
-from freebody.system.reader import register_kinds
+from freebody.system.kinds import register_kinds
 from freebody.testing.conformance import equal
 
 Check = Callable[[str], None]

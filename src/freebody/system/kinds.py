@@ -1,0 +1,13 @@
+"""The kinds of things that a model can contain."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+
+def register_kinds() -> None:
+    """Imports every file of connections, loads, questions and shapes, each of which registers its kind."""
+    import_module("freebody.connections")
+    import_module("freebody.loads")
+    import_module("freebody.questions")
+    import_module("freebody.model.composite")

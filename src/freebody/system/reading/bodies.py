@@ -1,0 +1,197 @@
+"""The sections `ground`, `frames` and `bodies`: what there is, and the points, lines and planes on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, cast
+
+from freebody.language.expression import ZERO, negate
+from freebody.language.units import LENGTH
+from freebody.measures.geometry import GROUND, Components
+from freebody.model.chains import read_chain
+from freebody.model.elements import BodyPlane, Line, RigidBody, Rotation
+from freebody.model.names import did_you_mean, placeholder
+from freebody.model.shapes import Build, Shape
+from freebody.system.reading.body_start import POSE_KEYS, start_of_body
+from freebody.system.reading.frames import read_frames
+from freebody.system.reading.lines import read_line, read_plane
+from freebody.system.reading.source import Source, known_keys
+
+_ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed")
+PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
+SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
+
+
+class BodySections:
+    """Reads the bodies, the ground among them, into the names of a model."""
+
+    def __init__(self, source: Source) -> None:
+        self.source, self.names = source, source.names
+
+    def read(self) -> None:
+        names = self.names
+        names.bodies[GROUND] = RigidBody(GROUND, ZERO, ZERO, {"origin": names.origin}, "origin", fixed=True)
+        self.ground()
+        read_frames(self.source, first=True)
+        for name, value in self.source.named("bodies").items():
+            if name == GROUND:
+                names.problem("ground is always there; declare its points under ground", None, "bodies", name)
+                continue
+            with names.at("bodies", name):
+                # a body that cannot be read still counts as known, so that its mistake is told once
+                names.bodies[name] = self.body(name, value) or placeholder(name)
+        read_frames(self.source, first=False)
+        for name, body in list(names.bodies.items()):
+            section = ("ground",) if name == GROUND else ("bodies", name)
+            entry = self.source.data.get("ground") if name == GROUND else self.source.mapping("bodies").get(name)
+            given = cast("dict[str, Any]", entry) if isinstance(entry, dict) else {}
+            with names.at(*section):
+                for line_name, spec in self._each(given, "lines"):
+                    body.lines[line_name] = self.line(body, line_name, spec)
+                for plane_name, spec in self._each(given, "planes") if names.space else ():
+                    body.planes[plane_name] = self.plane(body, plane_name, spec)
+
+    def _each(self, entry: dict[str, Any], key: str) -> Iterator[tuple[str, Any]]:
+        """The entries of a mapping in an entry, with problems noted at their places."""
+        found = entry.get(key)
+        for name, spec in cast("dict[str, Any]", found).items() if isinstance(found, dict) else ():
+            with self.names.at(key, name):
+                yield name, spec
+
+    def line(self, body: RigidBody, name: str, spec: Any) -> Line:
+        return read_line(self.names, body, name, spec)
+
+    def plane(self, body: RigidBody, name: str, spec: Any) -> BodyPlane:
+        return read_plane(self.names, body, name, spec)
+
+    def ground(self) -> None:
+        entry = self.source.mapping("ground")
+        ground = self.names.bodies[GROUND]
+        known = ("points", "lines", "planes") if self.names.space else ("points", "lines")
+        known_keys(self.names, entry, known, "ground", "ground")
+        with self.names.at("ground"):
+            points = self.source.open.points(entry.get("points"), GROUND, ground.points.__contains__) or {}
+            for name, value in points.items():
+                ground.points[name] = self.names.components(value, LENGTH, "points", name)
+
+    def body(self, name: str, value: Any) -> RigidBody | None:
+        names = self.names
+        if isinstance(value, str) and value in Shape.kinds:
+            value = {value: None}
+        if not isinstance(value, dict):
+            names.problem(f"say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}")
+            return None
+        entry = cast("dict[str, Any]", value)
+        shape = self._shape(name, entry)
+        if shape is None:
+            return None
+        with names.at(shape.kind):
+            build = self.source.open.completed(shape, name).build(names)
+        offsets = self._offsets(name, entry, build)
+        fixed = bool(entry.get("fixed", False))
+        if fixed:
+            entry = self._held_in_place(entry)
+        chain, frame = self._chain(name, entry, fixed=fixed) if names.space else ((), GROUND)
+        start = start_of_body(names, entry, build.default_point, offsets)
+        if fixed and start.moves:
+            names.problem(
+                f"{name} is fixed, so it has no velocity at the start: leave out one of the two", None, "fixed"
+            )
+        return RigidBody(
+            name,
+            build.mass,
+            build.inertia,
+            offsets,
+            build.default_point,
+            radius=build.radius,
+            turns=build.turns,
+            fixed=fixed,
+            start=start,
+            corners=self._outline(entry, offsets) or build.corners,
+            is_ring=build.is_ring,
+            tensor=build.tensor,
+            round=build.round,
+            axis=build.axis,
+            chain=chain,
+            frame=frame,
+            solid=build.solid,
+            sizes=build.sizes,
+        )
+
+    def _shape(self, name: str, entry: dict[str, Any]) -> Shape | None:
+        """The one shape that a body has; problems are noted where there is none, and for keys that mean nothing."""
+        names = self.names
+        kinds = [k for k in entry if k in Shape.kinds]
+        options = SPATIAL_OPTIONS if names.space else PLANAR_OPTIONS
+        for key in entry:
+            if key not in Shape.kinds and key not in options:
+                known = [*Shape.kinds, *options]
+                hint = did_you_mean(key, known)
+                if key in SPATIAL_OPTIONS:
+                    hint = " It is for models in space: write space: true."
+                if key == "angle":
+                    hint = " In space write how it is turned, e.g. turned: 30 deg about z."
+                names.problem(f"a body has no {key}.{hint}", None, key)
+        if len(kinds) != 1:
+            what = "one of " + ", ".join(Shape.kinds)
+            names.problem(f"{name} needs a shape: {what}" if not kinds else f"{name} has two shapes: {kinds}")
+            return None
+        return self.source.spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
+
+    def _offsets(self, name: str, entry: dict[str, Any], build: Build) -> dict[str, Components]:
+        """The points of a body, from its mass centre."""
+        names = self.names
+        middle = self._full(build.center_of_mass)
+        own = {build.default_point: names.origin} | {key: self._full(at) for key, at in build.points.items()}
+        for point, pair in (self.source.open.points(entry.get("points"), name, own.__contains__) or {}).items():
+            own[point] = names.components(pair, LENGTH, "points", point)
+        offsets = {k: tuple(c + negate(m) for c, m in zip(at, middle, strict=True)) for k, at in own.items()}
+        offsets["mass_center"] = names.origin
+        offsets.setdefault("center", names.origin)
+        return offsets
+
+    def _held_in_place(self, entry: dict[str, Any]) -> dict[str, Any]:
+        """A fixed body is where it is said to be near: nothing is left to search for."""
+        near = cast("dict[str, Any]", entry["near"]) if isinstance(entry.get("near"), dict) else {}
+        if not near.keys() <= set(POSE_KEYS[self.names.space]):  # told where the start is read
+            return entry
+        return {**near, **{key: value for key, value in entry.items() if key != "near"}}
+
+    def _full(self, at: Components) -> Components:
+        """Components as the model has them: a point of a flat shape lies in its plane."""
+        return (*at, *self.names.origin[len(at) :])
+
+    def _chain(self, name: str, entry: dict[str, Any], *, fixed: bool) -> tuple[tuple[Rotation, ...], str]:
+        """`turned: [psi about y, theta about x]`, where some of the angles are new names."""
+        names = self.names
+        frame = str(entry.get("frame", GROUND))
+        if frame not in self.source.mapping("bodies") and frame != GROUND:
+            names.problem(
+                f"there is no body {frame}.{did_you_mean(frame, self.source.mapping('bodies'))}", None, "frame"
+            )
+            return (), GROUND
+        chain = read_chain(names, entry.get("turned", []), "turned", named=not fixed)
+        if not any(turn.name for turn in chain):
+            if frame != GROUND:
+                names.problem(
+                    "a known rotation at the start counts from the ground; name the angles to count from frame, "
+                    "e.g. turned: [psi about y], frame: shaft",
+                    None,
+                    "frame",
+                )
+            return (), GROUND
+        return chain, frame
+
+    def _outline(self, entry: dict[str, Any], points: Mapping[str, Any]) -> tuple[str, ...]:
+        """`outline: [P, Q, R]`: points of the body that are the corners of what touches others."""
+        given = entry.get("outline")
+        if given is None:
+            return ()
+        if not isinstance(given, list) or len(cast("list[Any]", given)) < 2:
+            self.names.problem("outline is a list of points of the body, e.g. outline: [P, Q, R]", None, "outline")
+            return ()
+        corners = [str(name) for name in cast("list[Any]", given)]
+        for k, name in enumerate(corners):
+            if name not in points:
+                self.names.problem(f"there is no point {name}.{did_you_mean(name, points)}", None, "outline", k)
+        return tuple(corners) if all(name in points for name in corners) else ()

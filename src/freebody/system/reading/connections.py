@@ -1,0 +1,104 @@
+"""The section `connections`: rows that hold, measures that are offered, contacts, limits and dry friction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from freebody.connections.base import Connection
+from freebody.connections.contact import Contact, OutlinePair
+from freebody.connections.planar import Planar
+from freebody.language.expression import free_symbols, substitute
+from freebody.measures.base import Measure
+from freebody.model.carriers import is_distance_kept
+from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
+from freebody.model.names import Names
+from freebody.system.reading.parameters import forms
+
+MOST_ASKED = 40
+
+
+def read_rows(
+    names: Names, connections: Mapping[str, Connection]
+) -> tuple[list[ConstraintRow], list[tuple[str, Measure]]]:
+    rows: list[ConstraintRow] = []
+    offered: list[tuple[str, Measure]] = []
+    for name, connection in connections.items():
+        with names.at("connections", name, connection.kind):
+            n_before = len(names.problems)
+            if names.space and connection.is_in_plane(names):
+                _check_plane(names, connection, connections)
+            rows += [_in_numbers(names, replace(row, connection=name)) for row in connection.rows(names)]
+            if len(names.problems) == n_before:
+                offered += [(f"{name}_{key}", m) for key, m in connection.offers(names)]
+    if names.problems:
+        return rows, offered
+    kept = [row for row in rows if not row.if_needed]
+    always = tuple(kept)
+    for row in sorted(rows, key=lambda row: row.name):
+        if not row.if_needed or any(row.measure == other.measure for other in kept):
+            continue
+        if not is_distance_kept(names.bodies, always, row.measure):
+            kept.append(row)
+    order = {id(row): k for k, row in enumerate(rows)}
+    return sorted(kept, key=lambda row: order[id(row)]), offered
+
+
+def read_attitudes(names: Names, connections: Mapping[str, Connection]) -> tuple[Attitude, ...]:
+    """How the joints of space let bodies turn."""
+    found = ((name, connection.attitude(names)) for name, connection in connections.items())
+    return tuple(replace(a, connection=name) for name, a in found if a is not None)
+
+
+def _check_plane(names: Names, connection: Connection, connections: Mapping[str, Connection]) -> None:
+    """In space, connections of the plane join bodies that stay in it."""
+    planes = [c for c in connections.values() if isinstance(c, Planar) and c.keeps_flat(names)]
+    flat = {c.body.partition(".")[0] for c in planes}
+    free = sorted(b for b in connection.mentions(names) - flat if not names.bodies[b].fixed)
+    if free:
+        names.problem(
+            f"{connection.kind} is a connection of the plane; in space it joins bodies that stay in the plane of x "
+            f"and y: hold {', '.join(free)} there by a planar joint, or use a joint of space (revolute, spherical, "
+            "prismatic, cylindrical, universal ...)"
+        )
+
+
+def read_bounds(
+    names: Names, connections: Mapping[str, Connection]
+) -> tuple[tuple[OutlinePair, ...], tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
+    """What may touch, other limits, and dry friction."""
+    contacts: list[OutlinePair] = []
+    limits: list[UnilateralConstraint] = []
+    brakes: list[DryFriction] = []
+    by_form = forms(names)
+    for name, connection in connections.items():
+        with names.at("connections", name, connection.kind):
+            if isinstance(connection, Contact):
+                contacts += connection.pairs(names, name)
+                continue
+            bounds, rubs = connection.bounds(names, name)
+            limits += (replace(bound, row=_in_numbers(names, bound.row)) for bound in bounds)
+            for rub in rubs:
+                static, kinetic = (substitute(e, by_form) for e in (rub.static, rub.kinetic))
+                brakes.append(replace(rub, static=static, kinetic=kinetic))
+    return tuple(contacts), tuple(limits), tuple(brakes)
+
+
+def _in_numbers(names: Names, row: ConstraintRow) -> ConstraintRow:
+    """A row with the forms of functions of time in its target."""
+    by_form = forms(names)
+    if row.target is None or not free_symbols(row.target) & by_form.keys():
+        return row
+    return replace(row, target=substitute(row.target, by_form), general=row.target)
+
+
+def rows_to_ask_for(
+    contacts: tuple[OutlinePair, ...], limits: tuple[UnilateralConstraint, ...], brakes: tuple[DryFriction, ...]
+) -> list[ConstraintRow]:
+    """Rows that questions can name; of a crowd of contacts nobody asks for one."""
+    bounds, rubs = list(limits), list(brakes)
+    for pair in contacts if len(contacts) <= MOST_ASKED else ():
+        more_bounds, more_rubs = pair.elements()
+        bounds += more_bounds
+        rubs += more_rubs
+    return [item.row for item in (*bounds, *rubs)]

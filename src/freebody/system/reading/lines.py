@@ -1,0 +1,46 @@
+"""Lines and planes fixed in bodies: `lines: {slope: {along: right}}`, `planes: {table: {normal: up}}`."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, cast
+
+from freebody.language.units import LENGTH
+from freebody.measures.geometry import GROUND, Point
+from freebody.model.elements import BodyPlane, Line, RigidBody
+from freebody.model.names import Names
+from freebody.system.reading.source import known_keys
+
+
+def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
+    entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
+    known_keys(names, entry, ("through", "along", "angle"), "a line")
+    if "along" not in entry and "angle" not in entry:
+        names.problem("a line needs a direction, e.g. {along: right} or {angle: -alpha}")
+    along = names.direction(entry.get("along", entry.get("angle", 0)), "along", body=body.name)
+    label = _label(body, name)
+    return Line(_through(names, body, entry.get("through")), replace(along, name=label), label)
+
+
+def read_plane(names: Names, body: RigidBody, name: str, spec: Any) -> BodyPlane:
+    entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"normal": spec}
+    known_keys(names, entry, ("through", "normal"), "a plane")
+    label = _label(body, name)
+    normal = names.direction(entry.get("normal", "up"), "normal", body=body.name)
+    through = entry.get("through")
+    if isinstance(through, str) and "." not in through:
+        through = f"{body.name}.{through}"
+    return BodyPlane(_through(names, body, through), replace(normal, name=f"normal of {label}"), label)
+
+
+def _label(body: RigidBody, name: str) -> str:
+    return name if body.name == GROUND else f"{body.name}.{name}"
+
+
+def _through(names: Names, body: RigidBody, through: Any) -> Point:
+    """A point of a line or plane: by name, by its place on the body, or the middle of the body."""
+    if isinstance(through, str):
+        return names.point(through, "through")
+    if through is None:
+        return body.point()
+    return replace(body.point(), offset=names.components(through, LENGTH, "through"))

@@ -1,0 +1,35 @@
+"""The section `loads`: what pushes, by laws of its own measure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from freebody.language.expression import free_symbols, replace_rates, substitute
+from freebody.loads.base import Load
+from freebody.model.elements import RATE, VALUE, AppliedLoad
+from freebody.model.names import Names
+from freebody.system.reading.parameters import forms
+
+
+def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
+    found: list[AppliedLoad] = []
+    by_form = forms(names)
+    for name, load in loads.items():
+        with names.at("loads", name, load.kind):
+            for push in map(_in_own_measure, load.pushes(names)):
+                if free_symbols(push.law) & by_form.keys():
+                    push = replace(push, law=substitute(push.law, by_form), general=push.law)
+                found.append(replace(push, load=name))
+    return found
+
+
+def _in_own_measure(push: AppliedLoad) -> AppliedLoad:
+    """A law in a named measure that is the one it pushes is a law of its own measure."""
+    own = [name for name, measure in push.measures if measure == push.measure]
+    if not own:
+        return push
+    law = push.law
+    for name in own:
+        law = substitute(replace_rates(law, {name: RATE}), {name: VALUE})
+    return replace(push, law=law, measures=tuple(item for item in push.measures if item[0] not in own))

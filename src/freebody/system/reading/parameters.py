@@ -1,0 +1,106 @@
+"""The section `parameters`: numbers with units, symbols without a value, functions of time."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, cast
+
+from freebody.errors import InputError
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, parse_unit
+from freebody.model.elements import Parameter, Sign
+from freebody.model.names import Names
+from freebody.system.reading.source import Source, known_keys
+
+_RIGHT_ANGLE = math.pi / 2
+
+
+def read_parameters(source: Source) -> None:
+    names = source.names
+    functions: dict[str, dict[str, Any]] = {}
+    for name, value in source.named("parameters").items():
+        with names.at("parameters", name):
+            if isinstance(value, dict) and "function" in value:
+                functions[name] = cast("dict[str, Any]", value)
+            else:
+                names.parameters[name] = _parameter(names, name, value)
+    for name, entry in functions.items():
+        with names.at("parameters", name):
+            names.parameters[name] = _function(names, name, entry)
+
+
+def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
+    """`x0: {function: v*t, unit: m}`: a function of time. Formulas keep it general; numbers need its form."""
+    known_keys(names, entry, ("function", "unit", "about"), "a function of time")
+    unit = str(entry.get("unit") or "")
+    try:
+        quantity = parse_unit(unit) if unit else None
+    except InputError as error:
+        names.problem(str(error), None, "unit")
+        names.broken.add(name)
+        quantity = None
+    dimension = DIMENSIONLESS if quantity is None else quantity.dimension
+    form = names.formula(entry["function"], dimension, "function", extra={"t": TIME})
+    used = sorted(p for p in free_symbols(form) if p in names.parameters and names.parameters[p].form)
+    if used:
+        names.problem(f"{used[0]} is a function of time itself; write {name} in t and parameters")
+    is_angle = quantity is not None and quantity.is_angle
+    return Parameter(name, dimension, None, "any", unit=unit, is_angle=is_angle, form=form)
+
+
+def _parameter(names: Names, name: str, value: Any) -> Parameter:
+    sign: Sign = "positive"
+    unit: str | None = None
+    if isinstance(value, dict):
+        entry = cast("dict[str, Any]", value)
+        known_keys(names, entry, ("value", "unit", "sign", "about"), "a parameter")
+        if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
+            names.problem(f"sign is positive, nonnegative or any, not {entry['sign']!r}", None, "sign")
+        else:
+            sign = entry.get("sign", "positive")
+        unit, value = entry.get("unit"), entry.get("value")
+    try:
+        if value is None:
+            dimension = parse_unit(unit).dimension if unit else DIMENSIONLESS
+            return Parameter(name, dimension, None, sign, unit=unit or "")
+        text = f"{value} {unit}" if unit else value
+        quantity = parse_quantity(text)
+    except (InputError, TypeError) as error:
+        return _without_number(names, name, value, sign, error)
+    if sign == "positive" and quantity.value <= 0:
+        names.problem(
+            f"{name} = {value} is not positive; parameters are positive unless the model says "
+            f"otherwise: {name}: {{value: {value}, sign: any}}"
+        )
+    if sign == "nonnegative" and quantity.value < 0:
+        names.problem(f"{name} = {value} is negative, but its sign is given as nonnegative")
+    acute = quantity.is_angle and sign == "positive" and 0 < quantity.value < _RIGHT_ANGLE
+    shown = str(text).split(maxsplit=1)[1] if " " in str(text).strip() else ""
+    return Parameter(name, quantity.dimension, quantity.value, sign, acute, shown, quantity.is_angle)
+
+
+def _without_number(names: Names, name: str, value: Any, sign: Sign, error: Exception) -> Parameter:
+    """`m: kg` declares a symbol with a unit and no value."""
+    if isinstance(value, str):
+        try:
+            unit = parse_unit(value)
+        except InputError:
+            pass
+        else:
+            return Parameter(
+                name,
+                unit.dimension,
+                None,
+                sign,
+                unit.is_angle and sign == "positive",
+                value,
+                unit.is_angle,
+            )
+    names.problem(f"{error}. Write for example {name}: 3 kg, {name}: 0.5, or {name}: kg for a symbol")
+    names.broken.add(name)
+    return Parameter(name, DIMENSIONLESS, None, sign)
+
+
+def forms(names: Names) -> dict[str, Expr]:
+    """What functions of time are, by name."""
+    return {p.name: p.form for p in names.parameters.values() if p.form is not None}

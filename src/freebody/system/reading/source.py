@@ -1,0 +1,105 @@
+"""A document while it is read: its sections, and the descriptions in them, with problems noted at their places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeVar, cast
+
+from pydantic import ValidationError
+
+from freebody.errors import ModelError
+from freebody.language.document import Document
+from freebody.language.expression import name_problem
+from freebody.model.names import Names, did_you_mean
+from freebody.model.spec import Spec
+from freebody.system.kinds import register_kinds
+from freebody.system.unspecified import Unspecified
+
+SpecT = TypeVar("SpecT", bound=Spec)
+
+
+def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], what: str, *path: str | int) -> None:
+    """Notes a problem for every key of an entry that means nothing there."""
+    for key in entry:
+        if key not in known:
+            names.problem(f"{what} has no {key}.{did_you_mean(key, known)}", None, *path, key)
+
+
+class Source:
+    """A document, what its names mean so far, and what it leaves open."""
+
+    def __init__(self, document: Document, file: str | None, names: Names | None = None) -> None:
+        register_kinds()
+        self.document = document
+        self.file = file
+        self.data = document.data
+        self.names = Names() if names is None else names
+        self.open = Unspecified(self.names, self.data)
+
+    def refuse_problems(self) -> None:
+        """Raises ModelError with all problems, in the order of their places."""
+        if self.names.problems:
+            located = [self.document.locate(p) for p in self.names.problems]
+            located.sort(key=lambda p: (p.line or 0, p.column or 0))
+            raise ModelError(located, self.file)
+
+    def mapping(self, section: str) -> dict[str, Any]:
+        value = self.data.get(section)
+        if value is None:
+            return {}
+        if not isinstance(value, dict):
+            self.names.problem(f"{section} must be a mapping of names, e.g. {section}: {{a: ...}}", None, section)
+            return {}
+        return cast("dict[str, Any]", value)
+
+    def named(self, section: str) -> dict[str, Any]:
+        """The entries of a section whose names can be used."""
+        good: dict[str, Any] = {}
+        for name, value in self.mapping(section).items():
+            fault = name_problem(name)
+            if fault is not None or (name == "t" and section in ("parameters", "measures")):
+                self.names.problem(fault or "t is the time; choose another name", None, section, name)
+                continue
+            good[name] = value
+        return good
+
+    def spec(self, kind: type[SpecT], value: Any, *path: str | int) -> SpecT | None:
+        """One description, its problems noted with their places."""
+        try:
+            return kind.model_validate(kind.from_plain(value))
+        except ValidationError as error:
+            known = [f.alias or n for n, f in kind.model_fields.items()]
+            for fault in error.errors():
+                where = fault["loc"][:2]
+                what = str(where[0]) if where else ""
+                if fault["type"] == "extra_forbidden":
+                    message = f"{kind.kind} has no {what}.{did_you_mean(what, known)}"
+                elif fault["type"] == "missing":
+                    message = f"{kind.kind} needs {what}; it takes {', '.join(known)}"
+                    where = ()
+                else:
+                    message = f"{what}: {fault['msg'][0].lower()}{fault['msg'][1:]}, found {fault['input']!r}"
+                self.names.problem(message, None, *path, *where)
+            return None
+
+    def specs(self, section: str, kinds: Mapping[str, type[SpecT]]) -> dict[str, SpecT]:
+        found: dict[str, SpecT] = {}
+        for name, value in self.named(section).items():
+            with self.names.at(section, name):
+                if isinstance(value, str) and value in kinds:
+                    value = {value: None}
+                if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
+                    hint = next(iter(kinds))
+                    self.names.problem(
+                        f"give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {', '.join(sorted(kinds))}"
+                    )
+                    continue
+                ((kind, fields),) = cast("dict[str, Any]", value).items()
+                if kind not in kinds:
+                    what = section.removesuffix("s")
+                    self.names.problem(f"{kind} is no kind of {what}.{did_you_mean(kind, kinds)}", None, kind)
+                    continue
+                spec = self.spec(kinds[kind], fields, kind)
+                if spec is not None:
+                    found[name] = spec
+        return found

@@ -1,0 +1,55 @@
+"""The section `start`: values and rates of named measures, and the assembly mode."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from freebody.language.expression import Expr
+from freebody.language.units import TIME
+from freebody.measures.base import Measure
+from freebody.model.names import did_you_mean
+from freebody.system.reading.source import Source
+
+
+def _is_mode(source: Source, key: str) -> bool:
+    return key == "mode" and "mode" not in source.names.measures
+
+
+def read_mode(source: Source) -> str | None:
+    """`start: {mode: crossed}`: the assembly mode by name, where the connections leave several."""
+    start = source.mapping("start")
+    if "mode" not in start or not _is_mode(source, "mode"):
+        return None
+    if not isinstance(start["mode"], str):
+        source.names.problem("mode is the name of an assembly mode, e.g. mode: crossed", None, "start", "mode")
+    return str(start["mode"])
+
+
+def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[str, Expr], dict[str, Expr]]:
+    """`start: {theta: 30 deg, rate(theta): 0}`; theta' and theta_dot also mean the rate."""
+    start: dict[str, Expr] = {}
+    rates: dict[str, Expr] = {}
+    for key, value in source.mapping("start").items():
+        if _is_mode(source, key):
+            continue
+        name, target, per_time = key, start, False
+        for before, after in (
+            ("rate(", ")"),
+            ("", "'"),
+            ("", "_dot"),
+            ("rate of ", ""),
+            ("velocity of ", ""),
+        ):
+            if key not in measures and key.startswith(before) and key.endswith(after) and before + after:
+                inner = key[len(before) : len(key) - len(after)]
+                if inner in measures:
+                    name, target, per_time = inner, rates, True
+        if name not in measures:
+            known = [*measures, *(f"rate({m})" for m in measures)]
+            source.names.problem(
+                f"{key} is no named measure or rate of one.{did_you_mean(key, known)}", None, "start", key
+            )
+            continue
+        dimension = measures[name].dimension
+        target[name] = source.names.formula(value, dimension / TIME if per_time else dimension, "start", key)
+    return start, rates
