@@ -53,6 +53,27 @@ connections: {{cord: {{link: [ground.A, rod.start, l]}}}}
             "acceleration of rod.end along down at start": "3*g/2",
         },
     ),
+    # the string runs along the table from where the block is put; a = m2 g/(m1 + m2), until the block is at the edge
+    "block on a table, string over the edge to a weight that starts there": (
+        f"""
+parameters: {{m1: 4 kg, m2: 3 kg, h: 0.5 m, b: 1 m, {G}}}
+bodies: {{block: {{particle: {{mass: m1}}, at: [-b, 0]}}, hanger: {{particle: {{mass: m2}}}}}}
+connections:
+  table: {{slider: {{body: block, along: right, through: ground.edge}}}}
+  shaft: {{slider: {{body: hanger, along: down, through: ground.edge}}}}
+  cord: {{string: {{from: block, over: [ground.edge], to: hanger}}}}
+ground: {{points: {{edge: [0, 0]}}}}
+{WEIGHT}
+measures: {{y: drop of hanger below ground.edge}}
+start: {{y: 0, rate(y): 0}}
+""",
+        {
+            "acceleration of y": "m2*g/(m1 + m2)",
+            "tension of cord": "m1*m2*g/(m1 + m2)",
+            "speed of hanger when y = h": "sqrt(2*g*h*m2/(m1 + m2))",
+            "time when y = h": "sqrt(2*h*(m1 + m2)/(g*m2))",
+        },
+    ),
     # BJ sample problem 16.8 type: cord from below the hub, P (R - r) = (J + M R^2) a/R, the weight sinks a (1 - r/R)
     "spool pulled by a cord on its hub": (
         f"""

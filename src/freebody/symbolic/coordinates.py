@@ -223,7 +223,7 @@ class CoordinateChoice:
             self._samples.vanishes,
             straight_tangent(self._field, self._samples.is_negative),
             OFFERED,
-            self._lines.angle_by(),
+            angle_by=self._lines.angle_by(),
         )
 
     # -- what an elimination shows ------------------------------------------------------------

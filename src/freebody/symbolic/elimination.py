@@ -68,6 +68,7 @@ class Elimination:
     is_zero: Callable[[Ratio], bool]
     straight: Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
     named_rank: int  # coordinates of this rank and above are wanted; rather solve a line by a root
+    is_of_motion: bool = True  # not of one pose, in which places tell the lines
     angle_by: Callable[[int, Ratio, Ratio, Ratio], Ratio | None] | None = None  # q from a cos q + b sin q + d = 0
     solved: list[tuple[int, Ratio]] = initial(default_factory=list[tuple[int, Ratio]])
     loops: list[RowEquation] = initial(default_factory=list[RowEquation])
@@ -109,6 +110,11 @@ class Elimination:
     def _next_step(self, open_equations: list[RowEquation]) -> EliminationStep | None:
         """What is solved for next: positions one by one, then lines that turn out to be known, then whatever is linear;
         where only wanted coordinates are left rather two at once or a line by a root; at last the angle of a loop."""
+        step = (
+            self._line_along(open_equations) if self.is_of_motion else None
+        )  # before places are told by lines to them
+        if step is not None:
+            return step
         step = single = self._best_single(open_equations)
         rank = 99 if single is None else self.unknowns[min(single[1])].rank[0]
         if rank > 0:
@@ -213,6 +219,17 @@ class Elimination:
             if is_reversed:
                 angle = angle + self.field.pi
             return used, {line.length: self.field.variable(first.length), line.angle: angle}
+        return None
+
+    def _line_along(self, equations: list[RowEquation]) -> EliminationStep | None:
+        """A line in a direction that stands still, as a string along the guide of a body."""
+        for line, x, y, used in self._open_lines(equations):
+            own = {line.length, line.angle}
+            if not line.offset.is_zero() or own & (self.field.ingredients(x) | self.field.ingredients(y)):
+                continue
+            if x.is_zero() or y.is_zero() or self._is_still(self.field.lowest_terms(x / y)):
+                length, angle = self.straight(Vector(x, y), line.offset)
+                return used, {line.length: length, line.angle: angle}
         return None
 
     def _explicit_line(self, equations: list[RowEquation]) -> EliminationStep | None:

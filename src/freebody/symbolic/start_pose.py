@@ -75,7 +75,9 @@ class StartPose:
         equations = [RowEquation(e.name, f.follow(e.value, at_start).numerator()) for e in equations]
         unknowns = dict(self._own)
         absolute = [index for index, u in unknowns.items() if u.rank[0] != _LINE]
-        found = Elimination(f, unknowns, equations, self._lines, lambda x: x.is_zero(), self._straight, _LINE)
+        found = Elimination(
+            f, unknowns, equations, self._lines, lambda x: x.is_zero(), self._straight, _LINE, is_of_motion=False
+        )
         open_ = {u.index: recognised(f, numbers(u.index), is_angle=self._is_angle(u.index)) for u in found.kept}
         open_ |= {index: x for index, x in self._guesses().items() if self._is(x, numbers(index))}
         known = {index: value for index, value in open_.items() if value is not None}
