@@ -15,7 +15,6 @@ from freebody.cli import app
 from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
-from freebody.present.conservation import conservation_lines
 from freebody.study.conservation.conserved import Conservation, Verdicts, conserved
 from freebody.study.settled import start_mode
 from goldens import assert_golden
@@ -393,7 +392,7 @@ def of_example(name: str) -> Conservation | None:
 def test_conserved_quantities_of_an_example_are_the_golden_ones(name: str) -> None:
     found = of_example(name)
     if found is not None:
-        assert_golden("conserved", name, {"text": list(conservation_lines(found)), "json": found.to_plain()})
+        assert_golden("conserved", name, {"text": found.to_text().splitlines(), "json": found.to_plain()})
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -290,7 +290,7 @@ def test_an_interrupted_simulation_is_printed_and_written(
     def bar(_until: float) -> Generator[Callable[[float, int], None]]:
         yield lambda _now, _steps: os.kill(os.getpid(), sign)
 
-    monkeypatch.setattr("freebody.present.simulation.progress_bar", bar)
+    monkeypatch.setattr("freebody.present.progress_bar.progress_bar", bar)
     before, ignored = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
     signal.signal(signal.SIGINT, signal.default_int_handler)  # processes that share the tests ignore it
     out = model.with_name("run.csv")

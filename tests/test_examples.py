@@ -15,7 +15,6 @@ from conftest import formula
 from declared import undeclared
 from examples_told import EXAMPLES, FOLDER, solved
 from freebody.language.parser import parse
-from freebody.present.terminal import solution_lines
 from freebody.questions.reactions import ReactionComponent
 from freebody.study.simulation.dataset import reaction_names
 from goldens import assert_golden
@@ -41,7 +40,7 @@ def test_example_is_solved_completely(name: str) -> None:
 @example
 def test_the_solution_of_an_example_is_the_golden_one(name: str) -> None:
     solution = solved(name)
-    assert_golden("solve", name, {"text": list(solution_lines(solution)), "json": solution.to_plain()})
+    assert_golden("solve", name, {"text": solution.to_text().splitlines(), "json": solution.to_plain()})
 
 
 @example

@@ -27,7 +27,6 @@ from freebody.present.report.formats.notebook import notebook_text
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.present.report.formats.typst import typst_files
 from freebody.present.scene import Scene
-from freebody.present.terminal import answer_lines, solution_lines
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solution import Solution
 from report_sample import Drawing
@@ -188,8 +187,8 @@ def test_a_player_with_any_title_runs_its_own_script_alone(words: str, tmp_path:
 def test_the_terminal_is_not_given_orders(words: str) -> None:
     system = fb.System.from_data(data(words))
     answer = Answer(system.questions[0].id, system.questions[0].text, None, "m", None, reason="none")
-    lines = [*solution_lines(Solution(system, 1, ("x",), (), (), (answer,))), *answer_lines(answer)]
-    assert is_clean("\n".join(lines))
+    text = Solution(system, 1, ("x",), (), (), (answer,)).to_text()
+    assert is_clean(text.rstrip("\n"))
 
 
 def test_messages_do_not_repeat_orders(capsys: pytest.CaptureFixture[str]) -> None:

@@ -20,7 +20,6 @@ from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.reference import Reference
-from freebody.present.mobility import mobility_lines
 from freebody.study.mobility.gruebler import gruebler
 from freebody.study.mobility.mobility import Mobility, mobility
 from goldens import assert_golden
@@ -167,9 +166,8 @@ def test_the_flat_parallelogram_is_a_bifurcation() -> None:
     assert (found.gruebler.count, found.degrees_of_freedom, found.nearby) == (1, 2, 1)
     assert found.kind == "momentary"
     assert found.is_singular
-    from freebody.present.mobility import mobility_lines
 
-    assert "bifurcation" in "\n".join(mobility_lines(found))
+    assert "bifurcation" in found.to_text()
 
 
 def test_a_triangle_truss_is_rigid_and_a_square_one_is_not() -> None:
@@ -365,7 +363,7 @@ def of_example(name: str) -> Mobility:
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_the_mobility_of_an_example_is_the_golden_one(name: str) -> None:
     found = of_example(name)
-    assert_golden("mobility", name, {"text": list(mobility_lines(found)), "json": found.to_plain()})
+    assert_golden("mobility", name, {"text": found.to_text().splitlines(), "json": found.to_plain()})
 
 
 # -- against the engine -----------------------------------------------------------------------

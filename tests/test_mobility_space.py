@@ -17,7 +17,6 @@ from freebody.numeric.mobility.modes import assembly_modes
 from freebody.numeric.mobility.path import MotionPath
 from freebody.numeric.mobility.rank import rank_at, scaled_rows
 from freebody.numeric.reference import Reference
-from freebody.present.mobility import mobility_lines
 from freebody.study.mobility.centres import instant_centres
 from freebody.study.mobility.mobility import Mobility, mobility
 
@@ -370,7 +369,7 @@ connections:
 
 def test_the_report_has_its_parts_in_space() -> None:
     found = examined(SLIDER_CRANK)
-    text = "\n".join(mobility_lines(found))
+    text = found.to_text()
     assert "DOF = n L - K = 6*3 - 16 = 2" in text
     assert "coupler turns about the line from b to c, and nothing else moves" in text
     assert "2 - 1 = 1 without what is idle" in text

@@ -22,8 +22,8 @@ from freebody.present.report.formats.markdown import markdown_files
 from freebody.present.report.formats.notebook import notebook_text
 from freebody.present.report.formats.terminal import terminal_text
 from freebody.present.report.formats.typst import typst_files
-from freebody.present.terminal import answer_lines
 from freebody.study.answering.answer import Answer
+from said import said
 from test_examples import EXAMPLES, solved
 from test_mathml import answer_expressions
 from test_notation import expressions
@@ -134,7 +134,7 @@ def printed(expr: Expr) -> Iterator[tuple[str, float]]:
     """What the terminal, the JSON document and every report show of an answer, read back."""
     numbers, texts = known(expr, to_text)
     answer = Answer("q1", "what", expr, "1", None)
-    block = [line for line in answer_lines(answer, is_full=True) if line.startswith("      ")]
+    block = [line for line in said(answer) if line.startswith("      ")]
     baseline = next(k for k, line in enumerate(block) if line.startswith("      = "))
     assert all(line[:8] in ("      = ", "        ") for line in block)
     yield "terminal", read.stacked([line[8:] for line in block], texts, baseline)

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
     from freebody.study.answering.solve import solve
+    from freebody.study.conservation.conservation import Conservation
     from freebody.study.conservation.conserved import conserved
-    from freebody.study.conservation.verdicts import Conservation
     from freebody.study.eom import Equations, equations_of_motion
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from freebody.numeric.options import SimulationOptions
     from freebody.present.picture.picture import Picture
     from freebody.study.answering.solution import Solution
-    from freebody.study.conservation.verdicts import Conservation
+    from freebody.study.conservation.conservation import Conservation
     from freebody.study.eom import Equations
     from freebody.study.friction.report import Statics
     from freebody.study.inverse_dynamics import InverseDynamics

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from freebody.cli.options import Json, ModelFile, assignment, seconds_of
-from freebody.cli.output import print_json, print_written
+from freebody.cli.output import print_result, print_written
 
 if TYPE_CHECKING:
     from freebody.study.simulation.simulate import Simulation
@@ -53,7 +53,7 @@ def simulate(
 ) -> None:
     """Simulate the motion of a model."""
     from freebody.present.busy import busy
-    from freebody.present.simulation import progress_bar, simulation_lines
+    from freebody.present.progress_bar import progress_bar
 
     with busy("reading the model"):
         from freebody.numeric.options import SimulationOptions
@@ -82,12 +82,8 @@ def simulate(
     with progress_bar(seconds) as progress:
         result = run(system, seconds, options=options, events=event or (), progress=progress)
     with busy("evaluating the motion"):
-        summary = result.summary()
-        lines = [] if as_json else list(simulation_lines(result))
-    if as_json:
-        print_json(summary)
-    else:
-        print("\n".join(lines), flush=True)
+        result.summary()  # what it takes is computed here, not while it is printed
+    print_result(result, as_json)
     with busy("writing"):
         written = _written(result, out, plot, show or [], animate)
     if not as_json:

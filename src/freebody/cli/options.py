@@ -8,6 +8,9 @@ from typing import Annotated
 import typer
 
 ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
+ReportFile = Annotated[
+    Path | None, typer.Option("-o", "--out", help="Write a report: .html, .md, .tex, .pdf, .ipynb or .txt.")
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document.")]
 
 

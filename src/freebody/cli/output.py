@@ -6,7 +6,10 @@ import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from freebody.present.report.results import Result
 
 
 def print_written(paths: Sequence[Path]) -> None:
@@ -14,6 +17,26 @@ def print_written(paths: Sequence[Path]) -> None:
 
     for path in paths:
         print(f"wrote {plain(str(path))}")
+
+
+def check_out(out: Path | None) -> None:
+    """Raises InputError if no report can be written there: before anything is computed."""
+    if out is not None:
+        from freebody.present.report.write import check_report_path
+
+        check_report_path(out)
+
+
+def print_result(found: Result, as_json: bool, out: Path | None = None, *, is_short: bool = False) -> None:
+    """A result as one JSON document, as a report in a file, or as text; if it `is_short`, formulas that nobody would
+    read by their size."""
+    written = [] if out is None else found.write(out)
+    if as_json:
+        print_json(found.to_plain())
+    elif out is not None:
+        print_written(written)
+    else:
+        print(found.to_text(is_short=is_short), end="", flush=True)
 
 
 def print_json(document: Any) -> None:

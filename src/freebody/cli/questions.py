@@ -7,13 +7,14 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, load_engine
-from freebody.cli.output import print_json, print_written
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile, load_engine
+from freebody.cli.output import check_out, print_result, print_written
 
 
 def solve(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     question: Annotated[
         str | None, typer.Option("--find", help="Answer this question instead of those in the file.")
     ] = None,
@@ -23,6 +24,7 @@ def solve(
     """Answer the questions of a model in closed form."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("reading the model"):
         from freebody.study.answering.solve import solve as solve_system
         from freebody.system.system import System
@@ -30,22 +32,14 @@ def solve(
         system = System.load(file)
         load_engine()
         solution = solve_system(system, question)
-    if as_json:
-        print_json(solution.to_plain())
-    else:
-        from freebody.present.terminal import solution_lines
-
-        print("\n".join(solution_lines(solution, is_full=is_full)))
+    print_result(solution, as_json, out, is_short=not is_full)
     if not solution.is_complete:
         raise typer.Exit(1)
 
 
 def explain(
     file: ModelFile,
-    out: Annotated[
-        Path | None,
-        typer.Option("-o", "--out", help="Write a report: .html, .md, .tex, .pdf, .ipynb or .txt."),
-    ] = None,
+    out: ReportFile = None,
     question: Annotated[
         str | None, typer.Option("--find", help="Only this question: its id in the file, or one in words.")
     ] = None,
@@ -58,10 +52,8 @@ def explain(
 ) -> None:
     """Derive the answers step by step, with pictures."""
     from freebody.present.busy import busy
-    from freebody.present.report.write import check_report_path
 
-    if out is not None:
-        check_report_path(out)
+    check_out(out)
     with busy("reading the model"):
         from freebody.narrative.explain import explain as explain_system
         from freebody.system.system import System
@@ -89,9 +81,8 @@ def sheet(
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""
     from freebody.present.busy import busy
-    from freebody.present.report.write import check_report_path
 
-    check_report_path(out)
+    check_out(out)
     with busy("reading the models"):
         from freebody.narrative.sheets.sheet import load_systems
         from freebody.narrative.sheets.sheet import sheet as make
@@ -104,22 +95,20 @@ def sheet(
 def eom(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
 ) -> None:
     """Derive the equations of motion, the mass matrix and the constraint equations."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("deriving the equations of motion"):
         from freebody.study.eom import equations_of_motion
         from freebody.system.system import System
 
         equations = equations_of_motion(System.load(file))
         formulas = equations.to_latex() if latex else ""
-    if as_json:
-        print_json(equations.to_plain())
-    elif latex:
+    if latex and not as_json:
         print(formulas)
     else:
-        from freebody.present.terminal import equation_lines
-
-        print("\n".join(equation_lines(equations)))
+        print_result(equations, as_json, out)

@@ -6,13 +6,14 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile
-from freebody.cli.output import print_json
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile
+from freebody.cli.output import check_out, print_result
 
 
 def equilibrium(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     guess: Annotated[
         list[str] | None,
         typer.Option("--guess", metavar="NAME=VALUE", help="Search from here; 'theta=20 deg, x=0.1 m'. Repeatable."),
@@ -22,23 +23,20 @@ def equilibrium(
     """Find the equilibria of a model, their stability and the reactions."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("searching for equilibria"):
         from freebody.study.given import guess_of
         from freebody.study.small_motion.equilibrium import equilibria
         from freebody.system.system import System
 
         found = equilibria(System.load(file), [guess_of(text) for text in guess or ()])
-    if as_json:
-        print_json(found.to_plain())
-    else:
-        from freebody.present.statics import equilibrium_lines
-
-        print("\n".join(equilibrium_lines(found)))
+    print_result(found, as_json, out)
 
 
 def modes(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     at: Annotated[str, typer.Option("--at", help="equilibrium (the nearest one), or start.")] = "equilibrium",
     guess: Annotated[
         str | None, typer.Option("--guess", metavar="NAME=VALUE", help="The equilibrium to which this leads.")
@@ -50,32 +48,24 @@ def modes(
 
     if at not in ("equilibrium", "start"):
         raise InputError(f"--at is equilibrium or start, not {at}")
+    check_out(out)
     with busy("finding natural frequencies"):
         from freebody.study.given import guess_of
         from freebody.study.small_motion.modes import modes as modes_of
         from freebody.system.system import System
 
         found = modes_of(System.load(file), at, None if guess is None else guess_of(guess))
-    if as_json:
-        print_json(found.to_plain())
-    else:
-        from freebody.present.statics import mode_lines
-
-        print("\n".join(mode_lines(found)))
+    print_result(found, as_json, out)
 
 
-def statics(file: ModelFile, as_json: Json = False, effort: Effort = 1.0) -> None:
+def statics(file: ModelFile, as_json: Json = False, out: ReportFile = None, effort: Effort = 1.0) -> None:
     """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("finding what holds the system at rest"):
         from freebody.study.friction.report import statics as study
         from freebody.system.system import System
 
         found = study(System.load(file))
-    if as_json:
-        print_json(found.to_plain())
-    else:
-        from freebody.present.friction_statics import statics_lines
-
-        print("\n".join(statics_lines(found)))
+    print_result(found, as_json, out)

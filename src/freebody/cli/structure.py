@@ -6,13 +6,14 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, load_engine
-from freebody.cli.output import print_json
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile, load_engine
+from freebody.cli.output import check_out, print_result
 
 
 def mobility(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     along: Annotated[
         str | None,
         typer.Option("--along", metavar="NAME", help="Follow the motion along a driver or measure to its limits."),
@@ -23,22 +24,19 @@ def mobility(
     """Count degrees of freedom, name redundant constraints, singular poses and limits."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("counting degrees of freedom"):
         from freebody.study.mobility.mobility import mobility as examine
         from freebody.system.system import System
 
         found = examine(System.load(file), along, modes=modes)
-    if as_json:
-        print_json(found.to_plain())
-    else:
-        from freebody.present.mobility import mobility_lines
-
-        print("\n".join(mobility_lines(found)))
+    print_result(found, as_json, out)
 
 
 def conserved(
     file: ModelFile,
     as_json: Json = False,
+    out: ReportFile = None,
     question: Annotated[
         str | None,
         typer.Option("--find", help="Judge this quantity, as 'angular momentum of body about roller'."),
@@ -48,6 +46,7 @@ def conserved(
     """Tell what is conserved, and under which conditions; without a question in the file, search."""
     from freebody.present.busy import busy
 
+    check_out(out)
     with busy("searching for what is conserved" if question is None else "judging what is conserved"):
         from freebody.study.conservation.conserved import conserved as judge
         from freebody.system.system import System
@@ -55,11 +54,6 @@ def conserved(
         system = System.load(file)
         load_engine()
         found = judge(system, question)
-    if as_json:
-        print_json(found.to_plain())
-    else:
-        from freebody.present.conservation import conservation_lines
-
-        print("\n".join(conservation_lines(found)))
+    print_result(found, as_json, out)
     if not found.is_complete:
         raise typer.Exit(1)

@@ -1,18 +1,21 @@
-"""Lines for a terminal that several kinds of result share."""
+"""Numbers and counts in words, which several kinds of result share."""
 
 from __future__ import annotations
 
 import math
-import textwrap
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
-if TYPE_CHECKING:
-    from freebody.assess.verdict import Verdict
+from freebody.language.expression import Symbol
+from freebody.language.notation import to_text
+from freebody.system.system import System
+
+_ROUND_OFF = 1e-14  # of an amount at rest
 
 
-def number_text(value: float) -> str:
-    """Five significant digits, without trailing zeros."""
+def number_text(value: float, zero: float = 0.0) -> str:
+    """Five significant digits, without trailing zeros; what is smaller than `zero` is the round-off of one."""
+    if abs(value) < zero:
+        value = 0.0
     if value == 0 or not math.isfinite(value):
         return "0" if value == 0 else str(value)
     text = f"{value:.5g}"
@@ -27,17 +30,29 @@ def plural(n: int, one: str, many: str | None = None) -> str:
     return f"{n} {word}"
 
 
-def wrapped(label: str, text: str, width: int = 110) -> Iterator[str]:
-    """A labelled text, further lines below it."""
-    for k, line in enumerate(textwrap.wrap(text, width - 16, break_long_words=False) or [""]):
-        yield f"    {label if k == 0 else '':<12}{line}"
+def symbol_text(name: str) -> str:
+    """theta1 -> θ₁; what is no symbol stays as it is."""
+    return to_text(Symbol(name)) if name.isidentifier() else name
 
 
-def option_lines(choice: str | None, options: Mapping[str, Verdict]) -> Iterator[str]:
-    """The right option, and why each other is wrong."""
-    if not options:
-        return
-    yield f"    right       {f'({choice})' if choice else 'none'}"
-    for letter, verdict in options.items():
-        if letter != choice:
-            yield f"      ({letter})       {verdict.verdict}: {verdict.reason}"
+def amount_text(value: float, unit: str) -> str:
+    """A number with its unit; an angle in degrees as well."""
+    value = 0.0 if abs(value) < _ROUND_OFF else value
+    degrees = f" ({number_text(math.degrees(value))}°)" if unit == "rad" else ""
+    return f"{number_text(value)} {unit}{degrees}"
+
+
+def system_line(system: System, dof: int | None, coordinates: Sequence[str] = (), dependent: Sequence[str] = ()) -> str:
+    """One line on the system."""
+    text = (
+        f"{plural(len(system.moving), 'moving body', 'moving bodies')}, {plural(len(system.connections), 'connection')}"
+    )
+    if dof is not None:
+        text += f", {plural(dof, 'degree')} of freedom"
+    if coordinates:
+        text += (
+            f"; {plural(len(coordinates), 'coordinate').split(' ', 1)[1]}: {', '.join(map(symbol_text, coordinates))}"
+        )
+    if dependent:
+        text += f"; dependent: {', '.join(map(symbol_text, dependent))}"
+    return text

@@ -10,6 +10,9 @@ from typing import Any
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number
 from freebody.language.notation import to_latex, to_python
 from freebody.model.elements import NonholonomicForm
+from freebody.present.lines import system_line
+from freebody.present.report.blocks import Block, Formula, Paragraph, Report, Section
+from freebody.present.report.results import Result, line, summary, table
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio
@@ -20,7 +23,7 @@ from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class Equations:
+class Equations(Result):
     """M du/dt = F, with the closed loops that bind further coordinates."""
 
     system: System
@@ -68,6 +71,29 @@ class Equations:
         rows += [f"{to_latex(a)} &= {to_latex(b)}" for a, b in self.lines()]
         body = " \\\\\n    ".join(rows)
         return "\\begin{align}\n    " + body + "\n\\end{align}"
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        def zero(e: Expr) -> Paragraph:
+            return line(Formula((number(0), e), ("=",)))
+
+        yield line(system_line(self.system, len(self.coordinates), self.coordinates, self.dependent))
+        if self.dependent:
+            told = "Closed loops (the dependent coordinates follow from them)"
+            yield Section((told,), tuple(map(zero, self.loops)))
+            rates = ((Call("rate", Symbol(name)), rate) for name, rate in self.dependent_rates.items())
+            yield Section(("Rates of the dependent coordinates",), tuple(line(Formula(r, ("=",))) for r in rates))
+        if self.velocity_constraints:
+            yield Section(("Velocity constraints",), tuple(map(zero, self.velocity_constraints)))
+        yield Section(("Equations of motion",), tuple(line(Formula(sides, ("=",))) for sides in self.lines()))
+        if len(self.coordinates) > 1:
+            yield Section(("Mass matrix",), tuple(table(((Formula((e,)),) for e in row) for row in self.mass_matrix)))
+        if self.redundant:
+            yield line(f"redundant constraints: {', '.join(self.redundant)}")
+        yield from (line(f"not at {pose}") for pose in self.singular)
 
 
 @in_words

@@ -34,7 +34,8 @@ from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import settled
-from freebody.study.small_motion.equilibrium import moved_most, unit_of
+from freebody.study.small_motion.equilibrium import moved_most
+from freebody.study.small_motion.found import unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 from freebody.tolerances import LEAST

@@ -138,68 +138,52 @@ def _refused(study: str, reason: str) -> Outcome:
 
 
 def _solve(system: System) -> list[Outcome]:
-    from freebody.present.terminal import solution_lines
-
     solution = system.solve()
-    solution_lines(solution)
+    solution.to_text()
     solution.to_plain()
     return _of_answers("solve", solution.answers)
 
 
 def _eom(system: System) -> list[Outcome]:
-    from freebody.present.terminal import equation_lines
-
     equations = system.equations_of_motion()
     equations.to_latex()
-    equation_lines(equations)
+    equations.to_text()
     return _done(equations)
 
 
 def _mobility(system: System) -> list[Outcome]:
-    from freebody.present.mobility import mobility_lines
-
     found = system.mobility()
-    mobility_lines(found)
+    found.to_text()
     return _done(found)
 
 
 def _conserved(system: System) -> list[Outcome]:
-    from freebody.present.conservation import conservation_lines
-
     found = system.conserved()
-    conservation_lines(found)
+    found.to_text()
     return _done(found)
 
 
 def _equilibrium(system: System) -> list[Outcome]:
-    from freebody.present.statics import equilibrium_lines
-
     found = system.equilibria()
-    equilibrium_lines(found)
+    found.to_text()
     return _done(found)
 
 
 def _modes(system: System) -> list[Outcome]:
-    from freebody.present.statics import mode_lines
-
     found = system.modes()
-    mode_lines(found)
+    found.to_text()
     return _done(found)
 
 
 def _statics(system: System) -> list[Outcome]:
-    from freebody.present.friction_statics import statics_lines
-
     found = system.statics()
-    statics_lines(found)
+    found.to_text()
     return _done(found)
 
 
 def _simulate(system: System) -> list[Outcome]:
-    from freebody.present.simulation import simulation_lines
-
     found = system.simulate(UNTIL, max_seconds=20.0)
-    simulation_lines(found)
+    found.to_text()
     found.summary()
     return [Outcome("", End.ANSWERED if found.status.is_complete else End.REFUSED, found.message)]
 

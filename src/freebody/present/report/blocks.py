@@ -197,13 +197,15 @@ Block = Paragraph | Equations | Bullets | Table | Entries | Figure | Figures | S
 @dataclass(frozen=True)
 class Report:
     """A whole document. words: what the writers themselves have to say in the report's language: "hint", "show the
-    step", "show next", "show all", "equation", "figure", "contents", "right", "wrong"; English where one is missing."""
+    step", "show next", "show all", "equation", "figure", "contents", "right", "wrong"; English where one is missing.
+    is_summary: it is the sheet of a result, which a terminal writes closely."""
 
     title: str
     language: str
     subtitle: str
     blocks: tuple[Block, ...]
     words: dict[str, str]
+    is_summary: bool = False
 
 
 def text(*pieces: Piece) -> Text:

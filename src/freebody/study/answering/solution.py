@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from freebody.present.lines import system_line
+from freebody.present.report.blocks import Block, Remark, Report
+from freebody.present.report.results import Result, line, summary
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.told import answer_section
 from freebody.symbolic.model import SymbolicModel
 from freebody.system.system import System
 
@@ -14,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Result):
     """What `solve` found out about one system."""
 
     system: System
@@ -68,3 +73,21 @@ class Solution:
             "answers": [a.to_plain() for a in self.answers],
             **({} if self.phases is None else {"phases": self.phases.to_plain()}),
         }
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        yield line(system_line(self.system, self.degrees_of_freedom, self.coordinates, self.dependent))
+        yield from (line(f"assumed: {text}") for text in self.assumptions)
+        if self.redundant:
+            yield line(f"redundant constraints: {', '.join(self.redundant)}")
+        if self.phases is not None:
+            from freebody.study.phases.told import phase_section
+
+            yield phase_section(self.phases)
+        yield from map(answer_section, self.answers)
+        if not self.answers:
+            asked = "The file asks nothing. Add questions, or see its equations with: freebody eom FILE"
+            yield Remark((asked,), "warning")

@@ -29,6 +29,7 @@ from freebody.questions.conservation import Conserved
 from freebody.questions.momentum import AngularMomentum, point_about
 from freebody.questions.reading import Question
 from freebody.study.conservation.balance import IsVector, RateBalance, RatePrinciple
+from freebody.study.conservation.conservation import Conservation
 from freebody.study.conservation.constancy import (
     N_IN_SEARCH,
     N_MOTIONS,
@@ -38,7 +39,7 @@ from freebody.study.conservation.constancy import (
     confirm,
 )
 from freebody.study.conservation.natural import candidates
-from freebody.study.conservation.verdicts import Conservation, Verdicts
+from freebody.study.conservation.verdicts import Verdicts
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
 from freebody.symbolic.field import Ratio

@@ -1,4 +1,4 @@
-"""The result values of a study of conservation."""
+"""What was found about one quantity."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded, stated_plain, to_python
 from freebody.language.sentences import Message, in_turn
 from freebody.study.conservation.constancy import Confirmation, CounterMotion
-from freebody.system.system import System
 
 
 @dataclass(frozen=True)
@@ -86,32 +85,4 @@ class Verdicts:
             "author_notes": list(self.author_notes),
             "counter_motion": None if self.counter is None else self.counter.to_plain(),
             "evidence": None if self.confirmation is None else self.confirmation.to_plain(),
-        }
-
-
-@dataclass(frozen=True)
-class Conservation:
-    """What `conserved` found out about one system."""
-
-    system: System
-    quantities: tuple[Verdicts, ...]
-    is_search: bool
-
-    def __getitem__(self, id: str) -> Verdicts:
-        """The verdict with an id, or on a question in words."""
-        for verdict in self.quantities:
-            if id in (verdict.id, verdict.question):
-                return verdict
-        raise KeyError(f"there is no {id}; there are {', '.join(v.id for v in self.quantities)}")
-
-    @property
-    def is_complete(self) -> bool:
-        return self.is_search or all(v.is_answered for v in self.quantities)
-
-    def to_plain(self) -> dict[str, Any]:
-        """The JSON document of the command line."""
-        return {
-            "title": self.system.title,
-            "search": self.is_search,
-            "quantities": [v.to_plain() for v in self.quantities],
         }

@@ -13,6 +13,9 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
 from freebody.numeric.friction_limits import ROUND_OFF, FrictionCone, RestProblem, rest_problem, unresisted
+from freebody.present.lines import number_text, system_line
+from freebody.present.report.blocks import Block, Report, Section
+from freebody.present.report.results import Result, entries, line, notes, summary, table
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.answers import prepared
 from freebody.study.friction.failures import how_it_fails, seen
@@ -44,6 +47,20 @@ class Reaction:
     def is_unique(self) -> bool:
         return self.low == self.high
 
+    @property
+    def told(self) -> str:
+        """Its value, or between what it may be."""
+        low, high = number_text(self.low), number_text(self.high)
+        if self.is_unique:
+            return low
+        if math.isinf(self.low):
+            return "any" if math.isinf(self.high) else f"at most {high}"
+        return f"at least {low}" if math.isinf(self.high) else f"{low} to {high}"
+
+    @property
+    def where(self) -> str:
+        return f"{self.connection} at {self.place}" if self.place else self.connection
+
     def to_plain(self) -> dict[str, Any]:
         """The reaction as plain data; without a limit None."""
         return {
@@ -60,7 +77,7 @@ class Reaction:
 
 
 @dataclass(frozen=True)
-class Statics:
+class Statics(Result):
     """The outcome at the model's own values. `reserve`: how many times what is needed friction can carry, infinite
     where none is needed, 0 where none is enough; `fails`: what happens, or what happens first with less friction."""
 
@@ -89,6 +106,38 @@ class Statics:
             "reactions": [r.to_plain() for r in self.reactions],
             "notes": list(self.notes),
         }
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        yield line(f"{system_line(self.system, None)}; at rest in the start pose")
+        verdict = "It holds." if self.holds else f"It does not hold: {self.fails}."
+        yield Section((verdict,), (line(self._told_reserve()),))
+        if self.reactions:
+            yield Section(("Reactions",), tuple(table(*self._table())))
+        yield from entries(*notes(self.notes))
+
+    def _table(self) -> tuple[list[list[str]], list[str]]:
+        """Its rows and its header; what is used of friction where that is known of one."""
+        header, rows = ["where", "what", "force"], [[r.where, r.reaction, f"{r.told} {r.unit}"] for r in self.reactions]
+        if any(r.used is not None for r in self.reactions):
+            header.append("used of friction")
+            for row, r in zip(rows, self.reactions, strict=True):
+                row.append("" if r.used is None else f"{100 * r.used:.3g} %")
+        return rows, header
+
+    def _told_reserve(self) -> str:
+        if math.isinf(self.reserve) and not self.fails:
+            return "no friction is needed"
+        if math.isinf(self.reserve):
+            return f"a millionth of the friction is enough; without it {self.fails}"
+        if self.holds:
+            return f"friction can carry {number_text(self.reserve)} times what is needed; with less {self.fails}"
+        if self.reserve > 0.0:
+            return f"friction would have to be {number_text(1 / self.reserve)} times as large"
+        return "not even a million times the friction is enough"
 
 
 @in_words

@@ -8,9 +8,7 @@ pose alone.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,134 +28,17 @@ from freebody.numeric.mobility.reachable import reachable_dimensions
 from freebody.numeric.reference import Reference
 from freebody.questions.reading import Question
 from freebody.study.answering.draws import SEED, draws
-from freebody.study.mobility.conflicts import Conflict, conflict
+from freebody.study.mobility.conflicts import conflict
+from freebody.study.mobility.found import Basis, Mobility, asked
 from freebody.study.mobility.gruebler import Gruebler, gruebler
-from freebody.study.mobility.mechanism import Motions, WantedFigures, motions_of
+from freebody.study.mobility.mechanism import WantedFigures, motions_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
-Basis = Literal["pose", "symbols", "topology"]
 _MOST_DRAWN = 8  # bodies without dimensions, up to which coordinates are named
 _N_NEARBY = 4  # nearby poses more than freedoms
 _NEARBY = 0.2  # how far they are, by the size or in radians
 _STEP = 0.02  # part of that which counts as a motion
-
-
-@dataclass(frozen=True)
-class Mobility:
-    """What the doctor found.
-
-    `degrees_of_freedom` is coordinates minus `rank.rank`, at this pose; `nearby` those of the motions that start here
-    (None without a pose)."""
-
-    system: System
-    gruebler: Gruebler
-    basis: Basis
-    rank: Rank
-    nearby: int | None
-    dependences: tuple[Dependence, ...]
-    idle: Mapping[str, str]
-    independent_coordinates: tuple[str, ...]
-    contradiction: Conflict | None
-    motions: Motions | None
-    n_idle: int = 0  # freedoms that are idle: one body moves, and nothing else
-    reachable: int | None = None  # dimensions of the poses that can be reached, where connections hold velocities
-    answers: Mapping[str, Judgement] = field(default_factory=dict[str, Judgement])
-    notes: tuple[str, ...] = ()
-
-    @property
-    def degrees_of_freedom(self) -> int:
-        return self.rank.n_coordinates - self.rank.rank
-
-    @property
-    def finite_freedom(self) -> int:
-        """Freedoms of the motion that starts here: those nearby where the pose is singular."""
-        return self.degrees_of_freedom if self.nearby is None else self.nearby
-
-    @property
-    def useful_freedom(self) -> int:
-        """Freedoms of the motion that starts here, without idle ones."""
-        return self.finite_freedom - self.n_idle
-
-    @property
-    def redundant(self) -> tuple[tuple[str, ...], ...]:
-        """The minimal dependent sets of rows."""
-        return tuple(d.rows for d in self.dependences) or self.rank.circuits
-
-    @property
-    def kind(self) -> str | None:
-        """Why rank and count differ: the most particular kind of the dependences."""
-        kinds = {d.kind for d in self.dependences}
-        for kind in ("momentary", "special geometry", "not decided", "generic"):
-            if kind in kinds:
-                return kind
-        return "generic" if self.rank.circuits else None
-
-    @property
-    def is_singular(self) -> bool:
-        """Whether the rank is smaller at this pose than nearby; dead points of the input are told apart from it, in
-        `motions.singular`."""
-        return any(d.kind == "momentary" for d in self.dependences)
-
-    @property
-    def indeterminate(self) -> tuple[str, ...]:
-        """The reactions that rigid bodies leave open."""
-        return tuple(dict.fromkeys(name for rows in self.redundant for name in rows))
-
-    @property
-    def advice(self) -> str:
-        """One sentence on what to do."""
-        return _advice(self)
-
-    def to_plain(self) -> dict[str, Any]:
-        """The JSON document of the command line."""
-        motions = {} if self.motions is None else self.motions.to_plain()
-        return {
-            "title": self.system.title,
-            "basis": self.basis,
-            "degrees_of_freedom": self.degrees_of_freedom,
-            "nearby_degrees_of_freedom": self.nearby,
-            "gruebler": self.gruebler.to_plain(),
-            "coordinates": self.rank.n_coordinates,
-            "rank": self.rank.rank,
-            "rank_by": self.rank.how,
-            "rank_is_exact": self.rank.is_exact,
-            "redundant": [list(rows) for rows in self.redundant],
-            "kind": self.kind,
-            "dependences": [
-                {
-                    "constraints": list(d.rows),
-                    "connections": list(d.connections),
-                    "kind": d.kind,
-                    "why": d.why,
-                    "shaky": d.is_shaky,
-                }
-                for d in self.dependences
-            ],
-            "indeterminate_reactions": list(self.indeterminate),
-            "singular": self.is_singular,
-            "idle": dict(self.idle),
-            "useful_degrees_of_freedom": self.useful_freedom,
-            "reachable_dimensions": self.reachable,
-            "independent_coordinates": list(self.independent_coordinates),
-            "contradictory": None if self.contradiction is None else self.contradiction.to_plain(),
-            "advice": self.advice,
-            "notes": list(self.notes),
-            **motions,
-            "answers": [
-                {
-                    "id": q.id,
-                    "question": q.text,
-                    "value": self.finite_freedom,
-                    "choice": self.answers[q.id].choice,
-                    "options": {
-                        k: {"verdict": v.verdict, "reason": v.reason} for k, v in self.answers[q.id].options.items()
-                    },
-                    "author_notes": list(self.answers[q.id].notes),
-                }
-                for q in _asked(self.system)
-            ],
-        }
 
 
 @in_words
@@ -346,13 +227,9 @@ def _nearby(reference: Reference, q: Array, rank: Rank) -> int:
 
 
 # -- answers and advice -----------------------------------------------------------------------
-def _asked(system: System) -> list[Question]:
-    return [q for q in system.questions if q.quantity.scope == "structure"]
-
-
 def _answered(found: Mobility) -> Mobility:
     """With the questions of the file on degrees of freedom answered."""
-    answers = {q.id: judge_count(q, found.finite_freedom, _mistakes(found)) for q in _asked(found.system)}
+    answers = {q.id: judge_count(q, found.finite_freedom, _mistakes(found)) for q in asked(found.system)}
     return replace(found, answers=answers)
 
 
@@ -401,38 +278,3 @@ def _mistakes(found: Mobility) -> dict[int, str]:
         )
     told.pop(n, None)
     return told
-
-
-def _advice(found: Mobility) -> str:
-    """One sentence on what to do about it."""
-    kinds = {d.kind for d in found.dependences}
-    if found.contradiction is not None:
-        return found.contradiction.message
-    over_driven = [note for note in found.notes if note.startswith("over-driven")]
-    if over_driven:
-        return f"Leave out one of {', '.join(found.gruebler.drivers)}: they lead the same freedom at different rates."
-    if any(d.is_shaky for d in found.dependences) and found.gruebler.drivers:
-        return f"The drivers ({', '.join(found.gruebler.drivers)}) are at a dead point: lead another measure."
-    if any(d.is_shaky for d in found.dependences):
-        return (
-            "It gives way to first order only, so small errors of the lengths become large displacements: change "
-            "the shape."
-        )
-    if "momentary" in kinds:
-        return (
-            "The pose is singular: the motion may go on along more than one branch. Start from another pose, or guide "
-            "the mechanism through it."
-        )
-    if found.redundant:
-        rows = ", ".join(dict.fromkeys(dependent[-1] for dependent in found.redundant))
-        unique = f"free {rows} (a joint that holds less, clearance, a flexible part) to make the reactions unique."
-        if "special geometry" in kinds and found.degrees_of_freedom:
-            return f"It moves only as long as the dimensions are exactly so: {unique}"
-        return unique[0].upper() + unique[1:]
-    if found.degrees_of_freedom == 0 and found.gruebler.drivers:
-        return f"It moves as {', '.join(found.gruebler.drivers)} lead it; all reactions are unique."
-    if found.degrees_of_freedom == 0:
-        return "Nothing can move, and all reactions are unique."
-    n = found.degrees_of_freedom
-    lead = ", ".join(found.independent_coordinates) or f"{n} coordinate{'s' * (n > 1)}"
-    return f"Lead {lead} to determine the motion; all reactions are unique."

@@ -15,9 +15,12 @@ from freebody.language.expression import free_symbols
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
+from freebody.present.report.blocks import Report
+from freebody.present.report.results import Result, summary
 from freebody.study.simulation.at_rest import is_unstable_rest, staying
 from freebody.study.simulation.measured import MeasuredMotion
 from freebody.study.simulation.simulator import Progress, Simulator
+from freebody.study.simulation.told import motion_blocks
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -29,23 +32,28 @@ N_OUTPUTS = 1001
 PARTED = 1e-3  # two runs have parted where they differ by this part of the system's size
 
 
-class Simulation(MeasuredMotion):
+class Simulation(MeasuredMotion, Result):
     """The result of a simulation. SI units, angles in rad."""
 
     def __repr__(self) -> str:
-        from freebody.present.simulation import simulation_lines
-
-        return "\n".join(simulation_lines(self))
+        return self.to_text().rstrip()
 
     def _repr_html_(self) -> str:
         """The summary and a plot, for notebooks."""
-        from html import escape
         from io import StringIO
 
         picture = StringIO()
         self.plot().savefig(picture, format="svg")
         svg = picture.getvalue()
-        return f"<pre>{escape(repr(self))}</pre>{svg[svg.index('<svg') :]}"
+        return super()._repr_html_() + svg[svg.index("<svg") :]
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title or "simulation", motion_blocks(self))
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of the command line."""
+        return self.summary()
 
     @cached_property
     def dataset(self) -> xarray.Dataset:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,6 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
@@ -26,106 +25,18 @@ from freebody.numeric.equilibrium import RestSearch
 from freebody.numeric.families import goes_on, nearest_of_family
 from freebody.numeric.jets import TIME, Array
 from freebody.numeric.reference import Reference
-from freebody.numeric.rest import CountedPose, LoadBalance
+from freebody.numeric.rest import LoadBalance
 from freebody.numeric.small_motion import SmallMotion
 from freebody.numeric.snapshot import UNIQUE
 from freebody.numeric.vibration import Stability, stability
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import without_friction
+from freebody.study.small_motion.found import Equilibria, FoundEquilibrium, unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
 Guess = Mapping[str, str | float]
 _TURNED = 1e-9  # of an angle of a line: half a turn is half a turn to the left
-
-
-@dataclass(frozen=True)
-class FoundEquilibrium:
-    """One equilibrium.
-
-    measures: values of the named measures, by name [m or rad]; poses: x, y of the mass centre [m] and angle [rad] by
-    body; reactions: by row (`hinge.x`) [N or N m], None where they are not unique; `non_unique` names these;
-    eigenvalue: the one that decides on stability, of the stiffness by the masses [1/s^2] or of the state
-    matrix [1/s]; direction: the measure or body that its motion moves most; neutral: those along which the rest is one
-    of a family; residual: what is left of the loads, as a part of what they come to; notes: what else to know."""
-
-    measures: Mapping[str, float]
-    poses: Mapping[str, tuple[float, ...]]
-    stability: str
-    eigenvalue: complex | None
-    eigenvalue_of: str
-    direction: str
-    neutral: tuple[str, ...]
-    reactions: Mapping[str, float | None]
-    non_unique: tuple[str, ...]
-    residual: float
-    notes: tuple[str, ...]
-    pose: CountedPose
-
-    @property
-    def q(self) -> Array:
-        """Absolute coordinates, for `Reference`."""
-        return self.pose.q
-
-
-@dataclass(frozen=True)
-class Equilibria:
-    """All equilibria that were found; `notes` say what holds for all of them."""
-
-    system: System
-    degrees_of_freedom: int
-    rests: tuple[FoundEquilibrium, ...]
-    notes: tuple[str, ...]
-    reference: Reference = field(repr=False)
-
-    def __iter__(self) -> Iterator[FoundEquilibrium]:
-        return iter(self.rests)
-
-    def __len__(self) -> int:
-        return len(self.rests)
-
-    def __getitem__(self, k: int) -> FoundEquilibrium:
-        return self.rests[k]
-
-    def unit(self, measure: str) -> str:
-        """The SI unit of a named measure; rad for angles and other pure numbers."""
-        return unit_of(self.system.measures[measure])
-
-    def to_plain(self) -> dict[str, Any]:
-        """The JSON document of `freebody equilibrium`: title, degrees_of_freedom, notes, and `equilibria`, each with
-        measures {name: {value, unit}}, poses {body: [x, y, angle]}, stability, eigenvalue (a number, or [re, im]),
-        eigenvalue_of, direction, neutral, reactions {row: number or null}, non_unique [row], residual, notes."""
-        return {
-            "title": self.system.title,
-            "degrees_of_freedom": self.degrees_of_freedom,
-            "notes": list(self.notes),
-            "equilibria": [
-                {
-                    "measures": {n: {"value": x, "unit": self.unit(n)} for n, x in rest.measures.items()},
-                    "poses": {body: list(pose) for body, pose in rest.poses.items()},
-                    "stability": rest.stability,
-                    "eigenvalue": None if rest.eigenvalue is None else plain_number(rest.eigenvalue),
-                    "eigenvalue_of": rest.eigenvalue_of,
-                    "direction": rest.direction,
-                    "neutral": list(rest.neutral),
-                    "reactions": dict(rest.reactions),
-                    "non_unique": list(rest.non_unique),
-                    "residual": rest.residual,
-                    "notes": list(rest.notes),
-                }
-                for rest in self.rests
-            ],
-        }
-
-
-def unit_of(measure: Measure) -> str:
-    """The SI unit of a measure."""
-    return "rad" if measure.dimension == DIMENSIONLESS else str(measure.dimension)
-
-
-def plain_number(x: complex) -> float | list[float]:
-    """A real number as such, a complex one as [re, im]."""
-    return x.real if x.imag == 0.0 else [x.real, x.imag]
 
 
 @in_words

@@ -9,7 +9,6 @@ Source: Meirovitch, Methods of Analytical Dynamics, 1970, ch. 5 and 6.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
@@ -29,9 +28,14 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.numeric.system import NumericSystem
 from freebody.numeric.vibration import NaturalMotion, natural_motions
+from freebody.present.lines import amount_text, symbol_text, system_line
+from freebody.present.report.blocks import Block, Remark, Report, Section
+from freebody.present.report.results import Result, entries, entry, line, summary
 from freebody.study.given import named_measure
 from freebody.study.settled import without_friction
-from freebody.study.small_motion.equilibrium import Guess, nearest_equilibrium, plain_number, unit_of
+from freebody.study.small_motion.equilibrium import Guess, nearest_equilibrium
+from freebody.study.small_motion.found import unit_of
+from freebody.study.small_motion.mode import NaturalMode
 from freebody.study.worded import in_words
 from freebody.system.system import System
 
@@ -40,61 +44,7 @@ _NOTHING = 1e-12  # of the largest part: parts of a shape that are rounding
 
 
 @dataclass(frozen=True)
-class NaturalMode:
-    """One natural motion, z = shape e^(s t).
-
-    kind: "oscillation", "rigid" (no frequency: it stays or drifts), "creeping" (one real rate of decay; an
-    overdamped pair has two of these) or "growing"; rate: s [1/s]; shape: parts of the named measures, the largest of
-    them 1 [SI, for rates of measures alike]; bodies: motion of every body (x, y, angle), the largest part 1. Parts are
-    complex where they do not move in phase."""
-
-    kind: str
-    rate: complex
-    shape: Mapping[str, complex]
-    bodies: Mapping[str, tuple[complex, complex, complex]]
-
-    @property
-    def frequency(self) -> float | None:
-        """Natural (undamped) angular frequency |s| [rad/s]; 0 for a rigid mode, None where nothing oscillates."""
-        if self.kind == "rigid":
-            return 0.0
-        return abs(self.rate) if self.rate.imag else None
-
-    @property
-    def frequency_hz(self) -> float | None:
-        """The same in Hz."""
-        return None if self.frequency is None else self.frequency / math.tau
-
-    @property
-    def damped_frequency(self) -> float | None:
-        """|Im s| [rad/s], at which a damped mode swings."""
-        return None if self.frequency is None else abs(self.rate.imag)
-
-    @property
-    def damping_ratio(self) -> float | None:
-        """zeta = -Re s/|s|; None where nothing oscillates."""
-        return -self.rate.real / abs(self.rate) + 0.0 if self.rate.imag else None
-
-    @property
-    def growth_rate(self) -> float:
-        """Re s [1/s]: negative where the mode dies away."""
-        return self.rate.real
-
-    def to_plain(self) -> dict[str, Any]:
-        return {
-            "kind": self.kind,
-            "frequency": self.frequency,
-            "frequency_hz": self.frequency_hz,
-            "damped_frequency": self.damped_frequency,
-            "damping_ratio": self.damping_ratio,
-            "growth_rate": self.growth_rate,
-            "shape": {name: plain_number(x) for name, x in self.shape.items()},
-            "bodies": {name: [plain_number(x) for x in motion] for name, motion in self.bodies.items()},
-        }
-
-
-@dataclass(frozen=True)
-class NaturalModes:
+class NaturalModes(Result):
     """The natural motions about one state, slowest first.
 
     about: "equilibrium" or "start"; measures: values of the named measures there; coordinates: names of z; mass,
@@ -179,6 +129,22 @@ class NaturalModes:
             "notes": list(self.notes),
             "modes": [mode.to_plain() for mode in self.modes],
         }
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        yield line(system_line(self.system, len(self.small.speeds)))
+        units = {name: unit_of(measure) for name, measure in self.system.measures.items()}
+        at = ", ".join(f"{symbol_text(n)} = {amount_text(x, units[n])}" for n, x in self.measures.items())
+        stability = f" ({self.stability})" if self.stability else ""
+        yield line(f"small motions about the {self.about}{stability}" + (f": {at}" if at else ""))
+        yield from (line(f"note: {note}") for note in self.notes)
+        if not self.modes:
+            yield Remark(("Nothing can move, so there are no modes.",))
+        for k, mode in enumerate(self, 1):
+            yield Section((f"Mode {k}: {mode.told}",), tuple(entries(entry("shape", *mode.told_shape))))
 
 
 @in_words

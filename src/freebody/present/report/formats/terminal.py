@@ -7,15 +7,20 @@ import textwrap
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
+from freebody.language.expression import Expr, n_operations
 from freebody.language.notation.stacked import TextBox
 from freebody.language.plain_text import plain
 from freebody.present.report.blocks import (
     Block,
     Emphasis,
+    Entries,
     Equation,
+    Equations,
     Figure,
     Formula,
+    Remark,
     Report,
     Section,
     Step,
@@ -28,19 +33,27 @@ from freebody.present.report.formulas.stacked import StackedFormulas, flat
 from freebody.present.report.words import capital
 from freebody.present.report.writer import BlockWriter, ReportFormat
 
-WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 120, 40
+WIDTH, SUMMARY_WIDTH, MAX_WIDTH, MIN_WIDTH = 100, 110, 120, 40
 _INDENT = 4
 _LINE, _STACKED = LineFormulas(), StackedFormulas()
 _SIGNS = {"": " ", "right": "✓", "wrong": "✗"}
 _NO_BREAK = "\u00a0"
+# of summaries: columns of labels, and from where on something is told by its size
+_LABEL, _LONGEST_RULE, _WIDEST = 12, 78, 100  # characters; a formula that is wider stands on one line
+_LONGEST_FORMULA, _LONGEST_TEXT, _SHOWN = 300, 600, 120  # operations, some six lines; characters
+_WHERE_IT_IS = "--full shows it, --json has it for Python and LaTeX"
 _SHORT_BRACKETS = re.compile(r"\([^()]{1,30}\)")
 
 
-def terminal_text(report: Report, width: int = WIDTH) -> str:
-    """The report in lines of at most `width` characters; only a table, or a word too long, may be wider."""
-    writer = _Writer(report, max(MIN_WIDTH, min(width, MAX_WIDTH)))
-    head = [plain(report.title), *([plain(report.subtitle)] if report.subtitle else [])]
-    lines = [*head, "═" * min(writer.width, max(map(columns, head))), "", *writer.blocks(report.blocks)]
+def terminal_text(report: Report, width: int | None = None, *, is_short: bool = False) -> str:
+    """The report in lines of at most `width` characters; only a table, or a word too long, may be wider. Of a summary
+    only labelled texts are broken; if it `is_short`, what nobody would read is told by its size."""
+    if report.is_summary:
+        lines = _Summary(report, max(MIN_WIDTH, width or SUMMARY_WIDTH), is_short=is_short).sheet()
+    else:
+        writer = _Writer(report, max(MIN_WIDTH, min(width or WIDTH, MAX_WIDTH)))
+        head = [plain(report.title), *([plain(report.subtitle)] if report.subtitle else [])]
+        lines = [*head, "═" * min(writer.width, max(map(columns, head))), "", *writer.blocks(report.blocks)]
     return "\n".join(line.replace(_NO_BREAK, " ").rstrip() for line in lines).rstrip("\n") + "\n"
 
 
@@ -195,6 +208,94 @@ class _Writer(BlockWriter[list[str]]):
             break_long_words=False,
             break_on_hyphens=False,
         ) or [lead.rstrip()]
+
+
+class _Summary(_Writer):
+    """Writes the sheet of a result closely: labels in a column of their own, no rules, no boxes, empty lines only
+    before sections and round displayed formulas. What is in a section is indented."""
+
+    def __init__(self, report: Report, width: int, *, is_short: bool) -> None:
+        super().__init__(report, width)
+        self.is_short = is_short
+        self.depth = 0  # of sections
+
+    def sheet(self) -> list[str]:
+        title = plain(self.report.title)
+        return [title, "─" * min(len(title), _LONGEST_RULE), *self.blocks(self.report.blocks)]
+
+    @property
+    def indent(self) -> str:
+        return " " * _INDENT if self.depth else ""
+
+    def blocks(self, blocks: Sequence[Block]) -> list[str]:
+        lines: list[str] = []
+        for before, block in pairwise([None, *blocks]):
+            assert block is not None
+            after = isinstance(before, Equations | Section | Remark)
+            if after or isinstance(block, Equations) or (before and isinstance(block, Section | Remark)):
+                lines.append("")
+            lines += self.block(block)
+        return lines
+
+    def section(self, section: Section) -> list[str]:
+        title = ("  " if self.depth else "") + self.text(section.title)
+        self.depth += 1
+        content = self.blocks(section.blocks)
+        self.depth -= 1
+        return [title, *content]
+
+    def paragraph(self, text: Text) -> list[str]:
+        is_remark = len(text) == 1 and isinstance(text[0], Emphasis) and text[0].look == "soft"
+        lead = self.indent + " " * _INDENT * is_remark
+        return [lead + line for line in self.text(text).splitlines()]
+
+    def equations(self, lines: Sequence[Equation]) -> list[str]:
+        """Each with what it is equal to, at its own width."""
+        found: list[str] = []
+        for line in lines:
+            prefix = f"{line.label} = " if line.label else "= "
+            n = sum(n_operations(side) for side in line.formula.sides if isinstance(side, Expr))
+            if self.is_short and n > _LONGEST_FORMULA:
+                box = flat(f"a formula of {n} operations ({_WHERE_IT_IS})")
+            else:
+                box = _STACKED.formula(line.formula)
+                box = box if box.width <= _WIDEST else flat(_LINE.formula(line.formula))
+            found += [" " * 6 + row for row in _STACKED.beside([flat(prefix), box]).lines]
+        return found
+
+    def bullets(self, items: Sequence[str], *, is_numbered: bool) -> list[str]:
+        return [self.indent + item for item in items]
+
+    def remark(self, text: str, kind: str) -> list[str]:
+        return [self.indent + text]
+
+    def entries(self, entries: Entries) -> list[str]:
+        lines: list[str] = []
+        for entry in entries.entries:
+            label = ("  " if entry.is_below else "") + plain(entry.label)
+            for text in entry.texts:
+                first, *others = self._broken(self.text(text))
+                lead = label.ljust(_LABEL) if len(label) < _LABEL else f"{label} "
+                lines += [" " * _INDENT + lead + first, *(" " * (_INDENT + _LABEL) + other for other in others)]
+                label = ""
+        return lines
+
+    def _broken(self, text: str) -> list[str]:
+        if self.is_short and len(text) > _LONGEST_TEXT:
+            text = f"{text[:_SHOWN]} ... ({len(text)} characters; {_WHERE_IT_IS})"
+        width = self.width - _INDENT - _LABEL
+        return textwrap.wrap(text, width, break_long_words=False) or [""]
+
+    def table(self, table: Table) -> list[str]:
+        texts = [[self.text(cell) for cell in row] for row in (table.header, *table.rows) if row]
+        sizes = [max(columns(row[k]) for row in texts) for k in range(len(texts[0]))]
+        return [
+            self.indent + "   ".join(cell + " " * (size - columns(cell)) for cell, size in zip(row, sizes, strict=True))
+            for row in texts
+        ]
+
+    def formula(self, formula: Formula) -> str:
+        return _LINE.formula(formula)
 
 
 def _parts(formula: Formula, width: int, left_size: int) -> list[tuple[TextBox, TextBox]]:

@@ -1,0 +1,111 @@
+"""Results as reports: what every result can do that says itself in blocks, and the blocks that several results have."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from freebody.present.report.blocks import Block, Emphasis, Entries, Entry, Paragraph, Piece, Report, Table, Text
+
+if TYPE_CHECKING:
+    from freebody.assess.verdict import Verdict
+
+
+class Reported:
+    """A result that says itself in blocks, and so in every format."""
+
+    @property
+    @abstractmethod
+    def report(self) -> Report:
+        """The result as a report."""
+
+    def to_text(self, width: int | None = None, *, is_short: bool = False) -> str:
+        """For a terminal, by default 100 characters wide, a result in short 110; if it `is_short`, formulas that nobody
+        would read are told by their size."""
+        from freebody.present.report.formats.terminal import terminal_text
+
+        return terminal_text(self.report, width, is_short=is_short)
+
+    def to_html(self) -> str:
+        """A page of its own, without any network."""
+        from freebody.present.report.formats.html import html_page
+
+        return html_page(self.report)
+
+    def write(self, path: str | Path) -> list[Path]:
+        """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
+        InputError for another suffix or a place that cannot be written."""
+        from freebody.present.report.write import write_report
+
+        return write_report(self.report, Path(path), code=self._code())
+
+    def _code(self) -> str:
+        """What the first cell of a notebook runs."""
+        return ""
+
+    def _repr_html_(self) -> str:
+        from freebody.present.report.formats.html import html_fragment
+
+        return html_fragment(self.report)
+
+    def _repr_latex_(self) -> str:
+        from freebody.present.report.formats.latex import latex_fragment
+
+        return latex_fragment(self.report)
+
+
+class Result(Reported):
+    """What a study finds out."""
+
+    @abstractmethod
+    def to_plain(self) -> dict[str, Any]:
+        """The result as plain data: the JSON document of the command line."""
+
+
+def summary(title: str, blocks: Iterable[Block]) -> Report:
+    """The sheet of a result."""
+    return Report(title, "en", "", tuple(blocks), {}, is_summary=True)
+
+
+def question_title(id: str, question: str) -> Text:
+    return Emphasis(id, "code"), f"  {question}"
+
+
+def line(*pieces: Piece) -> Paragraph:
+    return Paragraph(pieces)
+
+
+def remark(words: str) -> Paragraph:
+    """A line below the one that it remarks on."""
+    return Paragraph((Emphasis(words, "soft"),))
+
+
+def entry(label: str, *texts: str | Text) -> Entry:
+    return Entry(label, tuple((text,) if isinstance(text, str) else text for text in texts))
+
+
+def entries(*found: Entry | None) -> list[Block]:
+    """Those that have something to say, or no block if none has."""
+    said = tuple(each for each in found if each is not None and each.texts)
+    return [Entries(said)] if said else []
+
+
+def table(rows: Iterable[Iterable[str | Text]], header: Iterable[str] = ()) -> list[Block]:
+    """No block without rows."""
+    cells = tuple(tuple((cell,) if isinstance(cell, str) else cell for cell in row) for row in rows)
+    return [Table(tuple((word,) for word in header), cells)] if cells else []
+
+
+def notes(texts: Iterable[str], label: str = "note") -> list[Entry]:
+    return [entry(label, text) for text in texts]
+
+
+def options(choice: str | None, verdicts: Mapping[str, Verdict]) -> list[Entry]:
+    """The right option, and why each other is wrong."""
+    if not verdicts:
+        return []
+    others = [(f"({k})", f"{v.verdict}: {v.reason}") for k, v in verdicts.items() if k != choice]
+    right = entry("right", f"({choice})" if choice else "none")
+    return [right, *(Entry(letter, ((reason,),), is_below=True) for letter, reason in others)]

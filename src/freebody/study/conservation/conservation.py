@@ -1,0 +1,147 @@
+"""What is conserved in a system, as a result that says itself in blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from freebody.language.expression import Expr, n_operations
+from freebody.present.lines import number_text
+from freebody.present.report.blocks import Block, Entry, Formula, Paragraph, Report, Section
+from freebody.present.report.results import (
+    Result,
+    entries,
+    entry,
+    line,
+    notes,
+    options,
+    question_title,
+    remark,
+    summary,
+)
+from freebody.study.conservation.constancy import Confirmation, CounterMotion
+from freebody.study.conservation.verdicts import Verdicts
+from freebody.system.system import System
+
+_ROUND_OFF = 1e-12
+_LONGEST = 60  # operations of a formula that stands in one line
+
+
+@dataclass(frozen=True)
+class Conservation(Result):
+    """What `conserved` found out about one system."""
+
+    system: System
+    quantities: tuple[Verdicts, ...]
+    is_search: bool
+
+    def __getitem__(self, id: str) -> Verdicts:
+        """The verdict with an id, or on a question in words."""
+        for verdict in self.quantities:
+            if id in (verdict.id, verdict.question):
+                return verdict
+        raise KeyError(f"there is no {id}; there are {', '.join(v.id for v in self.quantities)}")
+
+    @property
+    def is_complete(self) -> bool:
+        return self.is_search or all(v.is_answered for v in self.quantities)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of the command line."""
+        return {
+            "title": self.system.title,
+            "search": self.is_search,
+            "quantities": [v.to_plain() for v in self.quantities],
+        }
+
+    @property
+    def report(self) -> Report:
+        blocks = _search(self.quantities) if self.is_search else map(_section, self.quantities)
+        return summary(self.system.title, blocks)
+
+
+# -- a search ---------------------------------------------------------------------------------
+def _search(quantities: tuple[Verdicts, ...]) -> Iterator[Block]:
+    different = [v for v in quantities if not v.same_as]
+    groups = {
+        "Conserved for every motion": [v for v in different if v.is_conserved],
+        "Conserved under a condition": [v for v in different if v.is_answered and v.is_conserved is None],
+    }
+    for heading, verdicts in groups.items():
+        lines = [each for verdict in verdicts for each in _found(verdict, quantities)]
+        yield Section((heading,), tuple(lines or [line("nothing that was looked for")]))
+    others = [v for v in different if v.is_answered and v.is_conserved is False]
+    if others:
+        yield Section(("Not conserved",), tuple(_with_formula(v, ": rate ", v.rate) for v in others))
+    open_ = [v for v in quantities if not v.is_answered]
+    if open_:
+        yield Section(("Not told",), tuple(line(f"{v.question}: {v.reason}") for v in open_))
+    checked = [v.confirmation for v in quantities if v.confirmation is not None]
+    if checked:
+        drift = max((c.largest_drift for c in checked if c.largest_drift is not None), default=0.0)
+        yield line(
+            f"Compared with {sum(c.motions for c in checked)} simulated motions: what is conserved drifts by at most "
+            f"{drift:.1g} of its size, the rest changes."
+        )
+
+
+def _found(verdict: Verdicts, quantities: tuple[Verdicts, ...]) -> Iterator[Paragraph]:
+    """What is conserved, with what else is the same, and notes."""
+    condition = " or ".join(verdict.conditions)
+    if condition:
+        yield line(f"{verdict.question}: if {condition}")
+    else:
+        yield _with_formula(verdict, " = ", verdict.value)
+    yield from (remark(f"it is the {v.question} as well") for v in quantities if v.same_as == verdict.question)
+    yield from map(remark, verdict.notes)
+
+
+def _with_formula(verdict: Verdicts, between: str, formula: Expr | None) -> Paragraph:
+    """A quantity with a formula, unless that is long."""
+    if formula is None or n_operations(formula) > _LONGEST:
+        return line(verdict.question)
+    return line(verdict.question, between, Formula((formula,)))
+
+
+# -- an answer --------------------------------------------------------------------------------
+def _section(verdict: Verdicts) -> Section:
+    title = question_title(verdict.id, verdict.question)
+    if verdict.reason:
+        return Section(title, (line(f"not told: {verdict.reason}"),))
+    return Section(title, tuple(entries(*_said(verdict))))
+
+
+def _said(verdict: Verdicts) -> Iterator[Entry]:
+    if verdict.value is not None:
+        yield entry("quantity", (Formula((verdict.value,)),))
+    if verdict.principle:
+        yield entry("principle", verdict.principle, *((f"{name}: ", Formula((part,))) for name, part in verdict.parts))
+    if verdict.rate is not None:
+        yield entry("rate", (Formula((verdict.rate,)),))
+    told = {True: "for every motion", False: "no"}
+    yield entry("conserved", verdict.when if verdict.is_conserved is None else told[verdict.is_conserved])
+    yield from notes(verdict.notes)
+    yield from options(verdict.choice, verdict.options)
+    yield from notes(verdict.author_notes, "to author")
+    if verdict.counter is not None:
+        yield entry("changes", _change(verdict.counter))
+    if verdict.confirmation is not None:
+        yield entry("evidence", _evidence(verdict.confirmation))
+
+
+def _change(counter: CounterMotion) -> str:
+    start = ", ".join(f"{name} = {number_text(value, _ROUND_OFF)}" for name, value in counter.start.items())
+    return (
+        f"from {number_text(counter.before)} to {number_text(counter.after)} within {number_text(counter.time)} s"
+        + (f", started with {start} (SI)" if start else "")
+    )
+
+
+def _evidence(confirmation: Confirmation) -> str:
+    told: list[str] = []
+    if confirmation.largest_drift is not None:
+        told.append(f"drift where conserved at most {confirmation.largest_drift:.1g} of its size")
+    if confirmation.smallest_change is not None:
+        told.append(f"change where not at least {confirmation.smallest_change:.1g}")
+    return f"{confirmation.motions} motions, {confirmation.route}: {', '.join(told)}"

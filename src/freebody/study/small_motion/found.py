@@ -1,0 +1,155 @@
+"""The equilibria of a system, as a result that says itself in blocks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from freebody.language.units import DIMENSIONLESS
+from freebody.measures.base import Measure
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Reference
+from freebody.numeric.rest import CountedPose
+from freebody.present.lines import amount_text, number_text, symbol_text, system_line
+from freebody.present.report.blocks import Block, Report, Section
+from freebody.present.report.results import Result, entries, entry, line, summary
+from freebody.system.system import System
+
+_NOTHING = 1e-9  # of the largest reaction
+_ROUND_OFF = 1e-14
+
+
+@dataclass(frozen=True)
+class FoundEquilibrium:
+    """One equilibrium.
+
+    measures: values of the named measures, by name [m or rad]; poses: x, y of the mass centre [m] and angle [rad] by
+    body; reactions: by row (`hinge.x`) [N or N m], None where they are not unique; `non_unique` names these;
+    eigenvalue: the one that decides on stability, of the stiffness by the masses [1/s^2] or of the state
+    matrix [1/s]; direction: the measure or body that its motion moves most; neutral: those along which the rest is one
+    of a family; residual: what is left of the loads, as a part of what they come to; notes: what else to know."""
+
+    measures: Mapping[str, float]
+    poses: Mapping[str, tuple[float, ...]]
+    stability: str
+    eigenvalue: complex | None
+    eigenvalue_of: str
+    direction: str
+    neutral: tuple[str, ...]
+    reactions: Mapping[str, float | None]
+    non_unique: tuple[str, ...]
+    residual: float
+    notes: tuple[str, ...]
+    pose: CountedPose
+
+    @property
+    def q(self) -> Array:
+        """Absolute coordinates, for `Reference`."""
+        return self.pose.q
+
+
+@dataclass(frozen=True)
+class Equilibria(Result):
+    """All equilibria that were found; `notes` say what holds for all of them."""
+
+    system: System
+    degrees_of_freedom: int
+    rests: tuple[FoundEquilibrium, ...]
+    notes: tuple[str, ...]
+    reference: Reference = field(repr=False)
+
+    def __iter__(self) -> Iterator[FoundEquilibrium]:
+        return iter(self.rests)
+
+    def __len__(self) -> int:
+        return len(self.rests)
+
+    def __getitem__(self, k: int) -> FoundEquilibrium:
+        return self.rests[k]
+
+    def unit(self, measure: str) -> str:
+        """The SI unit of a named measure; rad for angles and other pure numbers."""
+        return unit_of(self.system.measures[measure])
+
+    def to_plain(self) -> dict[str, Any]:
+        """The JSON document of `freebody equilibrium`: title, degrees_of_freedom, notes, and `equilibria`, each with
+        measures {name: {value, unit}}, poses {body: [x, y, angle]}, stability, eigenvalue (a number, or [re, im]),
+        eigenvalue_of, direction, neutral, reactions {row: number or null}, non_unique [row], residual, notes."""
+        return {
+            "title": self.system.title,
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "notes": list(self.notes),
+            "equilibria": [
+                {
+                    "measures": {n: {"value": x, "unit": self.unit(n)} for n, x in rest.measures.items()},
+                    "poses": {body: list(pose) for body, pose in rest.poses.items()},
+                    "stability": rest.stability,
+                    "eigenvalue": None if rest.eigenvalue is None else plain_number(rest.eigenvalue),
+                    "eigenvalue_of": rest.eigenvalue_of,
+                    "direction": rest.direction,
+                    "neutral": list(rest.neutral),
+                    "reactions": dict(rest.reactions),
+                    "non_unique": list(rest.non_unique),
+                    "residual": rest.residual,
+                    "notes": list(rest.notes),
+                }
+                for rest in self.rests
+            ],
+        }
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        yield line(system_line(self.system, self.degrees_of_freedom))
+        yield from (line(f"note: {note}") for note in self.notes)
+        for k, rest in enumerate(self, 1):
+            title = "Equilibrium" if len(self) == 1 else f"Equilibrium {k} of {len(self)}"
+            at = [f"{symbol_text(n)} = {amount_text(x, self.unit(n))}" for n, x in rest.measures.items()]
+            said = entries(
+                entry("at", *(at or (_pose(body, pose) for body, pose in rest.poses.items()))),
+                entry("reactions", *self._reactions(rest)),
+                entry("note", *rest.notes),
+            )
+            yield Section((f"{title}: {_verdict(rest)}",), tuple(said))
+
+    def _reactions(self, rest: FoundEquilibrium) -> Iterator[str]:
+        largest = max((abs(x) for x in rest.reactions.values() if x is not None), default=0.0)
+        for row in self.system.held:
+            value, what = rest.reactions[row.name], f"{row.name}: {row.reaction}"
+            if value is None:
+                yield f"{what} is not unique"
+            else:
+                unit = {"1": "N m", "m": "N"}.get(str(row.measure.dimension), "(SI)")
+                is_nothing = abs(value) <= _NOTHING * largest
+                yield f"{what} {number_text(0.0 if is_nothing else value)} {unit}"
+
+
+def _verdict(rest: FoundEquilibrium) -> str:
+    if rest.eigenvalue is None:
+        return rest.stability if rest.direction else "nothing can move"
+    x = rest.eigenvalue
+    value = number_text(x.real) if not x.imag else f"{number_text(x.real)} ± {number_text(abs(x.imag))} i"
+    what, unit = ("lowest stiffness", "1/s^2") if rest.eigenvalue_of == "stiffness" else ("eigenvalue", "1/s")
+    return f"{rest.stability} ({what} {value} {unit}, along {symbol_text(rest.direction)})"
+
+
+def _pose(body: str, pose: tuple[float, ...]) -> str:
+    """Of a body in space its place alone: how it is turned is told by measures."""
+    is_in_space = len(pose) > 3
+    place, angle = pose[: 3 if is_in_space else 2], 0.0 if abs(pose[-1]) < _ROUND_OFF else pose[-1]
+    at = ", ".join(number_text(c, _ROUND_OFF) for c in place)
+    return f"{body}: ({at}) m" + ("" if is_in_space else f", {number_text(math.degrees(angle))}°")
+
+
+def unit_of(measure: Measure) -> str:
+    """The SI unit of a measure."""
+    return "rad" if measure.dimension == DIMENSIONLESS else str(measure.dimension)
+
+
+def plain_number(x: complex) -> float | list[float]:
+    """A real number as such, a complex one as [re, im]."""
+    return x.real if x.imag == 0.0 else [x.real, x.imag]

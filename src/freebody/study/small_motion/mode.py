@@ -1,0 +1,97 @@
+"""One natural motion, and how it is told."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from freebody.present.lines import number_text, symbol_text
+from freebody.study.small_motion.found import plain_number
+
+_NOTHING = 1e-9  # of the largest part of a shape
+
+
+@dataclass(frozen=True)
+class NaturalMode:
+    """One natural motion, z = shape e^(s t).
+
+    kind: "oscillation", "rigid" (no frequency: it stays or drifts), "creeping" (one real rate of decay; an
+    overdamped pair has two of these) or "growing"; rate: s [1/s]; shape: parts of the named measures, the largest of
+    them 1 [SI, for rates of measures alike]; bodies: motion of every body (x, y, angle), the largest part 1. Parts are
+    complex where they do not move in phase."""
+
+    kind: str
+    rate: complex
+    shape: Mapping[str, complex]
+    bodies: Mapping[str, tuple[complex, complex, complex]]
+
+    @property
+    def frequency(self) -> float | None:
+        """Natural (undamped) angular frequency |s| [rad/s]; 0 for a rigid mode, None where nothing oscillates."""
+        if self.kind == "rigid":
+            return 0.0
+        return abs(self.rate) if self.rate.imag else None
+
+    @property
+    def frequency_hz(self) -> float | None:
+        """The same in Hz."""
+        return None if self.frequency is None else self.frequency / math.tau
+
+    @property
+    def damped_frequency(self) -> float | None:
+        """|Im s| [rad/s], at which a damped mode swings."""
+        return None if self.frequency is None else abs(self.rate.imag)
+
+    @property
+    def damping_ratio(self) -> float | None:
+        """zeta = -Re s/|s|; None where nothing oscillates."""
+        return -self.rate.real / abs(self.rate) + 0.0 if self.rate.imag else None
+
+    @property
+    def growth_rate(self) -> float:
+        """Re s [1/s]: negative where the mode dies away."""
+        return self.rate.real
+
+    def to_plain(self) -> dict[str, Any]:
+        return {
+            "kind": self.kind,
+            "frequency": self.frequency,
+            "frequency_hz": self.frequency_hz,
+            "damped_frequency": self.damped_frequency,
+            "damping_ratio": self.damping_ratio,
+            "growth_rate": self.growth_rate,
+            "shape": {name: plain_number(x) for name, x in self.shape.items()},
+            "bodies": {name: [plain_number(x) for x in motion] for name, motion in self.bodies.items()},
+        }
+
+    @property
+    def told(self) -> str:
+        """Its kind and its frequency or rate, in words."""
+        rate = self.rate
+        if self.kind == "rigid":
+            return "rigid, no frequency: it stays or drifts"
+        if self.kind == "creeping":
+            return f"creeping back, rate {number_text(rate.real)} 1/s"
+        if self.frequency is None:
+            return f"growing, rate {number_text(rate.real)} 1/s"
+        assert self.frequency_hz is not None
+        text = f"omega = {number_text(self.frequency)} rad/s, f = {number_text(self.frequency_hz)} Hz"
+        if self.damping_ratio:
+            damped = number_text(abs(rate.imag))
+            text += f", damping ratio {number_text(self.damping_ratio)}, damped {damped} rad/s"
+        return f"growing, rate {number_text(rate.real)} 1/s, {text}" if self.kind == "growing" else text
+
+    @property
+    def told_shape(self) -> list[str]:
+        """The parts of the named measures, or the motions of the bodies where no measure moves."""
+        if any(abs(x) for x in self.shape.values()):
+            return [f"{symbol_text(name)} {_part(x)}" for name, x in self.shape.items()]
+        return [f"{body}: ({', '.join(map(_part, motion))})" for body, motion in self.bodies.items()]
+
+
+def _part(x: complex) -> str:
+    if abs(x.imag) < _NOTHING:
+        return number_text(x.real if abs(x.real) > _NOTHING else 0.0)
+    return f"{number_text(abs(x))} at {number_text(math.degrees(math.atan2(x.imag, x.real)))}°"
