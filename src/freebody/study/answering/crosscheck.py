@@ -33,6 +33,10 @@ class SaysNothing(CannotAnswer):
     """The routes cannot be compared at the given numbers; that is no difference."""
 
 
+class TooLittleCompared(CannotAnswer):
+    """The routes could be compared at too few draws for a closed form to be shown."""
+
+
 class NotReal(SaysNothing):
     """A closed form has no real value at the given numbers."""
 
@@ -95,7 +99,7 @@ class CrossCheck:
                 raise disagreement(gives, draw.reference)
             worst = max(worst, share)
         if len(self.pairs) < MIN_DRAWS:
-            raise CannotAnswer(
+            raise TooLittleCompared(
                 Message(
                     "only {k} of the {n} checks against the numeric route could be made, so the "
                     "closed form is not shown",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,10 +11,11 @@ from freebody.assess.options import judge
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
-from freebody.language.notation import reworded
+from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
+from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
@@ -39,9 +40,22 @@ def answer(tree: PhaseTree, question: Question) -> Answer:
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
     if not question.quantity.is_of_state:
         return in_first_modes(tree, question)
-    parts = _merged(pieces(tree, question))
-    evidence = [compare(tree, question, piece) for group in parts for piece in group]
-    return _answer(tree, question, parts, evidence)
+    found = pieces(tree, question)
+    evidence: dict[int, Evidence] = {}
+    rare: list[str] = []
+    for k, piece in enumerate(found):
+        try:
+            evidence[k] = compare(tree, question, piece)
+        except TooLittleCompared as error:
+            if 0 in piece.sets:  # what is asked is first of all the model's own case
+                raise
+            where = joined(r.text() for r in relations(tree, piece.conditions))
+            rare.append(reworded(Message("not told where {case}: {why}", case=where, why=str(error)), where))
+    if not evidence:
+        compare(tree, question, found[0])  # says why
+    parts = _merged([found[k] for k in evidence])
+    answer = _answer(tree, question, parts, list(evidence.values()))
+    return replace(answer, notes=(*answer.notes, *rare))
 
 
 def _merged(found: list[AnswerBranch]) -> list[list[AnswerBranch]]:

@@ -79,6 +79,8 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             yield here(watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
+        elif watch.kind == "changes sign":
+            yield here(watch.element), ">=", Message("as at the start")
         elif watch.kind == "slip ends":
             slip = slips[watch.name]
             sign = phase.mode.states[watch.name]

@@ -19,12 +19,14 @@ from freebody.model.elements import ConstraintRow, DryFriction, Parameter, Start
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import relation_text
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, course_of
 from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads, with_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
@@ -50,15 +52,15 @@ class Placed:
 class PhaseWatch:
     """Something that must stay positive for the phase to go on, and what happens where it does not."""
 
-    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends"
-    name: str  # of the bound or the friction
+    kind: str  # "slip ends", "opens", "slips", "touches", "edge ends", "changes sign"
+    name: str  # of the bound or the friction; of what changes its sign where that is
     element: Ratio
     direction: int = 0  # in which it begins to slip
     within: tuple[Ratio, ...] = ()  # not negative where the place at which it touches exists
 
     @property
     def connection(self) -> str:
-        return self.name.partition(".")[0]
+        return self.name if self.kind == "changes sign" else self.name.partition(".")[0]
 
 
 class Given(Setup):
@@ -241,6 +243,9 @@ class Phase:
                 found.append(PhaseWatch("slip ends", name, state * self.state.rate(rub.row.measure)))
             elif name not in self.dropped:
                 found += self._limits(rub)
+        for x in map(self.model.express, self.model.samples.assumed):
+            if self.model.field.ingredients(x) & {c.index for c in self.model.coordinates}:
+                found.append(PhaseWatch("changes sign", relation_text(tidy(x), "="), x))  # and with it the formulas
         return tuple(found)
 
     def spans(self, name: str) -> tuple[Ratio, ...]:

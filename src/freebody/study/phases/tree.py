@@ -311,6 +311,9 @@ class PhaseTree(Home):
                 "after {n} phases the search ends; raise the effort (--effort) to go on", n=node.depth + 1
             )
             return
+        if watch.kind == "changes sign":
+            edge.stops = Message("behind {place} other formulas hold; simulate the motion", place=watch.name)
+            return
         phase = node.phase
         there = SymbolicState(phase.model, edge.first.zero.values)
         states = dict(phase.mode.states)

@@ -19,6 +19,7 @@ _OCCURS = {
     "slip ends": Message("slip ends"),
     "edge ends": Message("edge ends"),
     "is reached": Message("is reached"),
+    "changes sign": Message("is reached"),
 }
 
 
@@ -144,7 +145,7 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
             if state:
                 return Message("slip of {contact} reverses", contact=name)
             return Message("slip of {contact} ends", contact=name)
-        case "is reached":
+        case "is reached" | "changes sign":
             return Message("{event} is reached", event=watch.name)
         case _:
             return watch.kind

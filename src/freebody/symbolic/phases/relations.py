@@ -128,6 +128,7 @@ def needed(conditions: Sequence[Condition]) -> list[Condition]:
     """The conditions without the factors whose signs follow from the others, and without what follows as a whole; of
     two that follow from each other the first stays."""
     kept: list[Condition] = []
+    conditions = [plain for c in conditions for plain in _without_compared_roots(c, conditions)]
     for k, condition in enumerate(conditions):
         if condition.relation == "=" or all(c.element != condition.element for c in conditions[:k]):
             kept.append(condition)
@@ -140,6 +141,33 @@ def needed(conditions: Sequence[Condition]) -> list[Condition]:
         else:
             kept[kept.index(condition)] = _without_factors(condition, others)
     return kept
+
+
+def _without_compared_roots(condition: Condition, premises: Sequence[Condition]) -> list[Condition]:
+    """A sqrt(a) > B sqrt(b) with positive A and B as A^2 a > B^2 b, where both roots are real; the condition itself if
+    it is no such."""
+    x, field = condition.element.numerator(), condition.element.field
+    below = sign_given(condition.element.denominator(), premises)
+    roots = [g for g in sorted(x.generators()) if field.generators[g].kind == "root"]
+    if condition.relation not in _FLIPPED or not 0 < len(roots) < 3 or not below.is_strict:
+        return [condition]
+    rest, squares, reals = x, list[tuple[Ratio, Sign]](), list[Condition]()
+    for root in roots:
+        parts = rest.coefficients(root)
+        if len(parts) != 2 or root in field.ingredients(parts[0]) | field.ingredients(parts[1]):
+            return [condition]
+        rest, factor = parts
+        squares.append((factor * factor * field.radicand(root), sign_given(factor, premises)))
+        reals.append(Condition(field.radicand(root), ">="))
+    if len(roots) == 1:
+        squares.append((rest * rest, sign_given(rest, premises)))
+    elif not rest.is_zero():
+        return [condition]
+    (a, sign_a), (b, sign_b) = squares
+    if {sign_a, sign_b} != {Sign.POSITIVE, Sign.NEGATIVE}:
+        return [condition]
+    difference = a - b if (sign_a is Sign.POSITIVE) == (below is Sign.POSITIVE) else b - a
+    return [Condition(difference, condition.relation, condition.purpose), *reals]
 
 
 def _without_factors(condition: Condition, premises: Sequence[Condition]) -> Condition:
