@@ -217,7 +217,7 @@ connections: {it: {tether: [ground.A, bob]}}
 def test_what_has_no_sign_is_said_by_an_equation(kind: str, text: str) -> None:
     system = fb.System.from_text(Connection.kinds[kind].example)
     assert text in {word.label.text for word in picture(system).words}
-    assert text in {label.text for label in drawn(system).labels}
+    assert text in {label.text for label in drawn(system).words}
 
 
 def test_a_brake_is_a_block_on_the_rim_and_a_spring_of_a_turn_a_spiral() -> None:

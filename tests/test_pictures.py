@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -90,7 +91,8 @@ def test_every_body_of_every_example_is_drawn_inside_its_picture(path: Path) -> 
     assert (points >= drawing.low).all()
     assert (points <= drawing.high).all()
     said = {equation(sign.text).text for sign in scene.signs if isinstance(sign, Equation)}
-    assert {label.text for label in drawing.labels} == {figure.name for figure in scene.figures} | said
+    assert {label.text for label in drawing.labels} == {figure.name for figure in scene.figures}
+    assert {word.text for word in drawing.words} == said
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -390,7 +392,7 @@ def test_a_page_holds_the_motion_to_five_digits(tmp_path: Path) -> None:
     data = page_data(path.read_text(encoding="utf-8"))
     shown = data["t0"] + data["dt"] * np.arange(data["n_frames"])
     assert (shown[0], shown[-1]) == pytest.approx((times[0], times[-1]))
-    size = max(np.subtract(data["view"][2:], data["view"][:2]))
+    size = max(np.subtract(data["bounds"][2:], data["bounds"][:2]))
     assert len(data["columns"]) == 3
     for k, column in enumerate(data["columns"]):
         assert len(column) == data["n_frames"]
@@ -418,6 +420,31 @@ def test_everything_that_the_script_of_a_page_asks_for_is_on_the_page(tmp_path: 
     }
     for control in ('aria-label="Time"', 'role="img"', "prefers-color-scheme", "prefers-reduced-motion", "ArrowLeft"):
         assert control in text
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="no node to run the script of the page")
+@pytest.mark.parametrize("name", ["belt_drive", "hoist", "stick_slip_oscillator", "two_masses_three_springs"])
+def test_the_script_draws_strokes_where_the_picture_has_them(name: str, tmp_path: Path) -> None:
+    scene, poses = example(name)
+    path = write_animation(scene, np.array([0.0]), poses, tmp_path / "a.html", title=name)
+    text = path.read_text(encoding="utf-8")
+    script = text[text.index("// -- places at a frame") : text.index("// -- drawing")]
+    code = f"""
+const data = {json.dumps(page_data(text))}, last = data.n_frames - 1;
+{script}
+look(...data.angles);
+console.log(JSON.stringify(data.strokes.map((stroke) => flat(stroke, 0).points)));
+"""
+    (tmp_path / "a.js").write_text(code, encoding="utf-8")
+    printed = subprocess.run(["node", str(tmp_path / "a.js")], check=True, capture_output=True, text=True).stdout
+    drawing = Drawing.of(scene, poses)
+    size = float((drawing.high - drawing.low).max())
+    for stroke, found in zip(drawing.strokes, json.loads(printed), strict=True):
+        points, seen = drawing.points(stroke, 0), np.array(found)
+        assert seen[:, 2] == pytest.approx(0.0, abs=1e-12)
+        if isinstance(stroke, Strand):  # the script takes other points of its arcs
+            points, seen = points[[0, -1]], seen[[0, -1]]
+        assert seen[:, :2] == pytest.approx(points, abs=1e-4 * size)
 
 
 def test_titles_and_names_cannot_break_out_of_a_page(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import replaced
 from freebody.present.marks import ContactTrack
-from freebody.present.page import note_on, page
+from freebody.present.plane_page import note_on, page
 from freebody.present.scene import Scene
 from freebody.present.stills import frame_axes, paint
 from freebody.present.theme import THEMES

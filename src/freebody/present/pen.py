@@ -381,6 +381,9 @@ class Pen:
             k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
             taken.append(spots[k])
             yield Caption(figure.mass_center, figure.name, *options[k])
+
+    def words(self) -> Iterator[Caption]:
+        """What has no sign, as it is written."""
         for n, sign in enumerate(sign for sign in self.scene.signs if isinstance(sign, glyphs.Equation)):
             yield Caption(sign.at, equation(sign.text).text, 1.2, -3.4 - 1.8 * n)
 

@@ -42,7 +42,7 @@ def paint(drawing: Drawing, frame: int, axes: Any, theme: Theme) -> list[Any]:
     shapes = [shape_of(stroke, drawing.points(stroke, frame)) for stroke in drawing.shown(frame)]
     artists: list[Any] = [pixels.paint(shapes, axes, dark=theme is THEMES["dark"])]
     halo = [withStroke(linewidth=2.5, foreground=theme.paper)]
-    for label in drawing.labels:
+    for label in (*drawing.labels, *drawing.words):
         place = positions(drawing.poses[frame : frame + 1], label.place)[0]
         x, y = place + drawing.symbol * np.array((label.dx, label.dy))
         look = {"color": theme.ink, "fontsize": 8, "parse_math": False, "path_effects": halo, "zorder": 9}

@@ -1,5 +1,5 @@
 // -- places at a frame, which may lie between two
-const n_moving = data.names.length;
+const n_moving = data.names.length, stride = data.planar ? 3 : 7;
 function column(k, f) {
   const track = data.columns[k], i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last);
   return track[i] + (f - i) * (track[j] - track[i]);
@@ -7,8 +7,8 @@ function column(k, f) {
 function quaternion(body, f) {
   // along the shorter turn between two frames
   const i = Math.min(Math.floor(f), last), j = Math.min(i + 1, last), s = f - i;
-  const p = [3, 4, 5, 6].map((c) => data.columns[7 * body + c][i]);
-  let q = [3, 4, 5, 6].map((c) => data.columns[7 * body + c][j]), cosine = dot(p, q);
+  const p = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][i]);
+  let q = [3, 4, 5, 6].map((c) => data.columns[stride * body + c][j]), cosine = dot(p, q);
   if (cosine < 0) { q = q.map((c) => -c); cosine = -cosine; }
   const h = Math.acos(Math.min(1, cosine)), sine = Math.sin(h);
   const a = sine < 1e-6 ? 1 - s : Math.sin((1 - s) * h) / sine, b = sine < 1e-6 ? s : Math.sin(s * h) / sine;
@@ -18,8 +18,13 @@ function quaternion(body, f) {
 function pose(body, f) {
   // the centre and the rows of the rotation
   if (body >= n_moving) return data.fixed[body - n_moving];
+  const at = (c) => column(stride * body + c, f);
+  if (data.planar) {
+    const c = Math.cos(at(2)), s = Math.sin(at(2));
+    return [[at(0), at(1), 0], [[c, -s, 0], [s, c, 0], [0, 0, 1]]];
+  }
   const [w, x, y, z] = quaternion(body, f);
-  return [[0, 1, 2].map((c) => column(7 * body + c, f)), [
+  return [[at(0), at(1), at(2)], [
     [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
@@ -40,7 +45,7 @@ function frameAlong(w) {
   return [u, cross(w, u), w];
 }
 
-// -- the view
+// -- the view; the plane is seen along z
 const camera = { azimuth: 0, elevation: 0, zoom: 1, axes: null };
 function look(azimuth, elevation) {
   const a = azimuth * Math.PI / 180, e = Math.max(-89.9, Math.min(89.9, elevation)) * Math.PI / 180;
@@ -87,6 +92,8 @@ function shot(piece, poses) {
   return closed({ piece, points, lines, normals, outline: hull(points), depth, radius: 0 });
 }
 function closed(taken) {
+  taken.owner = data.looks[taken.piece.look].of_body ? taken.piece.turn : -1;
+  taken.isArea = true;
   const xs = taken.outline.map((p) => p[0]), ys = taken.outline.map((p) => p[1]);
   taken.box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
   return taken;
@@ -110,6 +117,41 @@ function hull(points) {
     return kept;
   };
   return [...chain(ordered), ...chain(ordered.reverse())];
+}
+
+// -- strokes of the plane, which lie on each other in their order
+const shapes = {
+  path(stroke, f) {
+    const at = position(stroke.place, f), R = pose(stroke.turn, f)[1];
+    return stroke.points.map(([u, v]) => plus(at, turned(R, [u, v, 0])));
+  },
+  stretch(stroke, f) {
+    const a = position(stroke.first, f), b = position(stroke.second, f), dx = b[0] - a[0], dy = b[1] - a[1];
+    const l = Math.hypot(dx, dy) || 1;
+    return stroke.points.map(([u, v]) => [a[0] + u * dx - v * dy / l, a[1] + u * dy + v * dx / l, 0]);
+  },
+  strand(stroke, f) {
+    const n = stroke.n_leads, lead = (k) => column(stride * n_moving + stroke.lead + k, f), points = [];
+    stroke.nodes.forEach(({ place, arm, drum }, k) => {
+      const before = k > 0 ? lead(k - 1) : stroke.closed ? lead(n - 1) : null;
+      const after = k < n ? lead(k) : stroke.closed ? lead(0) : null;
+      const sense = Math.sign(arm), wound = drum ? sense * 1.5 * Math.PI : 0;
+      const into = before !== null ? before : after - wound, out = after !== null ? after : before + wound;
+      let turn = ((sense * (out - into)) % (2 * Math.PI) + 2 * Math.PI) % (2 * Math.PI);
+      turn = drum ? wound : turn > 1.8 * Math.PI ? 0 : sense * turn;
+      const parts = arm ? Math.max(1, Math.ceil(Math.abs(turn) / 0.1)) : 0;
+      const [cx, cy] = position(place, f);
+      for (let i = 0; i <= parts; i++) {
+        const a = into + (parts ? turn * i / parts : 0);
+        points.push([cx + arm * Math.sin(a), cy - arm * Math.cos(a), 0]);
+      }
+    });
+    return points;
+  },
+};
+function flat(stroke, f) {
+  const points = shapes[stroke.shape](stroke, f).map(seen), isArea = stroke.closed && stroke.shape !== "strand";
+  return { stroke, points, isArea, owner: stroke.owner, outline: isArea && points.length > 2 ? hull(points) : points };
 }
 
 // -- what is in front of what: by one line of sight through the middle of where two pieces overlap
@@ -196,11 +238,11 @@ function fill(points, paint, alpha) {
   pen.fill();
   pen.globalAlpha = 1;
 }
-function rule(paint, width, alpha, dashed) {
+function rule(paint, width, alpha, dashes = []) {
   pen.strokeStyle = paint;
   pen.lineWidth = 1.25 * width;
   pen.globalAlpha = alpha;
-  pen.setLineDash(dashed ? data.dashes.map((d) => 1.25 * d) : []);
+  pen.setLineDash(dashes.map((d) => 1.25 * d));
   pen.stroke();
   pen.globalAlpha = 1;
 }
@@ -214,6 +256,13 @@ function paint(taken) {
     paintEdges(taken, style, tone);
   }
 }
+function paintFlat({ stroke, points, isArea }) {
+  const style = data.styles[stroke.style], tone = (name) => color(name, stroke.owner);
+  if (style.fill && isArea) fill(points, tone(style.fill), style.alpha);
+  if (!style.stroke) return;
+  way(points, isArea);
+  rule(tone(style.stroke), style.width, 1, style.dashes);
+}
 function paintBall({ points, lines, radius }, style, tone) {
   const middle = points[0], outline = disc(middle, radius, 48);
   fill(outline, tone(style.tint), style.cover);
@@ -226,7 +275,7 @@ function paintBall({ points, lines, radius }, style, tone) {
       const isNear = line[k][2] > middle[2], run = [line[k]];
       while (++k < line.length && run.push(line[k]) && (line[k][2] > middle[2]) === isNear);
       way(run);
-      rule(tone(1), style.fine, isNear ? 1 : style.hidden, !isNear);
+      rule(tone(1), style.fine, isNear ? 1 : style.hidden, isNear ? [] : data.dashes);
     }
   }
   way(outline, true);
@@ -266,7 +315,7 @@ function paintEdges({ piece, points, normals }, style, tone) {
       end = b;
     }
   };
-  if (kinds.hidden.length) { trace(kinds.hidden); rule(tone(1), style.fine, style.hidden, true); }
+  if (kinds.hidden.length) { trace(kinds.hidden); rule(tone(1), style.fine, style.hidden, data.dashes); }
   if (kinds.marks.length) { trace(kinds.marks); rule(tone(1), style.fine, 0.8); }
   if (kinds.seen.length) { trace(kinds.seen); rule(tone(1), style.width, 1); }
 }
@@ -279,7 +328,7 @@ function measure() {
   draw();
 }
 function fit() {
-  const [x0, y0, x1, y1] = data.bounds, room = 34, foot = 96;
+  const [x0, y0, x1, y1] = data.bounds, [room, foot] = data.planar ? [8, 82] : [34, 96];
   view.scale = camera.zoom * Math.min((view.width - 2 * room) / (x1 - x0), (view.height - room - foot) / (y1 - y0));
   // the middle of the picture as it is at first
   view.x = view.width / 2 - view.scale * (x0 + x1) / 2;
@@ -292,14 +341,18 @@ function draw() {
   pen.lineCap = pen.lineJoin = "round";
   const n_bodies = n_moving + data.fixed.length, poses = Array.from({ length: n_bodies }, (_, body) => pose(body, at));
   const all = data.pieces.map((piece) => shot(piece, poses)), flats = all.filter((s) => s.piece.look === "plane");
+  const solids = backToFront(all.filter((s) => s.piece.look !== "plane"));
+  const frame = Math.floor(at + 1e-9), isOn = (mark) => mark.frames.filter((k) => k <= frame).length % 2 === 1;
+  const strokes = [...data.strokes, ...data.marks.filter(isOn)].map((stroke) => flat(stroke, at));
   flats.filter((s) => s.normals[0][2] > 0).forEach(paint);
   for (const k of traced) traceOf(data.points[k]);
-  backToFront(all.filter((s) => s.piece.look !== "plane")).forEach(paint);
+  strokes.forEach(paintFlat);
+  solids.forEach(paint);
   flats.filter((s) => s.normals[0][2] <= 0).forEach(paint);
   pen.setLineDash([]);
   pen.font = "13px system-ui, sans-serif";
   pen.textBaseline = "middle";
-  if (byId("names").checked) labels(all);
+  if (byId("names").checked) { labels([...strokes, ...solids]); data.words.forEach(wordBeside); }
   corner();
   const t = data.t0 + at * data.dt;
   byId("time").textContent = "t = " + t.toFixed(3) + " s";
@@ -320,22 +373,21 @@ let drawn = 0;
 function labels(all) {
   const isDue = drawn++ % 12 === 0 || !playing, placed = [];
   const ink = new Map();
-  for (const taken of all) {
-    if (taken.piece.look === "plane") continue;
-    const owner = data.looks[taken.piece.look].of_body ? taken.piece.turn : -1, spots = ink.get(owner) || [];
+  for (const { owner, outline, isArea } of all) {
+    const spots = ink.get(owner) || [], line = outline.map(onPaper);
     ink.set(owner, spots);
-    const outline = taken.outline.map(onPaper);
-    outline.forEach((p, k) => {
-      const q = outline[(k + 1) % outline.length], n = Math.min(60, Math.ceil(Math.hypot(q[0] - p[0], q[1] - p[1]) / 5));
+    line.forEach((p, k) => {
+      if (!isArea && k === line.length - 1) return;
+      const q = line[(k + 1) % line.length], n = Math.min(60, Math.ceil(Math.hypot(q[0] - p[0], q[1] - p[1]) / 5));
       for (let i = 0; i < n; i++) spots.push([p[0] + i / n * (q[0] - p[0]), p[1] + i / n * (q[1] - p[1])]);
     });
   }
-  for (const { body, text } of data.labels) {
-    const own = ink.get(body);
+  for (const { owner, text } of data.labels) {
+    const own = ink.get(owner);
     if (!own) continue;
     const half = [pen.measureText(text).width / 2 + 2, 8], low = [0, 1].map((c) => Math.min(...own.map((p) => p[c])));
     const middle = [0, 1].map((c) => (low[c] + Math.max(...own.map((p) => p[c]))) / 2);
-    const others = [...ink].filter(([k]) => k !== body).flatMap(([, spots]) => spots);
+    const others = [...ink].filter(([k]) => k !== owner).flatMap(([, spots]) => spots);
     const covers = (spot, p, more) => Math.abs(p[0] - spot[0]) < half[0] + more && Math.abs(p[1] - spot[1]) < half[1] + more;
     const spotAt = (k) => {
       // just outside of the body in a direction from its middle, or its middle
@@ -355,19 +407,24 @@ function labels(all) {
       const isOut = spot[0] < half[0] || spot[0] > view.width - half[0] || spot[1] < half[1] || spot[1] > view.height - 60;
       const gap = (list) => Math.min(1e9, ...list.map((p) => Math.hypot(Math.max(0, Math.abs(p[0] - spot[0]) - half[0]), Math.max(0, Math.abs(p[1] - spot[1]) - half[1]))));
       const below = others.filter((p) => covers(spot, p, 0)).length + own.filter((p) => covers(spot, p, 0)).length;
-      const isOnOthers = all.some((s) => s.piece.turn !== body && s.piece.look !== "plane" && contains(s.outline.map(onPaper), spot));
+      const isOnOthers = all.some((s) => s.isArea && s.owner !== owner && contains(s.outline.map(onPaper), spot));
       return 100 * (hits.length + isOut) + 0.8 * below + 3 * isOnOthers + 4 * Math.min(1, Math.max(0, 0.5 + (gap(own) - gap(others)) / 26))
-        + 0.06 * gap(own) + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(body) === k ? 2 : 0);
+        + 0.06 * gap(own) + 0.005 * Math.hypot(spot[0] - middle[0], spot[1] - middle[1]) - (sides.get(owner) === k ? 2 : 0);
     };
-    if (isDue || !sides.has(body)) {
+    if (isDue || !sides.has(owner)) {
       let best = Infinity, side = 0;
       for (let k = 0; k <= 12; k++) { const c = cost(spotAt(k), k); if (c < best) { best = c; side = k; } }
-      sides.set(body, side);
+      sides.set(owner, side);
     }
-    placed.push({ spot: spotAt(sides.get(body)), half, text });
+    placed.push({ spot: spotAt(sides.get(owner)), half, text });
   }
   pen.textAlign = "center";
   for (const { spot, text } of placed) write(text, spot, theme().ink);
+}
+function wordBeside({ place, text, dx, dy }) {
+  const [x, y] = onPaper(seen(position(place, at))), u = data.symbol * view.scale, width = pen.measureText(text).width;
+  pen.textAlign = "left";
+  write(text, [Math.max(2, Math.min(x + dx * u, view.width - width - 2)), y - dy * u], theme().ink);
 }
 function contains(outline, [x, y]) {
   // on paper y runs down, so the outline is clockwise
@@ -382,23 +439,36 @@ function write(text, [x, y], paint) {
 }
 function corner() {
   // the axes of the ground with their length, and the direction of gravity
-  const x = 58, y = view.height - 60, ink = theme().ink;
-  let length = 10 ** Math.floor(Math.log10(42 / view.scale));
-  for (const m of [5, 2]) if (length * m * view.scale <= 42) { length *= m; break; }
-  const size = length * view.scale;
+  const x = data.planar ? 24 : 58, y = view.height - (data.planar ? 18 : 60), ink = theme().ink;
+  const most = (data.planar ? 64 : 42) / view.scale;
+  let length = 10 ** Math.floor(Math.log10(most));
+  for (const m of [5, 2]) if (length * m <= most) { length *= m; break; }
+  const size = length * view.scale, right = Math.max(66, size + 26);
   pen.textAlign = "center";
-  for (const k of [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b])) {
+  const shown = data.planar ? [0, 1] : [0, 1, 2].sort((a, b) => camera.axes[2][a] - camera.axes[2][b]);
+  for (const k of shown) {
     const along = [camera.axes[0][k], -camera.axes[1][k]], l = Math.hypot(...along);
     arrow([x, y], along.map((c) => size * c), theme().muted);
     const away = l * size > 4 ? along.map((c) => c / l) : [-0.7, 0.7];
     write("xyz"[k], [x + size * along[0] + 10 * away[0], y + size * along[1] + 10 * away[1]], ink);
   }
+  if (data.planar) {
+    // angles are positive counter-clockwise
+    const r = 0.6 * size, a = 1.15, tip = [x + r * Math.cos(a), y - r * Math.sin(a)];
+    pen.beginPath();
+    pen.arc(x, y, r, 0, 0.3 - a, true);
+    pen.strokeStyle = theme().muted;
+    pen.lineWidth = 1.2;
+    pen.stroke();
+    arrow([tip[0] + 9 * Math.sin(a), tip[1] + 9 * Math.cos(a)], [-9 * Math.sin(a), -9 * Math.cos(a)], theme().muted);
+    write("+", [x + r + 7, y - 0.6 * r], ink);
+  }
   pen.textAlign = "left";
-  if (data.has_lengths) write("axes " + Number(length.toPrecision(1)) + " m long", [x + 66, y + 8], theme().muted);
+  if (data.has_lengths) write("axes " + Number(length.toPrecision(1)) + " m long", [x + right, y + 8], theme().muted);
   if (data.gravity) {
     const down = [dot(camera.axes[0], data.gravity), -dot(camera.axes[1], data.gravity)];
-    arrow([x + 196, y - 20], down.map((c) => 38 * c), theme().force);
-    write("g", [x + 204, y - 4], ink);
+    arrow([x + right + 130, y - 20], down.map((c) => 38 * c), theme().force);
+    write("g", [x + right + 138, y - 4], ink);
   }
 }
 function arrow([x, y], [dx, dy], paint) {
@@ -421,10 +491,11 @@ function arrow([x, y], [dx, dy], paint) {
 function turn(azimuth, elevation) { look(camera.azimuth + azimuth, camera.elevation + elevation); draw(); }
 function zoom(factor) { camera.zoom = Math.max(0.2, Math.min(20, camera.zoom * factor)); draw(); }
 function resetView() { camera.zoom = 1; look(...data.angles); draw(); }
+const canTurn = !data.planar;
 const fingers = new Map();
 const spread = () => { const [a, b] = [...fingers.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
 canvas.style.touchAction = "none";
-canvas.style.cursor = "grab";
+if (canTurn) canvas.style.cursor = "grab";
 canvas.addEventListener("pointerdown", (event) => {
   fingers.set(event.pointerId, [event.clientX, event.clientY]);
   canvas.setPointerCapture(event.pointerId);
@@ -435,7 +506,7 @@ canvas.addEventListener("pointermove", (event) => {
   const before = fingers.size === 2 ? spread() : 0;
   fingers.set(event.pointerId, [event.clientX, event.clientY]);
   if (before) zoom(spread() / before);
-  else if (fingers.size === 1) turn(0.4 * (start[0] - event.clientX), 0.4 * (event.clientY - start[1]));
+  else if (fingers.size === 1 && canTurn) turn(0.4 * (start[0] - event.clientX), 0.4 * (event.clientY - start[1]));
 });
 for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, (event) => fingers.delete(event.pointerId));
 canvas.addEventListener("wheel", (event) => { event.preventDefault(); zoom(Math.exp(-0.0015 * event.deltaY)); }, { passive: false });
@@ -447,7 +518,7 @@ document.addEventListener("keydown", (event) => {
     "+": () => zoom(1.2), "=": () => zoom(1.2), "-": () => zoom(1 / 1.2), 0: resetView,
     ",": () => go(Math.ceil(at) - 1), ".": () => go(Math.floor(at) + 1),
   };
-  if (event.key in views) turn(...views[event.key]);
+  if (canTurn && event.key in views) turn(...views[event.key]);
   else if (event.key in others) others[event.key]();
   else return;
   event.preventDefault();
