@@ -198,3 +198,31 @@ def test_pi_is_no_parameter() -> None:
     assert texts([Condition(field.pi - 4, ">")]) == [NEVER]
     (line,) = texts([Condition(a - 7 * field.pi - a * a * a, ">")])
     assert not line.startswith(("π", "pi"))
+
+
+BETWEEN_WALLS = """
+parameters: {m: 1 kg, k1: 100 N/m, k2: 50 N/m, l1: 0.2 m, l2: 0.3 m, d: 1 m}
+ground: {points: {A: [0, 0], B: [d, 0]}}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}}
+loads:
+  left: {spring: {first: ground.A, second: block, stiffness: k1, length: l1}}
+  right: {spring: {first: ground.B, second: block, stiffness: k2, length: l2}}
+measures: {x: x of block}
+start: {x: 0.6 m, rate(x): 0}
+questions: [equilibrium of x, natural frequency]
+"""
+
+
+def test_an_equilibrium_holds_where_the_springs_are_on_the_sides_that_it_takes() -> None:
+    """k1 (x - l1) = k2 (d - x - l2) while 0 < x < d; with a long left spring the block rests beyond the right wall,
+    where the right spring pushes the other way."""
+    for answer in fb.System.from_text(BETWEEN_WALLS).solve().answers:
+        conditions = " and ".join(answer.conditions)
+        for values, inside in (({}, True), ({"l1": 3.0}, False), ({"l2": 4.0}, False)):
+            numbers = {"k1": 100.0, "k2": 50.0, "l1": 0.2, "l2": 0.3, "d": 1.0, **values}
+            x = (numbers["k1"] * numbers["l1"] + numbers["k2"] * (numbers["d"] - numbers["l2"])) / 150
+            assert (0 < x < numbers["d"]) is inside
+            held = [eval(c.expression, {}, numbers) for c in answer.conditions if isinstance(c, Stated)]
+            assert held
+            assert all(held) is inside, conditions

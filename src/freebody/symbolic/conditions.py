@@ -56,6 +56,9 @@ def relation_text(e: Expr, relation: str) -> Stated:
             return compared(add(*right), _FLIPPED[relation], ZERO)
         if len(left) == 1 and isinstance(left[0], Number) and right:  # 1 < a as a > 1
             return compared(add(*right), _FLIPPED[relation], left[0])
+        known = [t for t in left if isinstance(t, Number)]
+        if known and not right and len(left) == 2:  # x + 1 > 0 as x > -1
+            return compared(add(*(t for t in left if t not in known)), relation, negate(known[0]))
         if len(right) == 1 or (left and right):
             return compared(add(*left), relation, add(*right))
     if _is_negative(e):

@@ -196,7 +196,8 @@ class QuestionSolver:
     def _small(self, q: SmallOscillations) -> Finding:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
-        conditions: list[Condition] = [*found.rest.exists]
+        resting = self._at_rest(found.rest)
+        conditions = [*resting]
         for square in found.squares:
             if square.is_zero() and q.what == "frequencies":
                 continue  # it moves on evenly
@@ -216,7 +217,7 @@ class QuestionSolver:
             roots = [f.sqrt(s, self.model.samples.is_negative) for s in found.squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
         evidence = proof.small_oscillations(
-            self.setup, self.question.text, element, found.equilibrium, period=is_period
+            self.setup, self.question.text, element, found.equilibrium, resting, period=is_period
         )
         return Finding(element, evidence, conditions, list(found.notes))
 
@@ -224,8 +225,17 @@ class QuestionSolver:
     def _equilibrium(self, q: Equilibrium) -> Finding:
         rest = find_equilibrium(self.model, self.setup.start, stable_first=False)
         x = SymbolicState(self.model, rest.values).value(q.measure)
-        evidence = proof.at_rest(self.setup, self.question.text, rest.values, x)
-        return Finding(x, evidence, [*rest.exists], self._stability(rest))
+        conditions = self._at_rest(rest)
+        evidence = proof.at_rest(self.setup, self.question.text, rest.values, x, conditions)
+        return Finding(x, evidence, conditions, self._stability(rest))
+
+    def _at_rest(self, rest: ClosedFormRest) -> list[Condition]:
+        """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
+        is to pull pulls, what is to touch presses."""
+        f = self.model.field
+        still = {c.speed: f.zero for c in (*self.model.coordinates, *self.model.dependent)}
+        state = SymbolicState(self.model, {**rest.values, **still})
+        return [*rest.exists, *self.setup.holding(state, with_contacts=bool(self.system.pushes))]
 
     def _stability(self, rest: ClosedFormRest) -> list[str]:
         """What is to be said of it, with the condition where there is one."""

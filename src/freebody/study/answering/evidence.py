@@ -123,12 +123,21 @@ def _broken(setup: Setup, conditions: Sequence[Condition]) -> list[str]:
 
 
 def small_oscillations(
-    setup: Setup, question: str, x: Ratio | tuple[Ratio, ...], equilibrium: dict[int, Ratio], *, period: bool
+    setup: Setup,
+    question: str,
+    x: Ratio | tuple[Ratio, ...],
+    equilibrium: dict[int, Ratio],
+    conditions: Sequence[Condition],
+    *,
+    period: bool,
 ) -> Evidence:
-    """Compares angular frequencies, or the period, with a numerical linearisation of the full system."""
+    """Compares angular frequencies, or the period, with a numerical linearisation of the full system. conditions: of
+    the equilibrium."""
     check = CrossCheck(question, Message("numerical linearisation about the same equilibrium"), 1e-5)
 
     def compare(draw: Draw) -> None:
+        if not all(holds(setup, c, draw, draw.start()) for c in conditions):
+            return
         exact = np.sort(element_at(setup, x, draw, draw.start()))
         found = draw.reference.frequencies(draw.reference.pose_near(draw.q, places_at(setup, equilibrium, draw)))
         numeric = 2 * np.pi / found if period else np.sort(found)
@@ -137,11 +146,16 @@ def small_oscillations(
     return check.gather(setup.draw_stream(), compare).evidence()
 
 
-def at_rest(setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio) -> Evidence:
-    """At the equilibrium the full system, at rest but for what is driven, must not accelerate."""
+def at_rest(
+    setup: Setup, question: str, equilibrium: dict[int, Ratio], x: Ratio, conditions: Sequence[Condition]
+) -> Evidence:
+    """At the equilibrium the full system, at rest but for what is driven, must not accelerate. conditions: of the
+    equilibrium."""
     check = CrossCheck(question, Message("accelerations of the full system at rest there"), 1e-7)
 
     def compare(draw: Draw) -> None:
+        if not all(holds(setup, c, draw, draw.start()) for c in conditions):
+            return
         wanted = places_at(setup, equilibrium, draw)
         q = draw.reference.pose_near(draw.q, wanted)
         v = draw.reference.velocities(q, [(measure, 0.0) for measure, _value in wanted], with_start=False)
