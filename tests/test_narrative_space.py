@@ -310,3 +310,30 @@ def test_what_starts_in_an_equilibrium_never_gets_there() -> None:
 def test_without_coordinates_it_is_said_what_numbers_solve() -> None:
     derivation = the("spherical_four_bar", "acceleration of psi")
     assert {"unclosed.no_coordinates", "unclosed.bodies", "unclosed.rows", "unclosed.number"} <= set(keys(derivation))
+
+
+# -- motions in phases ------------------------------------------------------------------------
+BRAKED = """
+space: true
+parameters: {m: 2 kg, r: 0.3 m, M: 0.4 N m, w0: 3 rad/s}
+bodies: {d: {disk: {mass: m, radius: r, axis: z}}}
+measures: {phi: turn of d about z}
+connections:
+  h: {revolute: {first: ground.origin, second: d.center, about: z}}
+  c: {dry_friction: {measure: phi, force: M}}
+start: {phi: 0, rate(phi): w0}
+"""
+
+
+def test_a_disk_on_a_hinge_is_braked_by_friction_until_it_stands() -> None:
+    """With I = m r^2/2 about the hinge: I phi'' = -M, so it stands after I w0/M, and friction took I w0^2/2."""
+    system = System.from_text(BRAKED)
+    _found, when = of(system, "time when slipping ends")
+    told = texts(when)
+    assert "M_c = -M" in told
+    assert "φ'' = -2·M/(m·r²)" in told
+    assert when.answer.value == pytest.approx(0.09 * 3 / 0.4)
+    _found, lost = of(system, "energy lost when slipping ends")
+    assert lost.answer.value == pytest.approx(0.09 * 9 / 2)
+    keys = [line.why.key for line in lines(lost) if line.why is not None]
+    assert keys.index("space.kinetic_is") < keys.index("answer.energy_start") < keys.index("answer.lost")

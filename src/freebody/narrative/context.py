@@ -13,7 +13,10 @@ from freebody.language.sentences import Message
 from freebody.narrative.contact.settings import setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.newton import Newton
+from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.principles.symmetry import Symmetry
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
@@ -42,12 +45,22 @@ class Context:
         return Glossary(self.setup)
 
     @cached_property
+    def acting(self) -> Acting:
+        return Acting(self.setup.model)
+
+    @cached_property
+    def rates(self) -> PlanarRates:
+        """What moves how in the plane."""
+        return PlanarRates(self.acting, self.glossary, Symmetry(self.acting, self.glossary))
+
+    @cached_property
     def newton(self) -> Newton:
-        return Newton(self.setup, self.glossary)
+        """Principles of the plane."""
+        return Newton(self.acting, self.glossary, self.rates, self.rates.symmetry)
 
     def script(self) -> Script:
         """A derivation of its own, with numbers that go on."""
-        if "newton" in self.__dict__:  # not made for a system in space
+        if "rates" in self.__dict__:  # not made for a system in space
             self.newton.begin()
         return Script(self.glossary, self.next_number)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.language.expression import Call, Expr, Symbol, negate
+from freebody.language.sentences import Message, turns
 from freebody.model.elements import DryFriction
-from freebody.narrative.contact.phase_contacts import ZERO
-from freebody.narrative.contact.phase_event import balanced
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
@@ -18,22 +18,25 @@ from freebody.symbolic.tidy import tidy
 
 _SIGNS: dict[str, Sign] = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠"}
 _TURNED: dict[str, Sign] = {">": "<", "≥": "≤", "<": ">", "≤": "≥", "≠": "≠"}
-_KEYS = (
-    ("keeps touching", "touches"),
-    ("does not slip", "sticks"),
-    ("slips this way", "slips_so"),
-    ("slips", "slips"),
-    ("stays taut", "taut"),
-    ("one does not hold", "beyond"),
-    ("friction is needed", "needed"),
-    ("is open at the start", "open"),
-    ("opens", "opens"),
-    ("fits", "fits"),
-    ("it happens", "happens"),
-    ("as at the start", "branch"),
-    ("friction forces exist", "exists"),
-    ("no event ends it", "never"),
-)
+# what an inequality is for, by the template of the message that says so
+_PURPOSES = {
+    "{contact} keeps touching": "touches",
+    "{contact} does not slip": "sticks",
+    "{contact} slips this way": "slips_so",
+    "{contact} slips": "slips",
+    "{string} stays taut": "taut",
+    "a larger one does not hold": "beyond",
+    "a smaller one does not hold": "beyond",
+    "friction is needed": "needed",
+    "{contact} is open at the start": "open",
+    "{contact} opens": "opens",
+    "{string} fits": "fits",
+    "it happens": "happens",
+    "before {contact} {event}": "before",
+    "as at the start": "branch",
+    "friction forces exist": "exists",
+    "no event ends it": "never",
+}
 
 
 def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list[int]:
@@ -51,9 +54,9 @@ def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list
 
 def _tell_limit(script: Script, way: PhaseSequence, leg: PhaseSegment, rub: DryFriction) -> int:
     f, newton = leg.phase.model.field, leg.newton
-    names = newton.table.symbols
+    names = newton.acting.symbols
     with on_the_way(script, leg.glossary):
-        unknowns = [newton.reaction(rub.name), *(newton.reaction(n) for n in rub.load)]
+        unknowns = [newton.acting.generator(rub.name), *(newton.acting.generator(n) for n in rub.load)]
         values = newton.write(script, newton.plan(unknowns), unknowns)
     friction = values[unknowns[0]][0]
     pressing = values[unknowns[1]][0] if rub.load else f.one
@@ -122,7 +125,7 @@ def _sides(r: SolvedRelation) -> tuple[Expr, Sign, Expr]:
 
 def sides_of(e: Expr, relation: str) -> tuple[Expr, Sign, Expr]:
     """e relation 0 with its terms on the sides on which they are positive."""
-    left, right = balanced(e)
+    left, right = parted(e)
     sign = _SIGNS[relation]
     return (left, sign, right) if left != ZERO else (right, _TURNED[sign], left)
 
@@ -131,11 +134,10 @@ def _purpose(r: SolvedRelation) -> tuple[str, dict[str, Argument]]:
     return told_purpose(r.purposes[0] if r.purposes else "")
 
 
-def told_purpose(text: str) -> tuple[str, dict[str, Argument]]:
+def told_purpose(purpose: str) -> tuple[str, dict[str, Argument]]:
     """What an inequality is for, as a key of the catalogue."""
-    for ending, key in _KEYS:
-        if text.endswith(ending):
-            return f"condition.{key}", {"connection": text.removesuffix(ending).strip()}
-    if text.startswith("before "):
-        return "condition.before", {"connection": text.split(" ")[1]}
-    return "condition.other", {}
+    first = next(iter(turns(purpose)), "")
+    if not isinstance(first, Message) or first.template not in _PURPOSES:
+        return "condition.other", {}
+    named = first.arguments.get("contact", first.arguments.get("string", ""))
+    return f"condition.{_PURPOSES[first.template]}", {"connection": str(named)}

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from freebody.language.expression import Call, Expr, Symbol, number
+from freebody.language.expression import Call, Expr, Symbol
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Legend, Listing, Script, Sentence
+from freebody.narrative.principles.sides import ZERO
 from freebody.study.phases.words import label, rolls
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import readable
 from freebody.symbolic.tidy import tidy
-
-ZERO = number(0)
 
 
 def tell_contacts(

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol, add, negate
-from freebody.language.notation.parts import signed_terms
+from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.sentences import Message
-from freebody.narrative.contact.phase_contacts import ZERO, slip_symbol
+from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import Told, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
@@ -56,7 +56,7 @@ def _lines_of(leg: PhaseSegment, told: Told, element: Ratio) -> tuple[int, ...]:
 def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: PhaseWatch) -> tuple[Expr, Ratio]:
     """What reaches zero (or its value): how it is written, and as an element that vanishes at the event."""
     phase, f = leg.phase, leg.phase.model.field
-    symbols = leg.newton.table.symbols
+    symbols = leg.newton.acting.symbols
     match watch.kind:
         case "slip ends":
             rub = phase.rubs[watch.name]
@@ -85,7 +85,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
 def _reserve(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     """What is left of the friction that can be transmitted."""
     rub = leg.phase.rubs[watch.name]
-    names = leg.newton.table.symbols
+    names = leg.newton.acting.symbols
     held = Symbol(names[watch.name].name) * (rub.row.sign * watch.direction)
     f = leg.phase.model.field
     limit: Expr = ZERO
@@ -217,16 +217,6 @@ def vanishing(glossary: Glossary, e: Expr) -> Expr:
     sums = [factor for factor in e.factors if isinstance(factor, Sum)]
     world = next(iter(glossary.worlds("event")))
     return min(sums, key=lambda s: abs(world.of(s)[0]) / (world.scale([s]) or 1.0)) if sums else e
-
-
-def balanced(e: Expr) -> tuple[Expr, Expr]:
-    """a - b = 0 as a = b."""
-    if not isinstance(e, Sum):
-        return e, ZERO
-    signs = signed_terms(e.terms)
-    left = [t for t, (minus, _x) in zip(e.terms, signs, strict=True) if not minus]
-    right = [negate(t) for t, (minus, _x) in zip(e.terms, signs, strict=True) if minus]
-    return (add(*left) if left else ZERO), (add(*right) if right else ZERO)
 
 
 def solved_argument(at: Ratio) -> tuple[str, Ratio] | None:

@@ -14,7 +14,10 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.questions.state import kinetic_of
+from freebody.narrative.space.spatial_momentum import Momenta
+from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.symbolic.field import Ratio
@@ -127,10 +130,7 @@ def energy_parts(leg: PhaseSegment) -> tuple[Ratio, Ratio]:
 
 def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
     """T and V as lines: T body by body, then in the coordinates."""
-    context = _as_context(leg)
-    parts: list[int] = []
-    for body in leg.phase.system.moving:
-        parts += kinetic_of(context, script, body.name)
+    parts = _kinetic_lines(script, leg)
     shown = energy_parts(leg)
     found: list[int] = []
     for symbol, value, what in zip((KINETIC, POTENTIAL), shown, PARTS, strict=True):
@@ -143,11 +143,17 @@ def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
     return found[0], found[1]
 
 
-def _as_context(leg: PhaseSegment) -> Context:
-    """The mode of a phase as a system of its own."""
-    context = Context(leg.phase.base)
+def _kinetic_lines(script: Script, leg: PhaseSegment) -> list[int]:
+    """Body by body, with the mode of the phase as a system of its own."""
+    context, rates = Context(leg.phase.base), leg.newton.rates
     context.setup, context.glossary, context.newton = leg.phase.setup, leg.glossary, leg.newton
-    return context
+    bodies = leg.phase.system.moving
+    if isinstance(rates, SpatialRates):
+        momenta = Momenta(context, script, rates.in_script(script))
+        return [line for b in bodies for line in momenta.kinetic(b, momenta.omega_of(b), [])]
+    assert isinstance(rates, PlanarRates)
+    context.rates = rates
+    return [line for b in bodies for line in kinetic_of(context, script, b.name)]
 
 
 def _reads_energy(leg: PhaseSegment, what: Part) -> Callable[[World], float]:

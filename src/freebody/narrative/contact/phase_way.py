@@ -12,10 +12,11 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
 from freebody.language.sentences import Message
-from freebody.narrative.contact.contact_newton import ContactNewton
+from freebody.narrative.contact.phase_forces import newton_of_phase
 from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, WorldRuns
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.events import FirstEvent
@@ -38,7 +39,7 @@ class PhaseSegment:
     time: Ratio | None  # how long it lasts, in the field that all phases share
     glossary: Glossary  # at random motions of the mode
     course: CourseGlossary  # on the way
-    newton: ContactNewton
+    newton: Newton
     starting: frozenset[str]  # bounds that are closed when the motion begins
 
     @property
@@ -93,7 +94,7 @@ class PhaseSequence:
         glossary, course = Glossary(node.phase.setup), CourseGlossary(node.phase, self.runs, place)
         course.meanings = glossary.meanings
         made = PhaseSegment(
-            number, node, first, time, glossary, course, ContactNewton(node.phase, glossary), self.tree.closed
+            number, node, first, time, glossary, course, newton_of_phase(node.phase, glossary), self.tree.closed
         )
         made.newton.is_drawn = node.phase.mode.closed == self.tree.closed
         if number > 1:

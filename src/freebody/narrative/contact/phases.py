@@ -32,8 +32,6 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     refuse(method, ("newton",), Message("a motion in phases"))
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
-    if context.system.space:
-        raise CannotAnswer(Message("no derivation of a motion in phases is written for space yet"))
     way = PhaseSequence(context.system, question)
     edges = [leg.first for leg in way.legs if leg.first is not None and leg.first.watch.kind == "edge ends"]
     if edges or way.piece.after is not None or any(node.impact is not None for node in way.piece.nodes):
@@ -99,9 +97,9 @@ def _tell_phase(
     lines = {c.name: values[a][1] for c, a in _accelerations(leg) if a in values}
     told = tell_motion(script, way, leg, lines, before, moving, places)
     by_name = {
-        name: values[leg.newton.reaction(name)][1]
-        for name in leg.newton.table.rows
-        if leg.newton.reaction(name) in values
+        name: values[leg.newton.acting.generator(name)][1]
+        for name in leg.newton.acting.rows
+        if leg.newton.acting.generator(name) in values
     }
     signs = [*signs, *(lines.values() if not signs else ())]  # from rest the acceleration tells the sense of the slip
     return tell_event(script, way, leg, told, {**slips, **by_name}), values, tuple(signs)
@@ -151,9 +149,9 @@ def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int
     if isinstance(leg.phase.course, UniformMotion):
         found += [a for c, a in _accelerations(leg) if c.name in moving]
     if watch.kind in ("opens", "slips"):
-        found.append(newton.reaction(watch.name))
+        found.append(newton.acting.generator(watch.name))
     if watch.kind == "slips":
-        found += [newton.reaction(n) for n in leg.phase.rubs[watch.name].load]
+        found += [newton.acting.generator(n) for n in leg.phase.rubs[watch.name].load]
     if leg is way.legs[-1] and way.question.quantity.scope != "course":
         found += newton.unknowns_in(newton.asked(way.question.quantity))
     return list(dict.fromkeys(found))

@@ -14,14 +14,14 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.sentences import Message
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
-from freebody.narrative.contact.phase_contacts import ZERO
-from freebody.narrative.contact.phase_event import balanced, solved_argument
+from freebody.narrative.contact.phase_event import solved_argument
+from freebody.narrative.contact.rest_forces import acting_at_rest
 from freebody.narrative.contact.rest_newton import RestNewton
-from freebody.narrative.contact.rest_table import RestTable
 from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.script import DerivationStage, Listing, Script, Sentence, ready
-from freebody.narrative.principles.places import place_of
+from freebody.narrative.principles.reactions import place_of
+from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.present.report.blocks import Relation
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
@@ -154,23 +154,24 @@ class _RestTelling:
         script = self.script
         glossary = RestGlossary(ends, limit, case, name)
         script.glossary = glossary
-        table = RestTable(self.touching, _plain_equations(ends, self.touching))
-        newton = RestNewton(table, glossary, case.failure, (row,) if row else ())
+        equations = _plain_equations(ends, self.touching)
+        newton = RestNewton(acting_at_rest(self.touching, equations, case.failure), glossary)
         with script.stage("stage.failure", "hint.failure"):
             end = "upper" if limit.sign > 0 else "lower"
             script.say(f"rest.{'extreme' if row else 'fails'}_{end}", words=ready(case.words), name=symbol)
-        rows, said = newton.tell(script)
+        rows, said = newton.tell(script, (row,) if row else ())
         with script.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
-            solver = newton.solver(script)
+            solver = newton.eliminator(script)
             if row:
-                value, line = solver.solve(solver.with_said(rows, said), [newton.index(row)])[newton.index(row)]
+                unknown = newton.acting.generator(row)
+                value, line = solver.solve(solver.with_said(rows, said), [unknown])[unknown]
                 if not (value - case.element).is_zero():
                     raise RoutesDisagree(Message("the derivation ends in another formula than the solver's"))
             else:
                 line = solver.residual(rows, said)
                 if solver.condition != (symbol, tidy(case.element)):
                     line = self._solved(case, symbol, line, is_root=_has_roots(solver.rest, ends.index))
-        self._conditions(case, table, glossary, symbol if name else None, line)
+        self._conditions(case, newton, equations, line)
         return line, glossary
 
     def _solved(self, case: FailureCase, symbol: Symbol, line: int, *, is_root: bool) -> int:
@@ -184,16 +185,15 @@ class _RestTelling:
         key = "rest.root" if is_root else "rest.limit"
         return self.script.line(symbol, tidy(case.element), why=key, args={"line": line}, uses=(line,))
 
-    def _conditions(
-        self, case: FailureCase, table: RestTable, glossary: RestGlossary, symbol: Symbol | None, limit_line: int
-    ) -> None:
+    def _conditions(self, case: FailureCase, newton: RestNewton, equations: RestEquations, limit_line: int) -> None:
         """Where this way to fail comes first: what the other contacts transmit at this limit is what they can."""
         for condition in case.conditions:
             key, args = told_purpose(condition.purpose)
             lines: tuple[int, ...] = ()
             if key in ("condition.touches", "condition.sticks", "condition.taut"):
                 with suppress(CannotAnswer):
-                    lines = self._forces(case, table, glossary, str(args["connection"]), key == "condition.sticks")
+                    is_stuck, place = key == "condition.sticks", str(args["connection"])
+                    lines = self._forces(case, newton, equations, place, is_stuck)
             with self.script.stage("stage.conditions", "hint.rest_conditions"):
                 left, sign, right = sides_of(tidy(condition.element), condition.relation)
                 uses = (*lines, limit_line)
@@ -207,24 +207,23 @@ class _RestTelling:
                 )
 
     def _forces(
-        self, case: FailureCase, table: RestTable, glossary: RestGlossary, place: str, sticks: bool
+        self, case: FailureCase, newton: RestNewton, eq: RestEquations, place: str, sticks: bool
     ) -> tuple[int, ...]:
         """The lines of what a contact transmits at the limit. Raises CannotAnswer where that is not unique."""
-        row = next((r for r in table.rows.values() if r.unilateral and place_of(r) == place), None)
+        row = next((r for r in newton.acting.rows.values() if r.unilateral and place_of(r) == place), None)
         rub = next((r for r in self.touching.rubs if r.load and row is not None and r.load[0] == row.name), None)
         if row is None or (sticks and rub is None):
             raise CannotAnswer(Message("there is no such contact"))
         asked = (row.name, rub.name) if sticks and rub is not None else (row.name,)
-        eq = table.equations
         reduced = eq.reactions(case.failure)
         if any(set(reduced.pivots.get(eq.columns[n], {eq.columns[n]: None})) - {RHS} for n in asked):
             raise CannotAnswer(Message("it is not unique"))
-        newton = RestNewton(table, glossary, case.failure, asked)
-        trial = Script(glossary, self.script.next_number)
-        rows, said = newton.tell(trial)
-        solver = newton.solver(trial)
+        again = RestNewton(newton.acting, newton.limit_glossary)
+        trial = Script(newton.limit_glossary, self.script.next_number)
+        rows, said = again.tell(trial, asked)
+        solver = again.eliminator(trial)
         with trial.stage("stage.solution", "hint.solution", n=len(rows) + len(said)):
-            indices = [newton.index(n) for n in asked]
+            indices = [newton.acting.generator(n) for n in asked]
             found = solver.solve(solver.with_said(rows, said), indices)
         self.script.take(trial)
         return tuple(line for _value, line in found.values())

@@ -5,117 +5,55 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Sum, Symbol, add, multiply, negate
+from freebody.language.expression import Expr, Sum, add, negate
 from freebody.language.sentences import Message
-from freebody.narrative.contact.phase_contacts import ZERO
-from freebody.narrative.contact.phase_event import balanced, vanishing
-from freebody.narrative.contact.rest_table import FrictionLimit, RestPlanner, RestTable
+from freebody.narrative.contact.phase_event import vanishing
 from freebody.narrative.contact.rest_worlds import RestGlossary
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Script
+from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
-from freebody.narrative.principles.kinematics import Term, scaled
-from freebody.narrative.principles.newton import Newton, WrittenPrinciple
-from freebody.narrative.principles.places import place_of
-from freebody.narrative.principles.planner import Plan
-from freebody.narrative.principles.symmetry import Copies
-from freebody.narrative.principles.table import WritablePrinciple
-from freebody.symbolic.active_set import Failure
+from freebody.narrative.principles.newton import AT_REST_WORDS, Newton
+from freebody.narrative.principles.planner import AT_REST
+from freebody.narrative.principles.rates import Stillness
+from freebody.narrative.principles.reactions import words_of
+from freebody.narrative.principles.sides import ZERO, balanced
+from freebody.narrative.principles.symmetry import Symmetry
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
 
 
 class RestNewton(Newton):
-    """Equations of equilibrium of a system at rest, in one way to fail."""
+    """Equations of equilibrium of a system at rest, in one way to fail. Places of contact do not stand for each other.
 
-    table: RestTable
-    principle_words = "balance"
+    Principles are chosen at a start, not at the limit, where more equations than these depend on each other."""
 
-    def __init__(self, table: RestTable, glossary: RestGlossary, failure: Failure, asked: Sequence[str] = ()) -> None:
-        super().__init__(glossary.setup, glossary)
-        self.table = table
-        self.failure = failure
-        self.asked_rows = tuple(asked)
-        self.limits = table.limits(failure)
-        self.gone = set(table.absent(failure))
-        self.glossary: RestGlossary = glossary
-        for name in table.rows:
-            what = self._reaction_words(name, table.rows[name].ends)
-            glossary.introduce_reaction(name, Symbol(table.symbols[name].name), what)
+    def __init__(self, acting: Acting, glossary: RestGlossary) -> None:
+        draw = glossary.setup.draws[-1]
+        numbers = acting.model.samples.numbers(draw.sample(draw.start()), draw.sample())
+        symmetry = Symmetry(acting, glossary, is_sought=False)
+        super().__init__(
+            acting,
+            glossary,
+            Stillness(acting.model.field),
+            symmetry,
+            preferences=AT_REST,
+            words=AT_REST_WORDS,
+            numbers=numbers,
+        )
+        self.limit_glossary = glossary
+        for name in acting.rows:
+            glossary.introduce_reaction(name, acting.symbol(name), words_of(acting, name))
 
-    @property
-    def copies(self) -> list[Copies]:  # type: ignore[override]
-        """Places of contact do not stand for each other."""
-        return []
+    def tell(self, script: Script, asked: Sequence[str] = ()) -> tuple[list[EliminationRow], list[EliminationRow]]:
+        """The equations as lines, and what the contacts say; the rows of both. asked: rows whose reactions are wanted;
+        without any a condition on the parameters is."""
+        unknowns = [self.acting.generator(row) for row in asked]
+        written, said = self.equations(script, self.plan(unknowns) if asked else self.condition(), unknowns)
+        return [self.in_coordinates(script, w) for w in written], said
 
-    def equations(self) -> Plan:
-        draw = self.setup.draws[-1]
-        numbers = self.model.samples.numbers(draw.sample(draw.start()), draw.sample())
-        return RestPlanner(self.table, numbers, self.failure, self.asked_rows).equations()
-
-    # -- writing ------------------------------------------------------------------------------
-    def _momentum(self, p: WritablePrinciple) -> tuple[Expr, list[Term]]:
-        """Nothing is accelerated."""
-        return tidy(self.field.zero), []
-
-    def _say_of_moving_point(self, script: Script, p: WritablePrinciple) -> None:
-        """At rest any point will do."""
-
-    def tell(self, script: Script) -> tuple[list[EliminationRow], list[EliminationRow]]:
-        """The equations as lines, and what the contacts say; the rows of both."""
-        plan = self.equations()
-        with script.stage("stage.bodies", "hint.bodies", bodies=self._bodies(plan)):
-            self._cut_free(script, plan)
-        with script.stage("stage.equilibrium", "hint.equilibrium", n=len(plan.principles)):
-            script.say("rest.no_acceleration")
-            written = [self._principle(script, plan, k) for k in range(len(plan.principles))]
-        standing = {row for w in written for row in w.reactions}
-        standing |= set(self.asked_rows)
-        with script.stage("stage.verge", "hint.verge"):
-            said = [self._absent(script, n) for n in self.table.absent(self.failure) if n in standing]
-            said += [self._limit(script, limit) for n, limit in self.limits.items() if n in standing]
-        return [self._row(w) for w in written], said
-
-    def _row(self, w: WrittenPrinciple) -> EliminationRow:
-        entries = {self.index(row): arm for row, arm in w.reactions.items()}
-        rest = self.field.zero if w.rest is None else w.rest
-        return EliminationRow(entries, self.field.lowest_terms(-rest), w.number)
-
-    def index(self, row: str) -> int:
-        return self.field.index(self.table.reactions[row])
-
-    def _absent(self, script: Script, name: str) -> EliminationRow:
-        """What opens transmits nothing."""
-        symbol = Symbol(self.table.symbols[name].name)
-        self.name_reactions(script, [name])
-        key = "verge.opens" if name in self.failure.opens else "verge.free"
-        number = script.line(symbol, tidy(self.field.zero), why=key, args={"force": symbol})
-        return EliminationRow({self.index(name): self.field.one}, self.field.zero, number)
-
-    def _limit(self, script: Script, limit: FrictionLimit) -> EliminationRow:
-        """F = mu N against the slip, or Euler and Eytelwein for a string round a drum."""
-        f, name = self.field, limit.rub.name
-        self.name_reactions(script, [name, *([limit.load] if limit.load else [])])
-        symbol = Symbol(self.table.symbols[name].name)
-        factor = f.lowest_terms(limit.factor)
-        args: dict[str, Argument] = {"connection": place_of(limit.rub.row), "force": symbol}
-        if not limit.load:
-            number = script.line(symbol, tidy(factor), why="verge.largest", args=args)
-            return EliminationRow({self.index(name): f.one}, factor, number)
-        pressing = Symbol(self.table.symbols[limit.load].name)
-        entries = {self.index(name): f.one, self.index(limit.load): f.lowest_terms(-factor)}
-        if limit.rub.static_back is None:
-            number = script.line(symbol, scaled(factor, pressing), why="verge.coulomb", args=args)
-        else:  # the tension before the drum is T - F
-            ratio = f.lowest_terms(1 - factor)
-            sides = add(pressing, negate(symbol)), multiply(tidy(ratio), pressing)
-            args |= {"after": pressing, "before": sides[0], "drum": limit.rub.row.ends[0]}
-            number = script.line(*sides, why="verge.euler", args=args)
-        return EliminationRow({k: x for k, x in entries.items() if not x.is_zero()}, f.zero, number)
-
-    # -- solving ------------------------------------------------------------------------------
-    def solver(self, script: Script) -> Eliminator:
-        return Eliminator(self.model, script, self._unknowns(), self.glossary)
+    def eliminator(self, script: Script) -> Eliminator:
+        return Eliminator(self.model, script, self.unknowns(), self.limit_glossary)
 
 
 class Eliminator(Solver):
@@ -197,6 +135,3 @@ class Eliminator(Solver):
         return self.script.line(
             left, right, why=why, args={"given": uses[0], "line": uses[1]}, uses=uses, when=self.when
         )
-
-
-__all__ = ["Eliminator", "RestNewton"]

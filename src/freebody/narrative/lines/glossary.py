@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Call, Expr, Sum, Symbol, evaluate, rate_key
@@ -55,6 +55,11 @@ class World(SymbolValues):
     @property
     def formulas(self) -> Mapping[str, Expr]:
         return self.glossary.formulas
+
+    @property
+    def numbers(self) -> Mapping[int, Any]:
+        """Values of the generators that the symbolic route has so far."""
+        return self.glossary.setup.model.samples.numbers(self.draw.sample(self.snapshot), self.draw.sample())
 
     def of(self, side: Side) -> tuple[float, ...]:
         """The value of a side of a formula; as many numbers as it has components."""
@@ -116,10 +121,8 @@ class World(SymbolValues):
     @cached_property
     def generators(self) -> dict[str, float]:
         """Values of what the symbolic route made symbols of (start values, hidden coordinates), by name."""
-        model = self.glossary.setup.model
-        numbers = model.samples.numbers(self.draw.sample(self.snapshot), self.draw.sample())
-        found: dict[str, float] = {}
-        for index, generator in model.field.generators.items():
+        found, numbers = dict[str, float](), self.numbers
+        for index, generator in self.glossary.setup.model.field.generators.items():
             if index in numbers and isinstance(generator.display, (Symbol, Call)):
                 with suppress(ExpressionError):
                     found[rate_key(generator.display)] = float(numbers[index])

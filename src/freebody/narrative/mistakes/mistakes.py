@@ -91,7 +91,7 @@ class _MistakeSearch:
         marked = Marked(self.context.setup, with_speeds=not is_reaction)
         groups: list[tuple[str, ...]] = []
         with suppress(*FAILURES):
-            groups = [g.bodies for g in self.context.newton.copies]
+            groups = [g.bodies for g in self.context.newton.symmetry.copies]
         answers, omissions = marked_omissions(marked, self.question, groups)
         self.one = dict.fromkeys(marked.factors.values(), marked.model.field.one)
         plain = Mistake(Sentence(""), self.one)

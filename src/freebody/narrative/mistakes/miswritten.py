@@ -50,11 +50,11 @@ class BodyEquations:
         self.newton = context.newton
         self.model = context.setup.model
         self.field = self.model.field
-        table = self.newton.table
-        if self.newton.merged or self.model.redundant:
+        self.acting = self.newton.acting
+        if self.newton.symmetry.merged or self.model.redundant:
             raise CannotAnswer(Message("reactions depend on each other"))
         self.parts = self.newton.asked(question.quantity)
-        self.reactions = {name: self.field.index(r) for name, r in table.reactions.items()}
+        self.reactions = {name: self.acting.generator(name) for name in self.acting.rows}
         self.columns = [*self.model.accelerations, *self.reactions.values()]
         if not self.field.ingredients(sum(self.parts[1:], self.parts[0])) & set(self.columns):
             raise CannotAnswer(Message("what is asked follows from the state"))
@@ -78,7 +78,7 @@ class BodyEquations:
                 row[a] = -slope
                 rest = rest - slope * f.variable(a)
         for name, index in self.reactions.items():
-            push = self.newton.table.directions[name].get((body, slot))
+            push = self.acting.directions[name].get((body, slot))
             if push is not None:
                 row[index] = push
         if not rest.is_zero():
@@ -87,11 +87,10 @@ class BodyEquations:
 
     def mistakes(self) -> Iterator[Miswritten]:
         """A reaction turned round or left out on one body, wholly or in its moment only."""
-        table = self.newton.table
-        for name, held in table.rows.items():
+        for name, held in self.acting.rows.items():
             force = _words(held)
-            for body in dict.fromkeys(b for b, _slot in table.directions[name]):
-                slots = tuple(s for b, s in table.directions[name] if b == body)
+            for body in dict.fromkeys(b for b, _slot in self.acting.directions[name]):
+                slots = tuple(s for b, s in self.acting.directions[name] if b == body)
                 for factor, mark in ((-1, "_turned"), (0, "")):
                     args: dict[str, Argument] = {"force": force, "body": body}
                     yield Miswritten(Sentence(f"mistake.reaction{mark}", args), name, body, slots, factor)

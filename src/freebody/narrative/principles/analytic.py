@@ -206,7 +206,7 @@ def _force_reader(context: Context, c: Coordinate) -> Callable[[World], float]:
 
     def read(world: World) -> float:
         total = 0.0
-        numbers = model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+        numbers = world.numbers
         k = model.coordinates.index(c)
         for push in model.system.pushes:
             law = world.snapshot.law(push)

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, add
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import Script
-from freebody.narrative.principles.kinematics import scaled
+from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import sign_is_negative
@@ -197,13 +197,3 @@ class Solver:
         if not rest.is_zero() or not terms:
             terms.insert(0, tidy(rest))
         return positive_first(terms)
-
-
-def positive_first(terms: Sequence[Expr]) -> Expr:
-    """A sum that does not begin with a minus where it need not."""
-    from freebody.language.notation.parts import signed_terms
-
-    signs = signed_terms(tuple(terms))
-    ordered = [t for t, (minus, _e) in zip(terms, signs, strict=True) if not minus]
-    ordered += [t for t, (minus, _e) in zip(terms, signs, strict=True) if minus]
-    return add(*ordered)

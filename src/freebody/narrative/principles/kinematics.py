@@ -11,18 +11,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from freebody.language.expression import Expr, Symbol, multiply
+from freebody.language.expression import Expr, Symbol
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.script import Sentence
-from freebody.narrative.principles.table import Pair, PrincipleTable, Slot
+from freebody.narrative.principles.acting import Slot
+from freebody.narrative.principles.sides import scaled
 from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
 from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.tidy import tidy
 
 Order = Literal[1, 2]
+Pair = tuple[Ratio, Ratio]
 _LETTERS = {1: ("v", "omega"), 2: ("a", "alpha")}
 _UNITS = {1: ("m/s", "rad/s"), 2: ("m/s^2", "rad/s^2")}
 
@@ -49,11 +52,6 @@ class Term:
         return scaled(self.coefficient, self.symbol)
 
 
-def scaled(coefficient: Ratio, symbol: Expr) -> Expr:
-    """coefficient * symbol as it is written."""
-    return multiply(tidy(coefficient), symbol)
-
-
 @dataclass(frozen=True)
 class _Own:
     """A measure of one body alone: its name and its gradient."""
@@ -67,9 +65,8 @@ class _Own:
 class Kinematics:
     """Symbols for the motion of the bodies of a system in the plane."""
 
-    def __init__(self, table: PrincipleTable, glossary: Glossary) -> None:
-        self.table = table
-        self.model = table.model
+    def __init__(self, model: SymbolicModel, glossary: Glossary) -> None:
+        self.model, self.system = model, model.system
         self.glossary = glossary
         self._own: dict[str, list[_Own]] = {}
         self._slanted: dict[str, list[Pair]] = {}  # directions by body for which there are symbols
@@ -81,7 +78,7 @@ class Kinematics:
             f, found = self.model.field, list[_Own]()
             for name, measure in self.glossary.measures.items():
                 slopes = self.model.gradient(measure)
-                if {b for b, _slot in slopes if not self.table.system.bodies[b].fixed} == {body}:
+                if {b for b, _slot in slopes if not self.system.bodies[b].fixed} == {body}:
                     parts = [slopes.get((body, slot), f.zero) for slot in ("x", "y", "angle")]
                     if all(p.is_constant() for p in parts):
                         found.append(_Own(name, *parts))
@@ -166,12 +163,12 @@ class Kinematics:
     def _slanted_term(self, body: str, k: int, coefficient: Ratio, explicit: Ratio, order: Order) -> Term:
         name = f"{_LETTERS[order][0]}_{body}_{'tnuw'[k % 4]}{k // 4 or ''}"
         unit = self._slanted[body][k]
-        model, center = self.model, self.table.system.bodies[body].mass_center
+        model, center = self.model, self.system.bodies[body].mass_center
 
         def read(world: World) -> float:
-            numbers = model.samples.numbers(world.draw.sample(world.snapshot), world.draw.sample())
+            numbers = world.numbers
             along = [float(model.field.evaluate(u, numbers)) for u in unit]
-            x, y = place(self.table.system, world.snapshot, center, order)
+            x, y = place(self.system, world.snapshot, center, order)
             return float(along[0] * x + along[1] * y)
 
         what = Sentence(f"symbol.slanted_{order}", {"body": body, "x": tidy(unit[0]), "y": tidy(unit[1])})
@@ -191,7 +188,7 @@ class Kinematics:
         self, coefficient: Ratio, body: str, axis: str, direction: Direction, explicit: Ratio, order: Order
     ) -> Term:
         name = f"{_LETTERS[order][0]}_{body}_{axis}"
-        center = self.table.system.bodies[body].mass_center
+        center = self.system.bodies[body].mass_center
         self.glossary.introduce(
             Meaning(
                 Symbol(name),

@@ -6,26 +6,37 @@ from collections.abc import Sequence
 
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
+from freebody.narrative.principles.formal import formal_parts, unknowns_in
+from freebody.narrative.principles.newton import Newton, Solved
+from freebody.narrative.principles.symmetry import Symmetry
+from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.base import Quantity
 from freebody.symbolic.field import Ratio
 
 
 def parts_of(context: Context, quantity: Quantity) -> tuple[tuple[Ratio, ...], list[int]]:
     """A quantity with accelerations and reactions as symbols, and which of these it contains."""
-    if context.system.space:
-        from freebody.narrative.principles.table import PrincipleTable
-        from freebody.narrative.space.spatial import asked
-
-        return asked(context, quantity, PrincipleTable(context.setup.model))
-    parts = context.newton.asked(quantity)
-    return parts, context.newton.unknowns_in(parts)
+    parts = formal_parts(context.acting, quantity) if context.system.space else context.newton.asked(quantity)
+    return parts, unknowns_in(context.acting, parts)
 
 
-def by_momentum(context: Context, script: Script, unknowns: Sequence[int]) -> dict[int, tuple[Ratio, int]]:
-    """Their values and the lines in which these stand."""
-    if context.system.space:
-        from freebody.narrative.space.spatial_kinematics import SpatialKinematics
-        from freebody.narrative.space.spatial_newton import SpatialNewton
+def by_momentum(
+    context: Context, script: Script, unknowns: Sequence[int], kinematics: SpatialKinematics | None = None
+) -> Solved:
+    """Their values and the lines in which these stand. kinematics: with what the script tells of the motion already, in
+    space."""
+    newton = (
+        newton_in_space(context, kinematics or spatial(context, script)) if context.system.space else context.newton
+    )
+    return newton.write(script, newton.plan(unknowns), unknowns)
 
-        return SpatialNewton(context, script, SpatialKinematics(context, script)).derive(unknowns)
-    return context.newton.write(script, context.newton.plan(unknowns), unknowns)
+
+def spatial(context: Context, script: Script) -> SpatialKinematics:
+    """What moves how in space, told in a script."""
+    return SpatialKinematics(context.setup, context.glossary, script, context.introduced)
+
+
+def newton_in_space(context: Context, kinematics: SpatialKinematics) -> Newton:
+    acting, glossary = context.acting, context.glossary
+    return Newton(acting, glossary, SpatialRates(kinematics), Symmetry(acting, glossary, is_sought=False))

@@ -9,21 +9,15 @@ in which ideal reactions do not appear. Source: Kane & Levinson, Dynamics: Theor
 
 from __future__ import annotations
 
-from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Sum, Symbol, add, negate, number
-from freebody.language.notation.parts import signed_terms
-from freebody.language.sentences import Message
+from freebody.language.expression import Expr, Symbol, add, number
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import EliminationRow
-from freebody.narrative.principles.kinematics import scaled
+from freebody.narrative.principles.sides import balanced, readable, scaled
 from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
-
-MOST_TERMS = 120  # of one entry that anybody reads
 
 
 def motion_equations(context: Context, script: Script, *, why: str = "unclosed.kane") -> list[EliminationRow]:
@@ -70,27 +64,3 @@ def loop_lines(context: Context, script: Script) -> list[int]:
         args = {"name": Symbol(c.name), "lines": tuple(found)}
         script.line(rates_of(c.name, 1), tidy(speed), why="unclosed.bound", args=args, uses=tuple(found))
     return found
-
-
-def balanced(x: Expr) -> tuple[Expr, Expr]:
-    """x = 0 as left = right, without minus signs as far as possible."""
-    if not isinstance(x, Sum):
-        return x, number(0)
-    signs = signed_terms(x.terms)
-    left = [t for t, (minus, _e) in zip(x.terms, signs, strict=True) if not minus]
-    right = [negate(t) for t, (minus, _e) in zip(x.terms, signs, strict=True) if minus]
-    if not left:
-        left, right = right, left
-    return add(*left), add(*right) if right else number(0)
-
-
-def readable(x: Ratio) -> Ratio:
-    """The element; raises CannotAnswer for one that is too long to read."""
-    if len(x.num) + len(x.denominator().num) > MOST_TERMS:
-        raise CannotAnswer(
-            Message("its equations of motion are longer than anybody reads; freebody eom writes them out")
-        )
-    return x
-
-
-__all__ = ["balanced", "loop_lines", "motion_equations", "readable"]

@@ -1,19 +1,230 @@
-"""How a person names where a contact acts: the corner, else the connection."""
+"""Directions and points that are worth writing a principle for: what differs between the plane and space.
+
+A reaction drops out of a principle along a direction to which it is perpendicular, and out of one about a point on its
+line of action. So directions are those of named measures, of the axes, along and across reactions; points are mass
+centres and where lines of action meet: pins, contact points, the point above a ladder.
+"""
 
 from __future__ import annotations
 
-from freebody.model.elements import ConstraintRow
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Protocol
+
+from freebody.measures.displacement import Displacement
+from freebody.measures.geometry import GROUND, Pose
 from freebody.narrative.lines.script import Sentence
+from freebody.narrative.principles.acting import Acting
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
+
+Vector = tuple[Ratio, ...]  # by ground components: two in the plane
+MOST_TOGETHER = 7  # bodies that are put together in every possible way
+MOST_AIMS = 6  # directions for several bodies
+MOST_MEETINGS = 12  # of lines of action
 
 
-def place_of(row: ConstraintRow) -> str:
-    """block.bottom_left where that is a point of a body, else the name of the connection."""
-    return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
+@dataclass(frozen=True)
+class Aim:
+    """A direction, and what it is called."""
+
+    vector: Vector
+    words: Sentence
 
 
-def words_of(row: ConstraintRow) -> Sentence | None:
-    """What the reaction of a contact is, said with its place; None for other connections."""
-    if row.reaction not in ("normal force", "friction force") or place_of(row) == row.connection:
-        return None
-    args = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection, "place": place_of(row)}
-    return Sentence("symbol.reaction_at", args)
+@dataclass(frozen=True)
+class MomentCentre:
+    """A point about which moments are taken, by its ground coordinates; `is_fixed` on the ground."""
+
+    place: Vector
+    words: Sentence
+    is_fixed: bool
+    mass_center_of: str = ""
+
+
+@dataclass(frozen=True)
+class MomentAxis:
+    """An axis through a centre; aim: its direction, where there is more than one."""
+
+    vector: Vector
+    aim: Aim | None = None
+
+
+class Places(Protocol):
+    """Where principles are worth writing."""
+
+    def sizes(self, n: int) -> Iterable[int]:
+        """How many of n bodies are taken together."""
+        ...
+
+    def aims(self, bodies: tuple[str, ...]) -> list[Aim]:
+        """Directions of momentum for some bodies together."""
+        ...
+
+    def centres(self, bodies: tuple[str, ...]) -> list[MomentCentre]:
+        """Points about which moments of some bodies are worth taking."""
+        ...
+
+    def axes(self, bodies: tuple[str, ...]) -> list[MomentAxis]:
+        """Axes through these."""
+        ...
+
+    def position(self, body: str) -> Vector:
+        """Where a mass centre is."""
+        ...
+
+    def across(self, axis: MomentAxis, arm: Vector) -> Vector:
+        """axis x arm: what a force there weighs in the moment, since axis . (arm x F) = (axis x arm) . F."""
+        ...
+
+    def turning(self, axis: MomentAxis, body: str) -> Vector:
+        """What a moment on a body weighs in that about an axis, by its slots."""
+        ...
+
+
+class PlanarPlaces:
+    """Directions and points of the plane; moments are about the one axis that points at the reader."""
+
+    def __init__(self, acting: Acting) -> None:
+        self.acting = acting
+        self.model, self.system = acting.model, acting.system
+        self.field = acting.model.field
+        self._aims: dict[str, list[Aim]] = {}
+
+    def sizes(self, n: int) -> Iterable[int]:
+        return range(2, n + 1) if n <= MOST_TOGETHER else ()
+
+    def position(self, body: str) -> Vector:
+        x, y = place_in_plane(self.model, body)
+        return self.acting.here(x), self.acting.here(y)
+
+    def axes(self, bodies: tuple[str, ...]) -> list[MomentAxis]:
+        turn = any(self.system.bodies[body].turns for body in bodies)
+        return [MomentAxis((self.field.one,))] if turn else []
+
+    def across(self, axis: MomentAxis, arm: Vector) -> Vector:
+        return -self.field.lowest_terms(arm[1]), self.field.lowest_terms(arm[0])
+
+    def turning(self, axis: MomentAxis, body: str) -> Vector:
+        return axis.vector
+
+    # -- directions ---------------------------------------------------------------------------
+    def aims(self, bodies: tuple[str, ...]) -> list[Aim]:
+        found = _distinct([aim for body in bodies for aim in self._of_body(body)])
+        return found[: MOST_AIMS if len(bodies) > 1 else None]
+
+    def _of_body(self, body: str) -> list[Aim]:
+        """Directions of named measures, the axes, and those along and across what acts on a body."""
+        if body not in self._aims:
+            # along a force is said rather than across another one
+            self._aims[body] = _distinct([*self._measured(body), *self._axes(), *self._along_forces(body)])
+        return self._aims[body]
+
+    def _axes(self) -> list[Aim]:
+        zero, one = self.field.zero, self.field.one
+        return [Aim((one, zero), Sentence("direction.right")), Aim((zero, one), Sentence("direction.up"))]
+
+    def _measured(self, body: str) -> list[Aim]:
+        found: list[Aim] = []
+        for name, measure in self.system.measures.items():
+            slopes = self.acting.gradient(measure)
+            vector = slopes.get((body, "x"), self.field.zero), slopes.get((body, "y"), self.field.zero)
+            others = [b for b, _slot in slopes if b not in (body, GROUND)]
+            if not others and (body, "angle") not in slopes and _is_unit(vector):
+                found.append(Aim(vector, Sentence("direction.measure", {"name": name})))
+        return found
+
+    def _along_forces(self, body: str) -> list[Aim]:
+        along: list[Aim] = []
+        across: list[Aim] = []
+        for row in self.acting.acting_on(body):
+            slopes = self.acting.directions[row]
+            vector = slopes.get((body, "x"), self.field.zero), slopes.get((body, "y"), self.field.zero)
+            if _is_unit(vector):
+                args = {"force": self.acting.symbols[row].name}
+                along.append(Aim(vector, Sentence("direction.along_force", args)))
+                across.append(Aim((vector[1], -vector[0]), Sentence("direction.across_force", args)))
+        return [*along, *across]
+
+    # -- points -------------------------------------------------------------------------------
+    def centres(self, bodies: tuple[str, ...]) -> list[MomentCentre]:
+        """Mass centres, and where the lines of action of two reactions from outside meet."""
+        f = self.field
+        found: list[MomentCentre] = []
+        if len(bodies) == 1:
+            place = self.position(bodies[0])
+            words = Sentence("point.mass_center", {"body": bodies[0]})
+            found.append(MomentCentre(place, words, self._is_still(place), bodies[0]))
+        rows = self.acting.rows
+        for (row_a, a), (row_b, b) in sorted(
+            combinations(self._lines_of_action(bodies), 2),
+            key=lambda p: rows[p[0][0]].connection != rows[p[1][0]].connection,
+        )[:MOST_MEETINGS]:
+            determinant = a[0] * b[1] - a[1] * b[0]
+            if self.model.samples.vanishes(determinant):
+                continue
+            # r x F = m for both lines, about the origin
+            x = f.lowest_terms((a[0] * b[2] - b[0] * a[2]) / determinant)
+            y = f.lowest_terms((a[1] * b[2] - b[1] * a[2]) / determinant)
+            if not any(c.place == (x, y) for c in found):
+                found.append(MomentCentre((x, y), self._point_words(row_a, row_b), self._is_still((x, y))))
+        return found
+
+    def _is_still(self, place: Vector) -> bool:
+        return self.acting.is_at_rest or all(self.model.samples.vanishes(self.model.rate(x)) for x in place)
+
+    def _point_words(self, row_a: str, row_b: str) -> Sentence:
+        acting = self.acting
+        connection, other = acting.rows[row_a].connection, acting.rows[row_b].connection
+        if connection == other:
+            point = self._named_point(connection)
+            if point:
+                return Sentence("point.named", {"point": point})
+            return Sentence("point.contact", {"connection": connection})
+        return Sentence("point.meeting", {"first": acting.symbols[row_a].name, "second": acting.symbols[row_b].name})
+
+    def _named_point(self, connection: str) -> str:
+        """The name of the point that a pin holds."""
+        rows = [row for row in self.system.held if row.connection == connection]
+        points = [
+            p for row in rows if isinstance(row.measure, Displacement) for p in (row.measure.origin, row.measure.of)
+        ]
+        named = [str(p) for p in points if "." in str(p)]
+        return named[0].removeprefix(f"{GROUND}.") if len(points) == 2 * len(rows) > 2 and named else ""
+
+    def _lines_of_action(self, bodies: tuple[str, ...]) -> list[tuple[str, Vector]]:
+        """Force, and moment about the origin, of every reaction that acts on some bodies together from outside."""
+        rows = dict.fromkeys(row for body in bodies for row in self.acting.acting_on(body))
+        found = [(row, self._resultant(row, bodies)) for row in rows]
+        return [(row, line) for row, line in found if any(not v.is_zero() for v in line[:2])]
+
+    def _resultant(self, row: str, bodies: tuple[str, ...]) -> Vector:
+        f = self.field
+        fx = fy = moment = f.zero
+        for body in bodies:
+            gx, gy, gm = (self.acting.directions[row].get((body, slot), f.zero) for slot in ("x", "y", "angle"))
+            x, y = self.position(body)
+            fx, fy, moment = fx + gx, fy + gy, moment + gm + x * gy - y * gx
+        return f.lowest_terms(fx), f.lowest_terms(fy), f.lowest_terms(moment)
+
+
+def place_in_plane(model: SymbolicModel, body: str) -> tuple[Ratio, Ratio]:
+    """Where a mass centre is."""
+    pose = model.geometry.pose(body)
+    assert isinstance(pose, Pose)
+    return pose.x, pose.y
+
+
+def _is_unit(v: Vector) -> bool:
+    return (v[0] * v[0] + v[1] * v[1] - 1).is_zero()
+
+
+def _distinct(aims: Sequence[Aim]) -> list[Aim]:
+    """Without those that are parallel to an earlier one."""
+    found: list[Aim] = []
+    for aim in aims:
+        x, y = aim.vector
+        if not any((x * other.vector[1] - y * other.vector[0]).is_zero() for other in found):
+            found.append(aim)
+    return found

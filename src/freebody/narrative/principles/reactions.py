@@ -1,44 +1,60 @@
-"""Symbols for reactions, with what they mean and how the numeric route reads them; in the plane and in space."""
+"""Symbols for reactions: what they mean in words, where they act, and how the numeric route reads them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from freebody.language.expression import Symbol
+from freebody.language.expression import Expr
+from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
-from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.naming import named
-from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.system.symbols import reaction_symbols
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.principles.acting import Acting
 
 
-def introduce_reactions(context: Context, script: Script, rows: Iterable[str], known: set[str]) -> None:
-    """A legend of the reactions of some rows, without those in `known`, which grows."""
-    symbols, held = reaction_symbols(context.system), {row.name: row for row in context.system.held}
-    new = [name for name in dict.fromkeys(rows) if symbols[name].name not in known]
-    known |= {symbols[name].name for name in new}
-    if new:
-        meanings = [
-            Meaning(Symbol(symbols[n].name), words_of(context, held[n]), reader(n), _unit(held[n])) for n in new
-        ]
-        named(context, script, *meanings)
+def name_reactions(script: Script, glossary: Glossary, acting: Acting, rows: Iterable[str], known: set[str]) -> None:
+    """A legend of the reactions of some rows, without those whose symbols are in `known`, which grows."""
+    entries: list[tuple[Expr, Sentence, str]] = []
+    for name in dict.fromkeys(rows):
+        symbol = acting.symbol(name)
+        if symbol.name not in known:
+            known.add(symbol.name)
+            meaning = Meaning(symbol, words_of(acting, name), reader(name), _unit(acting.rows[name]))
+            glossary.introduce(meaning)
+            entries.append((symbol, meaning.what, meaning.unit))
+    if entries:
+        script.add(Legend(tuple(entries)))
 
 
-def words_of(context: Context, row: ConstraintRow) -> Sentence:
+def words_of(acting: Acting, name: str) -> Sentence:
     """What a reaction is, in words."""
+    row = acting.rows[name]
     args: dict[str, Argument] = {"reaction": f"@reaction.{row.reaction}", "connection": row.connection}
+    alike = [r for r in acting.rows.values() if (r.connection, r.reaction) == (row.connection, row.reaction)]
+    if row.ends and len(alike) > 1 and row.reaction in CONTACT_FORCES and place_of(row) != row.connection:
+        return Sentence("symbol.reaction_at", {**args, "place": place_of(row)})
     axis = row.component.split()[-1]
     if axis in ("x", "y", "z"):
-        return Sentence("space.reaction_component", {**args, "axis": f"@{axis}"})
-    alike = [r for r in context.system.held if (r.connection, r.reaction) == (row.connection, row.reaction)]
-    if len(alike) > 1:
-        return Sentence("space.reaction_row", {**args, "row": f"@{row.component}"})
+        return Sentence("symbol.reaction_component", {**args, "axis": f"@{axis}"})
+    if len(alike) > 1 and acting.system.space:
+        return Sentence("symbol.reaction_row", {**args, "row": f"@{row.component}"})
+    if row.ends and len(alike) > 1:
+        return Sentence("symbol.reaction_between", {**args, "ends": tuple(row.ends)})
     return Sentence("symbol.reaction", args)
 
 
+CONTACT_FORCES = ("normal force", "friction force")
+
+
+def place_of(row: ConstraintRow) -> str:
+    """Where a contact acts, as a person names it: block.bottom_left where that is a point of a body, else the name of
+    the connection."""
+    return row.ends[0] if row.ends and "." in row.ends[0] else row.connection
+
+
 def _unit(row: ConstraintRow) -> str:
-    return "N m" if "moment" in row.reaction or "torque" in row.reaction else "N"
+    """A reaction times the change of what its row holds is work."""
+    return str(ENERGY / row.measure.dimension)
 
 
 def reader(name: str) -> Callable[[World], float]:

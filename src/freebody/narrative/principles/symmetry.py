@@ -11,12 +11,13 @@ import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.model.elements import ConstraintRow
-from freebody.narrative.lines.glossary import World
-from freebody.narrative.principles.table import PrincipleTable
+from freebody.narrative.lines.glossary import Glossary, World
+from freebody.narrative.principles.acting import Acting
 
 _ALIKE = 1e-8
 
@@ -29,17 +30,40 @@ class Copies:
     rows: Mapping[str, str]
 
 
-def copies(table: PrincipleTable, worlds: Sequence[World]) -> list[Copies]:
+class Symmetry:
+    """The copies of a system, found when they are first asked for. is_sought: without it no body stands for another."""
+
+    def __init__(self, acting: Acting, glossary: Glossary, *, is_sought: bool = True) -> None:
+        self._acting, self._glossary, self._is_sought = acting, glossary, is_sought
+
+    @cached_property
+    def copies(self) -> list[Copies]:
+        """Bodies that are treated once."""
+        return copies(self._acting, list(self._glossary.worlds("always"))) if self._is_sought else []
+
+    @cached_property
+    def merged(self) -> dict[str, str]:
+        """Rows whose reaction is that of another one by symmetry."""
+        return {row: same for group in self.copies for row, same in group.rows.items()}
+
+    @property
+    def speaking(self) -> list[str]:
+        """Bodies that are not spoken for by another one."""
+        others = {name for group in self.copies for name in group.bodies[1:]}
+        return [body.name for body in self._acting.system.moving if body.name not in others]
+
+
+def copies(acting: Acting, worlds: Sequence[World]) -> list[Copies]:
     """All sets of copies in a system."""
     found: list[Copies] = []
-    left = [body.name for body in table.system.moving]
+    left = [body.name for body in acting.system.moving]
     while left:
         first, *others = left
         alike: list[str] = [first]
         rows: dict[str, str] = {}
         for other in others:
-            exchanged = _exchanged(table, first, other)
-            if exchanged is not None and _are_alike(table, first, other, exchanged, worlds):
+            exchanged = _exchanged(acting, first, other)
+            if exchanged is not None and _are_alike(acting, first, other, exchanged, worlds):
                 alike.append(other)
                 rows |= exchanged
         left = [name for name in others if name not in alike]
@@ -48,11 +72,11 @@ def copies(table: PrincipleTable, worlds: Sequence[World]) -> list[Copies]:
     return found
 
 
-def _exchanged(table: PrincipleTable, first: str, other: str) -> dict[str, str] | None:
+def _exchanged(acting: Acting, first: str, other: str) -> dict[str, str] | None:
     """The rows of the other body by those of the first; None where they do not correspond."""
-    if _build(table, first) != _build(table, other) or _loads(table, first) != _loads(table, other):
+    if _build(acting, first) != _build(acting, other) or _loads(acting, first) != _loads(acting, other):
         return None
-    mine, its = ([table.rows[r] for r in table.acting_on(body)] for body in (first, other))
+    mine, its = ([acting.rows[r] for r in acting.acting_on(body)] for body in (first, other))
     by_sign = {_signature(row, first): row.name for row in mine}
     pairs = {row.name: by_sign.get(_signature(row, other)) for row in its}
     if len(mine) != len(its) or None in pairs.values() or len(set(pairs.values())) != len(pairs):
@@ -60,14 +84,14 @@ def _exchanged(table: PrincipleTable, first: str, other: str) -> dict[str, str] 
     return {row: same for row, same in pairs.items() if same is not None and row != same}
 
 
-def _build(table: PrincipleTable, name: str) -> tuple[object, ...]:
-    body = table.system.bodies[name]
+def _build(acting: Acting, name: str) -> tuple[object, ...]:
+    body = acting.system.bodies[name]
     return body.mass, body.inertia, body.radius, body.turns
 
 
-def _loads(table: PrincipleTable, name: str) -> list[tuple[Expr, str]]:
-    acting = [p for p in table.system.pushes if name in set(p.measure.bodies())]
-    return sorted(((p.law, p.load) for p in acting), key=lambda pair: (str(pair[0]), pair[1]))
+def _loads(acting: Acting, name: str) -> list[tuple[Expr, str]]:
+    pushes = [p for p in acting.system.pushes if name in set(p.measure.bodies())]
+    return sorted(((p.law, p.load) for p in pushes), key=lambda pair: (str(pair[0]), pair[1]))
 
 
 def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:
@@ -75,14 +99,14 @@ def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:
     return row.component, row.reaction, row.sign, type(row.measure).__name__, others
 
 
-def _are_alike(table: PrincipleTable, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
-    model = table.model
+def _are_alike(acting: Acting, first: str, other: str, rows: Mapping[str, str], worlds: Sequence[World]) -> bool:
+    model = acting.model
     if not (model.kinematics.body_accelerations[first][2] - model.kinematics.body_accelerations[other][2]).is_zero():
         return False
     for world in worlds:
         for row, same in rows.items():
             with suppress(CannotAnswer):
-                a, b = (world.snapshot.multiplier(table.rows[name]) for name in (row, same))
+                a, b = (world.snapshot.multiplier(acting.rows[name]) for name in (row, same))
                 if not math.isclose(a, b, rel_tol=_ALIKE, abs_tol=_ALIKE):
                     return False
     return True

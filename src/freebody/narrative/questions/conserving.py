@@ -20,8 +20,7 @@ from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
-from freebody.narrative.principles.reactions import introduce_reactions
-from freebody.narrative.principles.table import PrincipleTable
+from freebody.narrative.principles.reactions import name_reactions
 from freebody.numeric.jets import Array
 from freebody.numeric.start import start_velocities
 from freebody.questions.base import Quantity
@@ -186,9 +185,9 @@ class _ConservingTelling:
         self._silent(part, principle)
         f = self.model.field
         used = {g for _n, x in principle.parts for g in f.ingredients(x)}
-        table = PrincipleTable(self.model)
-        rows = [row for row, r in table.reactions.items() if f.index(r) in used]
-        introduce_reactions(self.context, self.script, rows, self.known)
+        acting = self.context.acting
+        rows = [row for row in acting.rows if acting.generator(row) in used]
+        name_reactions(self.script, self.context.glossary, acting, rows, self.known)
         terms: list[Expr] = []
         for name, x in principle.parts:
             x = f.lowest_terms(self.model.in_independent_speeds(f.element(x)))
@@ -206,7 +205,7 @@ class _ConservingTelling:
         """The principle with reactions as symbols; None for a quantity that has none of its own."""
         if part.finding.principle is None and part.finding.is_conserved is not True:
             return None
-        state = FormalState(PrincipleTable(self.model))
+        state = FormalState(self.context.acting)
         try:
             return RateBalance(part.quantity, self.system, state, part.name).by_principle()
         except CannotAnswer:

@@ -18,6 +18,7 @@ from freebody.narrative.lines.script import Argument, DerivationStage, Legend, S
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
+from freebody.narrative.principles.sides import positive_first
 from freebody.narrative.questions.instant import asked_symbol
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
@@ -131,8 +132,6 @@ def _uniform(way: _EventWay) -> list[int]:
 
 def _sum(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
     """first + coefficient * symbol + ..., without what vanishes."""
-    from freebody.narrative.principles.elimination import positive_first
-
     shown = [] if first.is_zero() else [tidy(first)]
     shown += [multiply(tidy(c), e) for c, e in terms if not c.is_zero()]
     return positive_first(shown) if shown else number(0)
@@ -214,8 +213,6 @@ def _oscillation(way: _EventWay, beta: Ratio, center: Ratio, x0: Ratio, u0: Rati
     w = f.sqrt(-beta if is_bound else beta, model.samples.is_negative)
     wave, other = ("cos", "sin") if is_bound else ("cosh", "sinh")
     angle = multiply(tidy(w), TIME)
-    from freebody.narrative.principles.elimination import positive_first
-
     parts = [] if center.is_zero() else [tidy(center)]
     if not x0.is_zero():
         parts.append(multiply(tidy(f.lowest_terms(x0)), Call(wave, angle)))

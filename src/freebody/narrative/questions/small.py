@@ -24,7 +24,8 @@ from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, Script, Sentence
 from freebody.narrative.principles.analytic import by_lagrange
 from freebody.narrative.principles.elimination import EliminationRow
-from freebody.narrative.principles.motion_equations import balanced, motion_equations
+from freebody.narrative.principles.motion_equations import motion_equations
+from freebody.narrative.principles.sides import balanced
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.questions.base import Quantity
 from freebody.questions.motion import rates_of

@@ -11,9 +11,9 @@ from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.narrative.principles.elimination import positive_first
-from freebody.narrative.principles.kinematics import Term, scaled
+from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.loops import loop_lines
+from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
 from freebody.questions.energy import Energy
@@ -43,14 +43,14 @@ def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], lis
     """Lines, and the symbols of the parts whose sum it is: by default the constraints of the bodies that it reads."""
     bodies = [b for b in q.bodies_in_motion if b in context.setup.model.kinematics.velocities]
     with script.stage("stage.kinematics", "hint.velocities"):
-        return [line for b in bodies for line in context.newton.constraints_of(script, b)], []
+        return [line for b in bodies for line in context.rates.constraints_of(script, b)], []
     return [], []
 
 
 # -- velocities -------------------------------------------------------------------------------
 def _velocity(context: Context, body: str) -> tuple[list[Term], list[Term]]:
     """The velocity of a mass centre as terms to be squared and added: one along its path, else two components."""
-    kin, f = context.newton.kinematics, context.setup.model.field
+    kin, f = context.rates.kinematics, context.setup.model.field
     x = kin.along(body, (f.one, f.zero), 1)
     y = kin.along(body, (f.zero, f.one), 1)
     return x, y
@@ -102,7 +102,7 @@ def _energy(q: Energy, context: Context, script: Script) -> tuple[list[int], lis
 def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     """T = m v^2/2 + I w^2/2 of one body, and the constraints that its velocity obeys."""
     square, terms = _square(context, body)
-    turning = context.newton.kinematics.turning(body, 1) if context.system.bodies[body].turns else None
+    turning = context.rates.kinematics.turning(body, 1) if context.system.bodies[body].turns else None
     mass, _m, inertia = context.setup.model.dynamics.inertias[body]
     parts: list[Expr] = []
     if square is not None and not mass.is_zero():
@@ -116,9 +116,9 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
     what = Sentence("symbol.kinetic_of", {"body": body})
     context.glossary.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
     script.add(Legend(((symbol, what, "J"),)))
-    context.newton.introduce_terms(script, terms)
+    context.rates.announce(script, terms)
     own = script.line(symbol, add(*parts), why="energy.of_body", args={"body": body})
-    return [own, *context.newton.explain_velocities(script, terms)]
+    return [own, *context.rates.explain_velocities(script, terms)]
 
 
 def _potential_of(context: Context, script: Script, load: str, body: str | None) -> int:
@@ -148,8 +148,8 @@ def _momentum(q: Momentum, context: Context, script: Script) -> tuple[list[int],
         for body in context.system.moving:
             if is_among(body.name, q.body):
                 x, y = _velocity(context, body.name)
-                context.newton.introduce_terms(script, [*x, *y])
-                lines += context.newton.explain_velocities(script, [*x, *y])
+                context.rates.announce(script, [*x, *y])
+                lines += context.rates.explain_velocities(script, [*x, *y])
     return lines, []
 
 
@@ -173,7 +173,7 @@ def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBo
     system, f = context.system, context.setup.model.field
     mass, _m, inertia = context.setup.model.dynamics.inertias[body.name]
     x, y = _velocity(context, body.name)
-    turning = context.newton.kinematics.turning(body.name, 1) if body.turns else None
+    turning = context.rates.kinematics.turning(body.name, 1) if body.turns else None
     about, _v = point_about(system, context.setup.state, q)
     arm = [a - b for a, b in zip(place(system, context.setup.state, body.mass_center), about, strict=True)]
     shown: list[Expr] = []
@@ -189,9 +189,9 @@ def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBo
     context.glossary.introduce(Meaning(symbol, what, AngularMomentum(body.name, point or ORIGIN), "kg m^2/s"))
     script.add(Legend(((symbol, what, "kg m^2/s"),)))
     moving = [*x, *y, *([turning] if turning is not None else [])]
-    context.newton.introduce_terms(script, moving)
+    context.rates.announce(script, moving)
     own = script.line(symbol, positive_first(shown), why="momentum.of_body", args={"body": body.name})
-    return [own, *context.newton.explain_velocities(script, moving)]
+    return [own, *context.rates.explain_velocities(script, moving)]
 
 
 # -- instant centres --------------------------------------------------------------------------

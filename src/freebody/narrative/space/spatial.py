@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import singledispatch, singledispatchmethod
-from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
@@ -14,8 +13,7 @@ from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
-from freebody.narrative.principles.formal import FormalState
-from freebody.narrative.principles.table import PrincipleTable
+from freebody.narrative.principles.momentum import by_momentum, parts_of, spatial
 from freebody.narrative.questions.instant import asked_symbol, finish, side_of
 from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
@@ -37,8 +35,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     script = context.script()
-    table = PrincipleTable(context.setup.model)
-    parts, unknowns = asked(context, question.quantity, table)
+    parts, unknowns = parts_of(context, question.quantity)
     telling = SpatialTelling(context, script, at_start=question.at_start)
     found: dict[int, tuple[Ratio, int]] = {}
     before = AnswerParts(())
@@ -47,7 +44,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if unknowns:
         if question.quantity.kinematic_order is not None and question.quantity.watched is None:
             before = telling.parts(question.quantity)
-        found = _unknowns(context, script, telling.kinematics, table, unknowns, method)
+        found = _unknowns(context, script, telling.kinematics, unknowns, method)
     else:
         refuse(method, (), Message("what follows from the state alone"))
         before = telling.parts(question.quantity)
@@ -75,22 +72,10 @@ def finish_at_start(
         script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
 
 
-def asked(context: Context, quantity: Quantity, table: PrincipleTable) -> tuple[tuple[Ratio, ...], list[int]]:
-    """A quantity with accelerations and reactions as symbols, and which of these it contains."""
-    model, f = context.setup.model, context.setup.model.field
-    value: Any = quantity.value(context.system, FormalState(table))
-    parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
-    elements = tuple(f.lowest_terms(model.in_independent_speeds(f.element(p))) for p in parts)
-    used = {g for p in elements for g in f.ingredients(p)}
-    reactions = {f.index(r) for r in table.reactions.values()}
-    return elements, sorted(g for g in used if g in reactions or g in set(model.accelerations))
-
-
 def _unknowns(
     context: Context,
     script: Script,
     kinematics: SpatialKinematics,
-    table: PrincipleTable,
     unknowns: Sequence[int],
     method: Method,
 ) -> dict[int, tuple[Ratio, int]]:
@@ -98,9 +83,7 @@ def _unknowns(
         from freebody.narrative.principles.analytic import by_energy, by_lagrange
 
         return (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
-    from freebody.narrative.space.spatial_newton import SpatialNewton
-
-    return SpatialNewton(context, script, kinematics).derive(unknowns)
+    return by_momentum(context, script, unknowns, kinematics)
 
 
 class SpatialTelling:
@@ -108,7 +91,7 @@ class SpatialTelling:
 
     def __init__(self, context: Context, script: Script, *, at_start: bool = False) -> None:
         self.context, self.script, self.at_start = context, script, at_start
-        self.kinematics = SpatialKinematics(context, script)
+        self.kinematics = spatial(context, script)
         self.is_formal = False  # whether a sum is told by symbols that have values at the start
 
     def parts(self, q: Quantity) -> AnswerParts:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.script import Argument, Legend, Sentence
-from freebody.narrative.principles.motion_equations import balanced, readable
+from freebody.narrative.principles.sides import balanced, readable
 from freebody.narrative.space.spatial_frames import Frames
 from freebody.questions.motion import OfMeasure, rates_of
 from freebody.study.eom import primitive_part
@@ -20,31 +20,32 @@ from freebody.symbolic.tidy import tidy
 class Angles:
     """Rates of the angles by which bodies are turned, each explained once."""
 
-    def __init__(self, frames: Frames) -> None:
-        self.frames, self.context, self.script = frames, frames.context, frames.script
+    def __init__(self, frames: Frames, introduced: Collection[str] = ()) -> None:
+        """introduced: names that need no legend."""
+        self.frames, self.system, self.glossary = frames, frames.system, frames.glossary
         self.model, self.bodies, self.field = frames.model, frames.bodies, frames.field
         self.independent = {c.name for c in self.model.coordinates}
         self.bound = {c.name for c in self.model.dependent}
         self.lines: dict[str, tuple[int, ...]] = {}  # by angle: where its rate is told
-        self._introduced: set[str] = set()
+        self._introduced: set[str] = set(introduced)
 
     # -- symbols ------------------------------------------------------------------------------
     def introduce(self, names: Iterable[str]) -> None:
         """Joint angles that are no measures of the model, with their rates."""
         entries: list[tuple[Expr, Sentence, str]] = []
         for name in names:
-            if name in self.context.system.measures:
+            if name in self.system.measures:
                 continue
             measure = self.bodies.tree.angles[name]
             for order in (0, 1, 2):
                 symbol = rates_of(name, order)
                 what = Sentence("space.joint_angle", {"name": name})
-                self.context.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
-            if name not in self.context.introduced and name not in self._introduced:
+                self.glossary.introduce(Meaning(symbol, what, OfMeasure(measure, order, name)))
+            if name not in self._introduced:
                 entries.append((Symbol(name), Sentence("space.joint_angle", {"name": name}), "rad"))
                 self._introduced.add(name)
         if entries:
-            self.script.add(Legend(tuple(entries)))
+            self.frames.script.add(Legend(tuple(entries)))
 
     # -- rates --------------------------------------------------------------------------------
     def explain(self, names: Iterable[str]) -> tuple[int, ...]:
@@ -70,26 +71,26 @@ class Angles:
         row = self._row_for(name)
         if row is None:
             value = readable(self.rate(name))
-            return (self.script.line(rates_of(name, 1), tidy(value), why="space.rate_known"),)
+            return (self.frames.script.line(rates_of(name, 1), tidy(value), why="space.rate_known"),)
         equation = self.model.equation(row)
         others = [n for n in self._angles_in(equation) if n != name]
         self.introduce([name, *others])
         before = self.explain(others)
         args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
-        place = self.script.line(*balanced(tidy(primitive_part(equation))), why="space.loop", args=args)
+        place = self.frames.script.line(*balanced(tidy(primitive_part(equation))), why="space.loop", args=args)
         lines = [place]
         tangent = self._tangent(equation, name, place)
         lines += [] if tangent is None else [tangent]
         raw = self.field.lowest_terms(self.field.rate(equation))
         sides, value = balanced(tidy(raw.numerator())), readable(self.rate(name))
-        rate_line = self.script.line(*sides, why="space.loop_rate", args={"line": place}, uses=(place,))
+        rate_line = self.frames.script.line(*sides, why="space.loop_rate", args={"line": place}, uses=(place,))
         if sides == (rates_of(name, 1), tidy(value)):
             return (rate_line,)
         uses = tuple(dict.fromkeys((rate_line, *lines[1:], *before)))
         key: dict[str, Argument] = {"line": rate_line, "lines": uses[1:]}
         why = "space.loop_solved" if len(uses) == 1 else "space.loop_solved_with"
         left = rates_of(name, 1)
-        return (self.script.line(left, tidy(value), why=why, args=key, uses=uses),)
+        return (self.frames.script.line(left, tidy(value), why=why, args=key, uses=uses),)
 
     def _tangent(self, equation: Ratio, name: str, place: int) -> int | None:
         """a cos q + b sin q = 0 as tan q = -a/b."""
@@ -105,13 +106,13 @@ class Angles:
             return None
         value = tidy(self.field.lowest_terms(-in_cos[1] / in_sin[1]))
         left = Call("tan", Symbol(name))
-        return self.script.line(left, value, why="space.tangent", args={"line": place}, uses=(place,))
+        return self.frames.script.line(left, value, why="space.tangent", args={"line": place}, uses=(place,))
 
     # -- which equation -----------------------------------------------------------------------
     def _row_for(self, name: str) -> ConstraintRow | None:
         """The held row that binds an angle with the fewest others that are bound as well."""
         best: tuple[tuple[int, int], ConstraintRow] | None = None
-        for row in self.context.system.held:
+        for row in self.system.held:
             if isinstance(row.measure, NonholonomicForm) or row.name in self.bodies.tree.rows:
                 continue
             try:

@@ -57,7 +57,7 @@ def by_euler(
 ) -> None:
     """The angular acceleration along the body's own axes, from Euler's equations."""
     model, f = kinematics.model, kinematics.field
-    axes = axes_of_body(context, q.body)
+    axes = axes_of_body(context.system, q.body)
     moments_of_inertia = model.dynamics.inertias[q.body][3:6]
     inertia = [tidy(x) for x in moments_of_inertia]
     moments = [f.lowest_terms(model.in_independent_speeds(x)) for x in model.loads.wrenches[q.body][3:]]
@@ -104,7 +104,7 @@ def omega_symbols(context: Context, kinematics: SpatialKinematics, body: str) ->
     def reads(world: World) -> Sequence[float]:
         return tuple(AngularVelocity(body, 1).value(context.system, world.snapshot))
 
-    axes = axes_of_body(context, body)
+    axes = axes_of_body(context.system, body)
     return kinematics.introduce(f"omega_{body}", "omega", body, axes, reads, "rad/s")
 
 

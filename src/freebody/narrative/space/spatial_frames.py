@@ -8,15 +8,16 @@ from dataclasses import dataclass
 from freebody.language.expression import Expr, Symbol
 from freebody.measures.geometry import GROUND
 from freebody.model.spins import body_axes
-from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import component_names
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.vectors import AXES, Basis, components_of, dot
+from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
 
 Vector = tuple[Ratio, ...]
 Reads = Callable[[World], Sequence[float]]  # of a vector, by ground components
@@ -37,9 +38,9 @@ class Axes:
         return Sentence("space.axes_body", {"body": self.body})
 
 
-def axes_of_body(context: Context, body: str) -> Axes:
+def axes_of_body(system: System, body: str) -> Axes:
     """The axes of a body; those of the ground for one that is fixed."""
-    if context.system.bodies[body].fixed:
+    if system.bodies[body].fixed:
         return Axes(_GROUND, GROUND)
     return Axes(body_axes(body), body)
 
@@ -52,13 +53,14 @@ def axes_of(basis: Basis | None) -> Axes:
 class Frames:
     """Components of vectors, and lines that state them."""
 
-    def __init__(self, context: Context, script: Script) -> None:
-        self.context, self.script = context, script
-        self.model = model = context.setup.model
+    def __init__(self, setup: Setup, glossary: Glossary, script: Script) -> None:
+        self.setup, self.glossary, self.script = setup, glossary, script
+        self.system = setup.system
+        self.model = model = setup.model
         assert isinstance(model.bodies, SpatialBodies)
         self.bodies: SpatialBodies = model.bodies
         self.field = model.field
-        self.state: SymbolicState = context.setup.state
+        self.state: SymbolicState = setup.state
 
     def express(self, x: Ratio) -> Ratio:
         """In the coordinates that are left."""
@@ -76,7 +78,7 @@ class Frames:
     def introduce(self, name: str, what: str, body: str, axes: Axes, reads: Reads, unit: str) -> tuple[Symbol, ...]:
         """Symbols for the components of a vector."""
         symbols = component_names(name)
-        taken = {*self.context.system.parameters, *self.context.glossary.measures}
+        taken = {*self.system.parameters, *self.glossary.measures}
         if any(s.name in taken for s in symbols):
             symbols = component_names(f"{name}_c")
 
@@ -95,7 +97,7 @@ class Frames:
         entries: list[tuple[Expr, Sentence, str]] = []
         for k, symbol in enumerate(symbols):
             said = Sentence(f"space.{what}", {"body": body, "axis": f"@{'xyz'[k]}", "axes": axes.words})
-            self.context.glossary.redefine(Meaning(symbol, said, read(k), unit))
+            self.glossary.redefine(Meaning(symbol, said, read(k), unit))
             entries.append((symbol, said, unit))
         self.script.add(Legend(tuple(entries)))
         return symbols

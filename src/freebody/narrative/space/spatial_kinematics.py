@@ -8,38 +8,43 @@ Source: Ginsberg, Engineering Dynamics, 2008, sec. 3.3-3.6.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Collection, Sequence
 
-from freebody.connections.rolling import Rolling
 from freebody.language.expression import Call, Expr, Symbol, add, number, rate_key
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
-from freebody.model.state import State
-from freebody.narrative.context import Context
-from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.narrative.principles.kinematics import scaled
-from freebody.narrative.principles.motion_equations import balanced, readable
+from freebody.narrative.principles.rolling import contact_arm, rolling_body
+from freebody.narrative.principles.sides import balanced, readable, scaled
 from freebody.narrative.space.spatial_angles import Angles
 from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
 from freebody.questions.motion import AngularVelocity, OfPoint, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.eom import primitive_part
+from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
+from freebody.system.system import System
 
 
 class SpatialKinematics(Frames):
     """Writes what moves how, each vector once for each set of axes."""
 
-    def __init__(self, context: Context, script: Script) -> None:
-        super().__init__(context, script)
-        self.angles = Angles(self)
+    def __init__(self, setup: Setup, glossary: Glossary, script: Script, introduced: Collection[str] = ()) -> None:
+        """introduced: names of angles that need no legend."""
+        super().__init__(setup, glossary, script)
+        self.angles = Angles(self, introduced)
         self.told: dict[tuple[str, ...], tuple[tuple[Expr, ...], int]] = {}  # components and line
         self.velocity_lines: tuple[int, ...] | None = None  # what binds velocities alone
+
+    def begin(self) -> None:
+        """A derivation begins: nothing has been told in it yet."""
+        self.told.clear()
+        self.angles.lines.clear()
+        self.velocity_lines = None
 
     # -- turning ------------------------------------------------------------------------------
     def turning(self, body: str) -> list[tuple[str, Vector]]:
@@ -66,7 +71,7 @@ class SpatialKinematics(Frames):
                 name = f"omega_{body}"
             else:
                 name = f"omega_{body}" if axes.body == GROUND else f"omega_{body}_{axes.body}"
-            symbols = self.introduce(name, "omega", body, axes, _turning(self.context, body), "rad/s")
+            symbols = self.introduce(name, "omega", body, axes, _turning(self.system, body), "rad/s")
             sides = tuple(
                 _sum([scaled(axis[k], rate) for rate, axis in terms if not axis[k].is_zero()]) for k in range(3)
             )
@@ -80,10 +85,10 @@ class SpatialKinematics(Frames):
         symbols, _line = self.omega(body, axes)
         rates: list[Expr] = []
         for symbol in symbols:
-            read = self.context.glossary.meanings[rate_key(symbol)].read
+            read = self.glossary.meanings[rate_key(symbol)].read
             assert callable(read)
             rate, said = Call("rate", symbol), Sentence("space.rate_of", {"name": symbol})
-            self.context.glossary.redefine(Meaning(rate, said, rate_of(read), "rad/s^2"))
+            self.glossary.redefine(Meaning(rate, said, rate_of(read), "rad/s^2"))
             rates.append(rate)
         if axes.body in (GROUND, body):
             return tuple(rates)
@@ -133,7 +138,7 @@ class SpatialKinematics(Frames):
             args: dict[str, Argument] = {"line": place}
             lines.append(self.script.line(*balanced(tidy(rate)), why="space.loop_rate", args=args, uses=(place,)))
         rolling: dict[str, None] = {}
-        for row in self.context.system.held:
+        for row in self.system.held:
             if isinstance(row.measure, NonholonomicForm):
                 rolling[row.connection] = None
         for connection in rolling:
@@ -149,12 +154,12 @@ class SpatialKinematics(Frames):
         return tuple(found)
 
     def _rolling(self, connection: str) -> list[int]:
-        found = self.rolling_body(connection)
+        found = rolling_body(self.system, connection)
         if found is None:
             return self._rate_rows(connection)
         body, plane = found
         axes = axes_of(None) if self.model.coordinates else self._handy_axes(body)
-        r_symbols, r_line = self.contact_arm(body, plane, axes)
+        r_symbols, r_line = self.arm_to_contact(body, plane, axes)
         v_symbols, v_line = self.velocity(body, axes)
         w_symbols, w_line = self.omega(body.name, axes)
         omega = [self.field.zero] * 3
@@ -182,7 +187,7 @@ class SpatialKinematics(Frames):
     def _rate_rows(self, connection: str) -> list[int]:
         """What a connection says of velocities, row by row."""
         found: list[int] = []
-        for row in self.context.system.held:
+        for row in self.system.held:
             if row.connection == connection and isinstance(row.measure, NonholonomicForm):
                 rate = self.field.lowest_terms(self.state.raw_rate(row.measure))
                 if not rate.is_zero():
@@ -191,24 +196,12 @@ class SpatialKinematics(Frames):
                     found.append(self.script.line(*sides, why="space.velocity_row", args=args))
         return found
 
-    def rolling_body(self, connection: str) -> tuple[RigidBody, BodyPlane] | None:
-        """A disk or a sphere and the fixed plane on which it rolls."""
-        data = self.context.system.connections[connection]
-        if not isinstance(data, Rolling) or data.on is None or data.radius is not None:
-            return None
-        owner, _, name = data.on.rpartition(".")
-        ground = self.context.system.bodies[owner or GROUND]
-        body, plane = self.context.system.bodies[data.body], ground.planes.get(name)
-        if plane is None or not ground.fixed or body.round not in ("disk", "sphere") or body.radius is None:
-            return None
-        return body, plane
-
     # -- vectors ------------------------------------------------------------------------------
-    def contact_arm(self, body: RigidBody, plane: BodyPlane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
+    def arm_to_contact(self, body: RigidBody, plane: BodyPlane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
         """From the centre to the point of contact."""
 
         def reads(world: World) -> Sequence[float]:
-            return tuple(map(float, _arm_of(body, plane, world.snapshot)))
+            return tuple(map(float, contact_arm(body, plane, world.snapshot)))
 
         arm = self.along(self.arm(body, plane), axes)
         symbols = self.introduce(f"r_{body.name}", "arm", body.name, axes, reads, "m")
@@ -216,7 +209,7 @@ class SpatialKinematics(Frames):
         return symbols, self.script.line(symbols, self.shown(arm), why="space.arm_is", args=args)
 
     def arm(self, body: RigidBody, plane: BodyPlane) -> Vector:
-        found = _arm_of(body, plane, self.state)
+        found = contact_arm(body, plane, self.state)
         return tuple(self.field.lowest_terms(self.field.element(x)) for x in found)
 
     def velocity(self, body: RigidBody, axes: Axes) -> tuple[tuple[Expr, ...], int]:
@@ -225,7 +218,7 @@ class SpatialKinematics(Frames):
         if key not in self.told:
 
             def reads(world: World) -> Sequence[float]:
-                return tuple(OfPoint(body.center, 1).value(self.context.system, world.snapshot))
+                return tuple(OfPoint(body.center, 1).value(self.system, world.snapshot))
 
             place = self.place(body.center, str(body.name))
             raw = self.along(self._raw_velocity(body), axes)
@@ -241,7 +234,7 @@ class SpatialKinematics(Frames):
         if key not in self.told:
 
             def reads(world: World) -> Sequence[float]:
-                return tuple(OfPoint(point, 0).value(self.context.system, world.snapshot))
+                return tuple(OfPoint(point, 0).value(self.system, world.snapshot))
 
             value = [self.field.lowest_terms(self.state.value(Displacement(point, ORIGIN, a))) for a in AXES]
             label = name.replace(".", "_")
@@ -254,25 +247,11 @@ class SpatialKinematics(Frames):
         return tuple(self.state.raw_rate(Displacement(body.center, ORIGIN, a)) for a in AXES)
 
 
-def _turning(context: Context, body: str) -> Callable[[World], Sequence[float]]:
+def _turning(system: System, body: str) -> Callable[[World], Sequence[float]]:
     def reads(world: World) -> Sequence[float]:
-        return tuple(AngularVelocity(body, 1).value(context.system, world.snapshot))
+        return tuple(AngularVelocity(body, 1).value(system, world.snapshot))
 
     return reads
-
-
-def _arm_of(body: RigidBody, plane: BodyPlane, state: State[Any]) -> tuple[Any, ...]:
-    """-R n for a sphere, -R (n - (n.a) a)/|n x a| for a rim."""
-    n = components_of(plane.normal, state, 3)
-    assert body.radius is not None
-    radius = state.scalar(body.radius)
-    if body.round == "sphere":
-        return tuple(-radius * x for x in n)
-    a = components_of(Direction(body.name, body.axis), state, 3)
-    share = dot(n, a)
-    across = tuple(x - share * y for x, y in zip(n, a, strict=True))
-    size = state.sqrt(dot(across, across))
-    return tuple(-radius * x / size for x in across)
 
 
 def _sum(terms: Sequence[Expr]) -> Expr:

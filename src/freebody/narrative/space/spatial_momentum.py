@@ -38,7 +38,7 @@ class Momenta:
         """The angular velocity of a body that turns and has inertia, along its own axes."""
         if not b.turns or all(x.is_zero() for x in self.model.dynamics.inertias[b.name][3:]):
             return ()
-        _symbols, line = self.kinematics.omega(b.name, axes_of_body(self.context, b.name))
+        _symbols, line = self.kinematics.omega(b.name, axes_of_body(self.context.system, b.name))
         return (line, *self.kinematics.bound(b.name))
 
     # -- energies -----------------------------------------------------------------------------
@@ -50,13 +50,15 @@ class Momenta:
             spins = {b.name: self.omega_of(b) for b in bodies}
         with self.script.stage("space.energies", "space.energies_hint"):
             for b in bodies:
-                value = self._element(Energy("kinetic", b.name).value(self.context.system, self.state))
-                if not value.is_zero():
-                    uses = (*self._velocity(b), *spins[b.name])
-                    lines.append(self._energy_line(b, value, uses, terms))
+                lines += self.kinetic(b, spins[b.name], terms)
             if q.what != "kinetic":
                 lines += self._potentials(q, terms)
         return AnswerParts(tuple(lines), add(*terms) if terms else None)
+
+    def kinetic(self, b: RigidBody, turning: tuple[int, ...], terms: list[Expr]) -> list[int]:
+        """The energy of a body that moves, as a line and a term of the sum. turning: lines of its angular velocity."""
+        value = self._element(Energy("kinetic", b.name).value(self.context.system, self.state))
+        return [] if value.is_zero() else [self._energy_line(b, value, (*self._velocity(b), *turning), terms)]
 
     def _velocity(self, b: RigidBody) -> tuple[int, ...]:
         """The velocity of a mass centre that moves."""
@@ -123,7 +125,7 @@ class Momenta:
         return AnswerParts(())
 
     def _own_spin(self, b: RigidBody, uses: tuple[int, ...]) -> int:
-        axes = axes_of_body(self.context, b.name)
+        axes = axes_of_body(self.context.system, b.name)
         velocity = tuple(self.model.in_independent_speeds(v) for v in self.model.kinematics.velocities[b.name])
         H = self.model.dynamics.momentum(b.name, velocity)[3:]
         q = AngularMomentum(b.name, None)

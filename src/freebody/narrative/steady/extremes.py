@@ -12,8 +12,8 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
-from freebody.narrative.principles.table import PrincipleTable
-from freebody.narrative.space.spatial import SpatialTelling, asked
+from freebody.narrative.principles.momentum import parts_of
+from freebody.narrative.space.spatial import SpatialTelling
 from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
@@ -73,7 +73,7 @@ def _leading_up(context: Context, script: Script, q: Extremes) -> tuple[int, ...
     """How the quantity follows from the angles, in space."""
     if not context.system.space:
         return ()
-    _parts, unknowns = asked(context, q.of, PrincipleTable(context.setup.model))
+    _parts, unknowns = parts_of(context, q.of)
     return () if unknowns else SpatialTelling(context, script).parts(q.of).lines
 
 

@@ -111,16 +111,14 @@ class Catalogue:
         return self.template(key)
 
     def said(self, text: str, place: str = "") -> str:
-        """A ready-made sentence in this language; itself where there is no phrase for it. A single word is a name,
-        unless its place is that of what a system does."""
+        """A ready-made sentence in this language; itself where there is no phrase for it. A single word is a name."""
         if place == "title":
             return text
         text = text.words if isinstance(text, Stated) else text
         if isinstance(text, Message):
-            form = "does" if place == "what" else _FIRST.get(place, GENERAL)
-            return self._phrases.said(text, form) or text
+            return self._phrases.said(text, _FIRST.get(place, GENERAL)) or text
         if " " not in text:
-            return self._phrases.said(text, "does") or text if place == "what" else text
+            return text
         kinds = (_FIRST[place], GENERAL) if place in _FIRST else (GENERAL,)
         return next((said for kind in kinds if (said := self._phrases.said(text, kind)) is not None), text)
 

@@ -329,7 +329,7 @@ class Ends:
                 for rub in own:
                     c = self.field.follow(eq.coefficient(rub, d), at)
                     sliding = sliding + d * c * rates[rub.name]
-                found.append((opening - sliding, ">=", f"{_label(eq.rows[name])} opens"))
+                found.append((opening - sliding, ">=", Message("{contact} opens", contact=_label(eq.rows[name]))))
         return found
 
     def _of_size_one(self, here: SeenFailure, motion: dict[Slot, Ratio], at: Values) -> dict[Slot, Ratio]:

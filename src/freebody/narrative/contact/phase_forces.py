@@ -1,0 +1,91 @@
+"""What acts in one phase: dry friction that slides is a force of its own, with its law beside it.
+
+In a phase a contact that is closed has a row like any connection, and so has friction that sticks. Friction that slides
+is F = -s c N along its slip (s the sense of the slip, c the kinetic coefficient): F stands in the principles as an
+unknown like N, and the law is one more equation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow, DryFriction
+from freebody.narrative.lines.glossary import Glossary, Meaning, World
+from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
+from freebody.narrative.principles.newton import Newton
+from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.principles.planner import SLIDING_IN_SPACE, WITH_CONTACTS
+from freebody.narrative.principles.symmetry import Symmetry
+from freebody.narrative.space.spatial_kinematics import SpatialKinematics
+from freebody.narrative.space.spatial_rates import SpatialRates
+from freebody.study.phases.phase import Phase
+from freebody.study.phases.quantities import value_in_mode
+
+
+def newton_of_phase(phase: Phase, glossary: Glossary) -> Newton:
+    """Derives accelerations, normal forces and frictions of one phase; no place of contact stands for another one."""
+    laws = {law.rub.name: law for law in _laws(phase)}
+    sliding = {name: law.rub.row for name, law in laws.items()}
+    rows = {**{row.name: row for row in phase.system.held}, **sliding}
+    acting = Acting(phase.model, names=phase.base, rows=rows, known=Known(laws, {}))
+    for name, row in sliding.items():
+        what = Sentence("symbol.reaction", {"reaction": "@reaction.friction", "connection": row.connection})
+        glossary.introduce(Meaning(Symbol(acting.symbols[name].name), what, _reads_friction(row, name)))
+    symmetry = Symmetry(acting, glossary, is_sought=False)
+    rates = (
+        SpatialRates(SpatialKinematics(phase.setup, glossary, Script(glossary)))
+        if phase.system.space
+        else PlanarRates(acting, glossary, symmetry)
+    )
+    return Newton(
+        acting,
+        glossary,
+        rates,
+        symmetry,
+        preferences=SLIDING_IN_SPACE if phase.system.space else WITH_CONTACTS,
+        value_of=lambda quantity, state: value_in_mode(quantity, phase.base, phase.system, state),
+    )
+
+
+def _reads_friction(row: ConstraintRow, name: str) -> Callable[[World], float]:
+    """A sliding friction is read from the load that the numeric route has for it."""
+
+    def read(world: World) -> float:
+        pushes = world.snapshot.reference.system.pushes
+        return row.sign * float(world.snapshot.law(next(p for p in pushes if p.load == name)))
+
+    return read
+
+
+def _laws(phase: Phase) -> list[FrictionLaw]:
+    found: list[FrictionLaw] = []
+    for name, sense in phase.mode.states.items():
+        if sense:
+            rub = phase.rubs[name]
+            factor = -sense * rub.row.sign * phase.coefficient(rub, sense, at_rest=False)
+            load, is_back = _load(phase, rub)
+            way = "forward" if sense * rub.row.sign > 0 else "backward"
+            key = f"friction.slides_{way}"
+            found.append(FrictionLaw(rub, -factor if is_back else factor, load, key, rub.row.connection))
+    return found
+
+
+def _load(phase: Phase, rub: DryFriction) -> tuple[str, bool]:
+    """The row that presses, and whether its reaction is negative."""
+    if not rub.load:
+        return "", False
+    model = phase.model
+    pressing = [name for name in rub.load if not model.reactions.multiplier(phase.rows[name]).is_zero()]
+    if len(pressing) > 1:
+        raise CannotAnswer(
+            Message(
+                "the friction of {contact} is proportional to a resultant of two components", contact=rub.row.connection
+            )
+        )
+    name = (pressing or list(rub.load))[0]
+    row = phase.rows[name]
+    return name, not row.unilateral and model.samples.is_negative(row.sign * model.reactions.multiplier(row))

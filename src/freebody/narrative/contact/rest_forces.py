@@ -1,0 +1,59 @@
+"""What acts on a system at rest: its contacts in the states in which they fail.
+
+At the limit every contact is in one of three states (`symbolic/active_set.py`): it opens, N = 0; it slips, F is at its
+limit; or it stays, and nothing is known of its force. What the states say is put into the equations of equilibrium, so
+that a set of them from which all forces that are left drop out is a condition on the parameters alone.
+"""
+
+from __future__ import annotations
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.model.elements import DryFriction
+from freebody.narrative.principles.acting import Acting, FrictionLaw, Known
+from freebody.narrative.principles.reactions import place_of
+from freebody.study.friction.touching import TouchingAtRest
+from freebody.symbolic.active_set import Failure, RestEquations
+
+
+def acting_at_rest(touching: TouchingAtRest, equations: RestEquations, failure: Failure) -> Acting:
+    """Reactions, frictions and loads in the start pose, in one way to fail."""
+    rows = {row.name: row for row in touching.rows}
+    known = Known(
+        {name: _law(equations, failure, name, sense) for name, sense in failure.slips}, _gone(equations, failure)
+    )
+    return Acting(equations.state.model, names=touching.system, rows=rows, known=known, here=equations.here)
+
+
+def _gone(equations: RestEquations, failure: Failure) -> dict[str, str]:
+    """Rows without force: what opens, and the friction there."""
+    opened = set(failure.opens)
+    free = [name for name, rub in equations.rubs.items() if rub.load and set(rub.load) <= opened]
+    return {**dict.fromkeys(sorted(opened), "verge.opens"), **dict.fromkeys(free, "verge.free")}
+
+
+def _law(equations: RestEquations, failure: Failure, name: str, sense: int) -> FrictionLaw:
+    """A friction at its limit. Raises CannotAnswer for one with a resultant of two components."""
+    rub = equations.rubs[name]
+    if len(rub.load) > 1:
+        raise CannotAnswer(
+            Message(
+                "the friction of {contact} is proportional to a resultant of two components, for which "
+                "the equations are not linear",
+                contact=rub.row.connection,
+            )
+        )
+    factor = -sense * rub.row.sign * equations.coefficient(rub, sense)
+    load = next(iter(rub.load), "")
+    if load:
+        row = equations.rows[load]
+        factor = (1 if row.unilateral else dict(failure.signs).get(load, 1) * row.sign) * factor
+    return FrictionLaw(rub, equations.field.lowest_terms(factor), load, *_words(rub, load))
+
+
+def _words(rub: DryFriction, load: str) -> tuple[str, str, str]:
+    """The law that holds at the limit, the place, and the drum where a string rubs round one."""
+    if not load:
+        return "verge.largest", place_of(rub.row), ""
+    drum = "" if rub.static_back is None else rub.row.ends[0]
+    return "verge.euler" if drum else "verge.coulomb", place_of(rub.row), drum

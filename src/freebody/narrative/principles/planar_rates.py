@@ -1,0 +1,228 @@
+"""Rates of momentum in the plane: accelerations by the symbols a person would use, which the constraints then explain.
+
+P' = sum of m a,        H' = I w' about a mass centre, (I + m r^2) w' about a fixed point of a body
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.language.expression import Expr, Symbol, add, negate
+from freebody.measures.geometry import RIGHT, UP
+from freebody.narrative.lines.glossary import Glossary, Meaning
+from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.principles.acting import Acting
+from freebody.narrative.principles.kinematics import Kinematics, Term, total
+from freebody.narrative.principles.places import place_in_plane
+from freebody.narrative.principles.planner import Plan
+from freebody.narrative.principles.rates import MomentumRate
+from freebody.narrative.principles.sides import balanced, positive_first, scaled
+from freebody.narrative.principles.symmetry import Symmetry
+from freebody.narrative.principles.table import WritablePrinciple
+from freebody.questions.motion import OfPoint
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+
+class PlanarRates:
+    """Writes what moves how in the plane, each symbol once in a derivation."""
+
+    def __init__(self, acting: Acting, glossary: Glossary, symmetry: Symmetry) -> None:
+        self.acting, self.glossary, self.symmetry = acting, glossary, symmetry
+        self.model, self.system, self.field = acting.model, acting.system, acting.model.field
+        self.kinematics = Kinematics(acting.model, glossary)
+        self.told: dict[Expr, int] = {}  # symbols of motion that have been explained, and the line
+        self.constraint_lines: dict[str, int] = {}
+        self._introduced: set[str] = set()
+
+    def begin(self) -> None:
+        """A derivation begins: nothing has been explained in it yet."""
+        self.told.clear()
+        self.constraint_lines.clear()
+        self._introduced.clear()
+
+    def prepare(self, script: Script, plan: Plan) -> None:
+        """The symbols are explained where they stand."""
+
+    # -- rates of momentum --------------------------------------------------------------------
+    def rate(self, p: WritablePrinciple) -> MomentumRate:
+        """By terms with mass or inertia in the coefficient."""
+        terms: list[Term] = []
+        shown: list[Expr] = []
+        for body in p.bodies:
+            mass, _mass, inertia = self.model.dynamics.inertias[body]
+            wx, wy = (p.weights.get((body, slot), self.field.zero) for slot in ("x", "y"))
+            turning = self.kinematics.turning(body, 2) if (body, "angle") in p.weights else None
+            if turning is not None and p.is_clockwise:
+                turning = _times(turning, -self.field.one)
+            if turning is not None and self._turns_about(p, body, (wx, wy)):
+                r2 = self.field.lowest_terms(wx * wx + wy * wy)
+                about = self.field.lowest_terms(inertia + mass * r2)
+                if not about.is_zero():
+                    terms.append(_times(turning, about))
+                    shown.append(terms[-1].expression)
+                continue
+            if turning is not None and not inertia.is_zero():
+                terms.append(_times(turning, inertia))
+                shown.append(terms[-1].expression)
+            if not mass.is_zero() and not (wx.is_zero() and wy.is_zero()):
+                for term in self.kinematics.along(body, (wx, wy), 2):
+                    terms.append(_times(term, mass))
+                    shown.append(scaled(term.coefficient * mass, term.symbol))
+        whole = positive_first(shown) if shown else tidy(self.field.zero)
+        return MomentumRate(whole, total(terms, self.field.zero), tuple(terms))
+
+    def _turns_about(self, p: WritablePrinciple, body: str, w: tuple[Ratio, Ratio]) -> bool:
+        """Whether the centre is a fixed point of the body, so that I + m r^2 is its inertia there."""
+        assert p.centre is None or p.kind == "angular"
+        if p.centre is None or not p.centre.is_fixed:
+            return False
+        vx, vy, omega = self.model.kinematics.velocities[body]
+        omega = -omega if p.is_clockwise else omega
+        # v_G = omega x r with r from the centre: (-r_y, r_x) are the weights
+        return self.model.samples.vanishes(vx - omega * w[0]) and self.model.samples.vanishes(vy - omega * w[1])
+
+    def announce(self, script: Script, terms: Sequence[Term]) -> None:
+        """Introduces the symbols of some terms."""
+        for term in terms:
+            self._introduce(script, term)
+
+    def replaced(self, rate: MomentumRate) -> tuple[int, ...] | None:
+        """The lines that say what its symbols are; None where it stands in the coordinates already."""
+        if all(term.is_plain for term in rate.terms) and len(rate.terms) == len({term.symbol for term in rate.terms}):
+            return None
+        return tuple(dict.fromkeys(self.told[t.symbol] for t in rate.terms if t.symbol in self.told))
+
+    def say_of_centre(self, script: Script, p: WritablePrinciple) -> None:
+        """The term v_O x P of a moving centre, or why it is not there."""
+        if p.centre is None or p.centre.is_fixed or p.centre.mass_center_of:
+            return
+        f = self.field
+        velocity = tuple(f.lowest_terms(self.model.in_independent_speeds(self.model.rate(x))) for x in p.centre.place)
+        term = f.zero
+        for body in p.bodies:
+            m = self.model.dynamics.inertias[body][0]
+            vx, vy, _w = (self.model.in_independent_speeds(v) for v in self.model.kinematics.velocities[body])
+            term = term + m * (velocity[0] * vy - velocity[1] * vx)
+        if self.model.samples.vanishes(term):
+            script.say("moving_point.parallel", point=p.centre.words)
+        else:
+            script.say("moving_point.instant", point=p.centre.words, term=tidy(f.lowest_terms(term)))
+
+    def explain(self, script: Script, rates: Sequence[MomentumRate]) -> None:
+        with script.stage("stage.kinematics", "hint.kinematics"):
+            for rate in rates:
+                self._explain(script, rate.terms)
+
+    def _explain(self, script: Script, terms: Sequence[Term]) -> None:
+        """Says what the symbols of motion are in the coordinates, from the constraints or by differentiation."""
+        for term in terms:
+            if term.is_plain or term.symbol in self.told:
+                continue
+            self._introduce(script, term)
+            if self._is_linear(term):
+                uses = self.constraints_of(script, term.body)
+                key = "kinematics.differentiated" if uses else "kinematics.seen"
+            else:
+                uses = self._positions_of(script, term)
+                key = "kinematics.twice" if uses else "kinematics.loops"
+            self.told[term.symbol] = script.line(
+                term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
+            )
+
+    def explain_velocities(self, script: Script, terms: Sequence[Term]) -> list[int]:
+        """Says what symbols of velocities are in the coordinates."""
+        found: list[int] = []
+        for term in terms:
+            if term.is_plain:
+                continue
+            if term.symbol not in self.told:
+                self._introduce(script, term)
+                constant = self._is_linear(term, order=1)
+                uses = self.constraints_of(script, term.body) if constant else self._positions_of(script, term)
+                key = "kinematics.follows" if constant and uses else "kinematics.once" if uses else "kinematics.seen"
+                self.told[term.symbol] = script.line(
+                    term.symbol, tidy(term.explicit), why=key, args={"lines": uses, "body": term.body}, uses=uses
+                )
+            found.append(self.told[term.symbol])
+        return list(dict.fromkeys(found))
+
+    def _introduce(self, script: Script, term: Term) -> None:
+        name = str(term.symbol.name) if isinstance(term.symbol, Symbol) else ""
+        if name and name not in self._introduced:
+            self._introduced.add(name)
+            meaning = self.glossary.meanings[name]
+            script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
+
+    def _is_linear(self, term: Term, order: int = 2) -> bool:
+        """Whether the symbol is a constant combination of the accelerations (or speeds) of the coordinates."""
+        known = set(self.model.accelerations) if order == 2 else {c.speed for c in self.model.coordinates}
+        slopes = [self.field.partial(term.explicit, a) for a in known]
+        rest = term.explicit
+        for a, slope in zip(known, slopes, strict=True):
+            rest = rest - slope * self.field.variable(a)
+        return all(s.is_constant() for s in slopes) and rest.is_constant()
+
+    def constraints_of(self, script: Script, body: str) -> tuple[int, ...]:
+        """The velocity forms of the constraints that lead from a body to the coordinates, each written once."""
+        found: list[int] = []
+        reached, waiting = {body}, [body]
+        while waiting:
+            here = waiting.pop(0)
+            for row in self.acting.acting_on(here):
+                if row in self.symmetry.merged:
+                    continue
+                if row in self.constraint_lines:
+                    found.append(self.constraint_lines[row])
+                    continue
+                slopes = self.model.gradient(self.acting.rows[row].measure)
+                terms = self.kinematics.velocity_form(dict(slopes))
+                if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
+                    continue
+                self.constraint_lines[row] = self._constraint_line(script, row, terms)
+                found.append(self.constraint_lines[row])
+                for t in terms:
+                    if t.body not in reached:
+                        reached.add(t.body)
+                        waiting.append(t.body)
+        return tuple(dict.fromkeys(found))
+
+    def _constraint_line(self, script: Script, row: str, terms: Sequence[Term]) -> int:
+        """The rate of what a row holds: positive terms left, negative right."""
+        for term in terms:
+            self._introduce(script, term)
+        held = self.acting.rows[row]
+        rest = total(terms, self.field.zero)  # what drives it
+        shown = [term.expression for term in terms] + (
+            [] if self.model.samples.vanishes(rest) else [negate(tidy(rest))]
+        )
+        args: dict[str, Argument] = {"connection": held.connection, "component": held.component}
+        key = f"constraint.{held.reaction.replace(' ', '_')}"
+        return script.line(*balanced(add(*shown)), why=key, args=args)
+
+    def _positions_of(self, script: Script, term: Term) -> tuple[int, ...]:
+        """Where the mass centre is, in the coordinates."""
+        if term.is_turning:
+            return ()
+        name = str(term.symbol.name) if isinstance(term.symbol, Symbol) else ""
+        axes = name[-1] if name.endswith(("_x", "_y")) else "xy"
+        return tuple(line for axis in axes for line in self._place_line(script, term.body, axis))
+
+    def _place_line(self, script: Script, body: str, axis: str) -> tuple[int, ...]:
+        """One coordinate of a mass centre, as a line."""
+        place = place_in_plane(self.model, body)["xy".index(axis)]
+        symbol = Symbol(f"{axis}_{body}")
+        if symbol.name in self.system.measures or symbol in self.told:
+            return (self.told[symbol],) if symbol in self.told else ()
+        center = self.system.bodies[body].mass_center
+        what = Sentence("symbol.place", {"body": body, "axis": f"@axis.{axis}"})
+        self.glossary.introduce(Meaning(symbol, what, OfPoint(center, 0, RIGHT if axis == "x" else UP), "m"))
+        script.add(Legend(((symbol, what, "m"),)))
+        self._introduced.add(symbol.name)
+        self.told[symbol] = script.line(symbol, tidy(place), why="kinematics.place", args={"body": body})
+        return (self.told[symbol],)
+
+
+def _times(term: Term, factor: Ratio) -> Term:
+    coefficient = term.coefficient.field.lowest_terms(term.coefficient * factor)
+    return Term(coefficient, term.symbol, term.generator, term.explicit, term.body, term.is_turning)

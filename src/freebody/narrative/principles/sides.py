@@ -1,0 +1,58 @@
+"""How the sides of an equation are written, with as few minus signs as they need."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, Sum, add, multiply, negate, number
+from freebody.language.notation.parts import signed_terms
+from freebody.language.sentences import Message
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+
+ZERO = number(0)
+MOST_TERMS = 120  # of one entry that anybody reads
+
+
+def scaled(coefficient: Ratio, symbol: Expr) -> Expr:
+    """coefficient * symbol as it is written."""
+    return multiply(tidy(coefficient), symbol)
+
+
+def positive_first(terms: Sequence[Expr]) -> Expr:
+    """A sum that does not begin with a minus where it need not."""
+    signs = signed_terms(tuple(terms))
+    ordered = [t for t, (minus, _e) in zip(terms, signs, strict=True) if not minus]
+    ordered += [t for t, (minus, _e) in zip(terms, signs, strict=True) if minus]
+    return add(*ordered)
+
+
+def n_minus(side: Expr) -> int:
+    """How many terms of a side have a minus sign."""
+    return sum(minus for minus, _e in signed_terms(side.terms if isinstance(side, Sum) else (side,)))
+
+
+def parted(e: Expr) -> tuple[Expr, Expr]:
+    """a - b as a and b."""
+    if not isinstance(e, Sum):
+        return e, ZERO
+    signs = signed_terms(e.terms)
+    left = [t for t, (minus, _x) in zip(e.terms, signs, strict=True) if not minus]
+    right = [negate(t) for t, (minus, _x) in zip(e.terms, signs, strict=True) if minus]
+    return (add(*left) if left else ZERO), (add(*right) if right else ZERO)
+
+
+def balanced(e: Expr) -> tuple[Expr, Expr]:
+    """a - b = 0 as a = b; -a - b = 0 as a + b = 0."""
+    left, right = parted(e)
+    return (left, right) if left != ZERO else (right, left)
+
+
+def readable(x: Ratio) -> Ratio:
+    """The element; raises CannotAnswer for one that is too long to read."""
+    if len(x.num) + len(x.denominator().num) > MOST_TERMS:
+        raise CannotAnswer(
+            Message("its equations of motion are longer than anybody reads; freebody eom writes them out")
+        )
+    return x
