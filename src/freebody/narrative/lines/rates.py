@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.narrative.lines.glossary import World
+from freebody.numeric.snapshot import snapshot_of
 
 STEP = 2e-3  # in the time that the fastest coordinate needs for a radian, or a metre
 NOISE = 1e-8  # a rate below this, by the size of the quantity in that time, is none
@@ -46,5 +47,5 @@ def moved(world: World, h: float) -> World:
     here, reference = world.snapshot, world.snapshot.reference
     a = here.accelerations
     q = reference.frame.moved(here.q, h * here.v + 0.5 * h * h * a)
-    later = reference.snapshot(q, here.v + h * a, here.t + h, here)
+    later = snapshot_of(reference, q, here.v + h * a, here.t + h, here)
     return World(world.glossary, world.draw, later)
