@@ -19,7 +19,7 @@ def setup_of(system: System) -> Setup:
         return Setup(system)
     if len(system.bounds) > MOST_PLACES:
         return Setup(system, 2)
-    from freebody.narrative.contact.phase_way import tree_of
+    from freebody.study.phases.tree import tree_of
 
     tree = tree_of(system)
     return tree.roots[0].phase.setup if tree.roots else tree.home
