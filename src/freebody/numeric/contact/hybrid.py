@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from freebody.language.sentences import Message, further, in_turn
 from freebody.numeric.contact.bounded import Bounded, ContactInstant, ModeOf, within
 from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import OutcomeCount as Consistency
@@ -35,7 +36,7 @@ MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
 NO_ENERGY = 1e-10  # by the kinetic energy
 CLOSED = 1e-12  # a gap that is none, by the size of the system
-ADVICE = "; use time stepping (method moreau, with a step), which does not follow single events"
+ADVICE = Message("use time stepping (method moreau, with a step), which does not follow single events")
 Progress = Callable[[float, int], None]
 
 
@@ -84,12 +85,14 @@ class Hybrid:
             steps_left = self.options.max_steps - sum(phase.course.n_steps for phase in self.phases)
             if left <= 0.0 or steps_left <= 0:
                 limit = self.options.max_seconds if left <= 0.0 else None
-                status, message = Status.TOO_LONG, stopped(t, f"{len(self.phases)} phases", limit)
+                status, message = Status.TOO_LONG, stopped(t, Message("{n} phases", n=len(self.phases)), limit)
                 break
             if n_at_once > MOST_AT_ONCE or len(self.events) > MOST_EVENTS:
                 status = Status.CHATTER
-                what = "no mode lasts" if n_at_once > MOST_AT_ONCE else f"{len(self.events)} events"
-                message = f"{what} at t = {t:.9g} s{self._advice}"
+                what = Message("no mode lasts")
+                if n_at_once <= MOST_AT_ONCE:
+                    what = Message("{n} events", n=len(self.events))
+                message = self._advised(Message("{what} at t = {t:.9g} s", what=what, t=t))
                 break
             now = self.bounded.instant(y, t, near)
             mode = self.bounded.grouped(mode, now)
@@ -297,73 +300,82 @@ class Hybrid:
         scale = max(float(np.abs(x).max(initial=0.0)) for x in free.values())
         return any(float(np.abs(x).max(initial=0.0)) > 1e-7 * scale for x in total.values())
 
-    @property
-    def _advice(self) -> str:
-        return "" if self.bounded.numbers.system.space else ADVICE
+    def _advised(self, trouble: Message) -> str:
+        return trouble if self.bounded.numbers.system.space else further(trouble, ADVICE)
 
     def _contradiction(self, result: After, t: float) -> str:
         if result.status is Outcome.NOT_FOUND:
-            return f"at t = {t:.9g} s no force was found that is consistent with {result.why}{self._advice}"
+            return self._advised(
+                Message("at t = {t:.9g} s no force was found that is consistent with {what}", t=t, what=result.why)
+            )
         if result.why == HELD_ALONE:
-            return f"at t = {t:.9g} s no force is consistent with {result.why}"
-        return (
-            f"at t = {t:.9g} s no force is consistent with {result.why}: with so much friction the contact can neither "
+            return Message("at t = {t:.9g} s no force is consistent with {what}", t=t, what=result.why)
+        return Message(
+            "at t = {t:.9g} s no force is consistent with {what}: with so much friction the contact can neither "
             "slide nor hold (Painleve's paradox). A rigid model ends here. Go on with an impulse (option jams), make "
-            "the contact compliant with a spring, or lower the friction"
+            "the contact compliant with a spring, or lower the friction",
+            t=t,
+            what=result.why,
         )
 
-    def _jam(self, mode: ModeOf, t: float) -> str:
+    def _jam(self, mode: ModeOf, t: float) -> Message:
         """Sliding friction whose forces grow without bound."""
-        names = ", ".join(d.name for d, state in zip(self.bounded.drags, mode.drags, strict=True) if state)
-        return (
-            f"at t = {t:.9g} s the forces of {names} grow without bound: sliding friction jams there (Painleve). A "
+        return Message(
+            "at t = {t:.9g} s the forces of {names} grow without bound: sliding friction jams there (Painleve). A "
             "rigid model ends here. Go on with an impulse (option jams), make the contact compliant with a spring, or "
-            "lower the friction"
+            "lower the friction",
+            t=t,
+            names=in_turn([d.name for d, state in zip(self.bounded.drags, mode.drags, strict=True) if state]),
         )
 
     # -- the result ---------------------------------------------------------------------------
     def _course(self, status: Status, message: str, wall: float) -> Trajectory:
         events = tuple(sorted(self.events, key=lambda e: e.time))
+        message = further(*(said for said in (message, *self._remarks()) if said))
+        return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
+
+    def _remarks(self) -> Iterator[Message]:
+        """What was taken where a rigid model leaves it open."""
         grew = [c for c in self.collisions if c.energy_grew]
         if grew:
-            said = (
-                f"the law of impact made energy at t = {grew[0].time:.6g} s (Newton's may with friction; Poisson's "
-                "does not)"
+            yield Message(
+                "the law of impact made energy at t = {t:.6g} s (Newton's may with friction; Poisson's does not)",
+                t=grew[0].time,
             )
-            message = f"{message}; {said}" if message else said
         if self.several is not None:
-            said = (
-                f"at t = {self.several:.6g} s friction leaves several outcomes consistent; the one that keeps contact "
-                "was taken"
+            yield Message(
+                "at t = {t:.6g} s friction leaves several outcomes consistent; the one that keeps contact was taken",
+                t=self.several,
             )
-            message = f"{message}; {said}" if message else said
         if self.shared:
-            how = "they are shared as if all joints yielded alike, and the motion depends on it"
+            how = [Message("they are shared as if all joints yielded alike, and the motion depends on it")]
             if self.yielding:
-                how += "; a contact that would have to pull for that carries nothing"
+                how.append(Message("a contact that would have to pull for that carries nothing"))
             if self.is_arbitrary:
-                how += "; where that leaves a contact that pulls or opens, it is by the order of the rows"
-            said = (
-                f"the reactions that press the dry friction of {', '.join(sorted(self.shared))} are not unique in a "
-                f"rigid model; {how}"
+                how.append(Message("where that leaves a contact that pulls or opens, it is by the order of the rows"))
+            yield Message(
+                "the reactions that press the dry friction of {names} are not unique in a rigid model; {how}",
+                names=in_turn(sorted(self.shared)),
+                how=further(*how),
             )
-            message = f"{message}; {said}" if message else said
         if self.ahead is not None:
-            said = (
-                f"rebounds too small to be followed end at t = {self.ahead[0]:.6g} s at once, and their friction with "
-                f"them: for that moment the energy is {self.ahead[1]:.2g} J too high"
+            yield Message(
+                "rebounds too small to be followed end at t = {t:.6g} s at once, and their friction with them: for "
+                "that moment the energy is {energy:.2g} J too high",
+                t=self.ahead[0],
+                energy=self.ahead[1],
             )
-            message = f"{message}; {said}" if message else said
         if self.transition.tied:
-            said = f"of {', '.join(self.transition.tied)}, which are hit equally fast, the first by name is taken first"
-            message = f"{message}; {said}" if message else said
-        if self.transition.is_replaced:
-            said = (
-                f"the law of impact, {self.options.law.value}, has no solution where several contacts or frictions are "
-                "hit at once; Poisson's took over"
+            yield Message(
+                "of {names}, which are hit equally fast, the first by name is taken first",
+                names=in_turn([*self.transition.tied]),
             )
-            message = f"{message}; {said}" if message else said
-        return merged(self.bounded, self.phases, status, message, wall, events, tuple(self.collisions))
+        if self.transition.is_replaced:
+            yield Message(
+                "the law of impact, {law}, has no solution where several contacts or frictions are hit at once; "
+                "Poisson's took over",
+                law=self.options.law.value,
+            )
 
     def _no_phase(self, y: Floats, t: float) -> PhaseRecord:
         """The first instant, where nothing can follow on it: its forces are not known."""

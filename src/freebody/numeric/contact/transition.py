@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from freebody.language.sentences import Message, in_turn
 from freebody.numeric.contact.bounded import TOUCHING, Bounded, ContactInstant, ModeOf, RowProblem
 from freebody.numeric.contact.forces import contact_forces, is_admissible
 from freebody.numeric.contact.impacts import impact
@@ -62,7 +63,9 @@ class After:
     settled: float = 0.0  # work of the friction of rebounds that are too small to be followed
 
 
-HELD_ALONE = "what is held without any contact: constraints that say the same thing contradict each other by round-off"
+HELD_ALONE = Message(
+    "what is held without any contact: constraints that say the same thing contradict each other by round-off"
+)
 
 
 class InstantTransition:
@@ -114,7 +117,7 @@ class InstantTransition:
                 break
             collision = self._collide(now, touching, rates)
             if collision is None:
-                result.status, result.why = OutcomeCount.NONE, "the impact"
+                result.status, result.why = OutcomeCount.NONE, Message("the impact")
                 return result
             outcome, problem = collision
             change = self._push(y, problem.weighted, outcome.impulses)
@@ -390,7 +393,7 @@ class InstantTransition:
                 result.status = outcome.status
                 names = [b.barriers[k].name for k in closed]
                 names += [b.drags[k].name for k in drags if b.drags[k].of not in closed]
-                result.why = f"contact and friction at {', '.join(names)}" if names else HELD_ALONE
+                result.why = Message("contact and friction at {names}", names=in_turn(names)) if names else HELD_ALONE
                 return outcome
             still = [k for k in closed if outcome.mode[problem.row_of_barrier(k)] is RowState.CLOSED]
             if len(still) < len(closed) and any(b.barriers[k].grips for k in closed if k not in still):

@@ -16,7 +16,8 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
     if mode is None:
         return
     if after.jammed is not None:
-        yield Event(t, _pair(bounded.barriers[after.jammed].words, "jams on"), "jams")
+        first, second = bounded.barriers[after.jammed].words
+        yield Event(t, Message("{a} jams on {b}" if second else "{a} jams", a=first, b=second), "jams")
     was = frozenset[int]() if before is None else before.closed
     hit = {k for impact in after.impacts for k, rate in impact.before.items() if rate < 0.0}
     for k, barrier in enumerate(bounded.barriers):
@@ -45,47 +46,46 @@ def events_between(bounded: Bounded, before: ModeOf | None, after: After, t: flo
         yield Event(t, *_slips(drag, old, new))
 
 
-def _pair(words: tuple[str, str], verb: str) -> str:
-    return f"{words[0]} {verb} {words[1]}".strip()
+def _closes(row: UnilateralRow) -> tuple[str, str]:
+    a, b = row.words
+    if row.kind == "string":
+        return Message("{contact} goes taut", contact=a), "goes taut"
+    if row.kind == "stop":
+        return Message("{stop} reaches its {end}", stop=a, end=b), "touches"
+    return Message("{a} touches {b}" if b else "{a} touches", a=a, b=b), "touches"
 
 
-def _closes(b: UnilateralRow) -> tuple[str, str]:
-    if b.kind == "string":
-        return f"{b.words[0]} goes taut", "goes taut"
-    if b.kind == "stop":
-        return f"{b.words[0]} reaches its {b.words[1]}", "touches"
-    return _pair(b.words, "touches"), "touches"
+def _opens(row: UnilateralRow) -> tuple[str, str]:
+    a, b = row.words
+    if row.kind == "string":
+        return Message("{contact} goes slack", contact=a), "goes slack"
+    if row.kind == "stop":
+        return Message("{stop} leaves its {end}", stop=a, end=b), "parts"
+    return Message("{a} leaves {b}" if b else "{a} leaves", a=a, b=b), "parts"
 
 
-def _opens(b: UnilateralRow) -> tuple[str, str]:
-    if b.kind == "string":
-        return Message("{contact} goes slack", contact=b.words[0]), "goes slack"
-    if b.kind == "stop":
-        return f"{b.words[0]} leaves its {b.words[1]}", "parts"
-    return _pair(b.words, "leaves"), "parts"
+def _rebounds(row: UnilateralRow) -> tuple[str, str]:
+    a, b = row.words
+    if row.kind == "string":
+        return Message("{string} jerks", string=a), "rebounds"
+    if row.kind == "stop":
+        return Message("{stop} hits its {end}", stop=a, end=b), "rebounds"
+    return Message("{a} hits {b}" if b else "{a} hits", a=a, b=b), "rebounds"
 
 
-def _rebounds(b: UnilateralRow) -> tuple[str, str]:
-    if b.kind == "string":
-        return f"{b.words[0]} jerks", "rebounds"
-    if b.kind == "stop":
-        return f"{b.words[0]} hits its {b.words[1]}", "rebounds"
-    return _pair(b.words, "hits"), "rebounds"
-
-
-def _rest(b: UnilateralRow) -> tuple[str, str]:
-    if b.kind == "contact":
-        return _pair(b.words, "comes to rest on"), "comes to rest"
-    return f"{b.words[0]} comes to rest", "comes to rest"
+def _rest(row: UnilateralRow) -> tuple[str, str]:
+    a, b = row.words
+    on = b if row.kind == "contact" else ""
+    return Message("{a} comes to rest on {b}" if on else "{a} comes to rest", a=a, b=on), "comes to rest"
 
 
 def _slips(d: FrictionRow, old: int, new: int) -> tuple[str, str]:
-    on = f" on {d.words[1]}" if d.words[1] else ""
     turns = d.rub.row.reaction == "rolling resistance"
     if new == 0:
-        what = "stops rolling" if turns else "stops slipping"
+        what = Message("stops rolling" if turns else "stops slipping")
     elif old == 0:
-        what = "starts to roll" if turns else "starts to slip"
+        what = Message("starts to roll" if turns else "starts to slip")
     else:
-        what = "rolls back" if turns else "slips back"
-    return f"{d.words[0]} {what}{on}", what
+        what = Message("rolls back" if turns else "slips back")
+    a, b = d.words
+    return Message("{body} {what} on {other}" if b else "{body} {what}", body=a, what=what, other=b), what

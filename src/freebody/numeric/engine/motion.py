@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.language.expression import free_symbols, has_jump
+from freebody.language.sentences import Message, further, in_turn
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.counting import Counting, bearings_at
 from freebody.numeric.engine.course import NO_TRACKS, Event, Status, Trajectory
@@ -31,10 +32,12 @@ CHUNK = 0.1  # seconds between looks at the clock and the keyboard
 Progress = Callable[[float, int], None]
 
 
-def stopped(t: float, after: str, seconds: float | None) -> str:
+def stopped(t: float, after: Message, seconds: float | None) -> Message:
     """That a motion was cut, and by what: seconds on the clock, or the number of steps."""
-    by = f"cut by the clock (max_seconds = {seconds:g} s)" if seconds is not None else "cut by max_steps"
-    return f"stopped at t = {t:.6g} s after {after}: {by}"
+    by = Message("cut by max_steps")
+    if seconds is not None:
+        by = Message("cut by the clock (max_seconds = {seconds:g} s)", seconds=seconds)
+    return Message("stopped at t = {t:.6g} s after {after}: {by}", t=t, after=after, by=by)
 
 
 class RunningMotion(MotionUnderWay):
@@ -76,7 +79,7 @@ class RunningMotion(MotionUnderWay):
         clock, count = self.run.clock, self.run.count
         status, message, note = Status.FINISHED, "", ""
         if not self._begin():
-            status, message = Status.UNREACHABLE, "the start does not hold what is held"
+            status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
         else:
             size = 64
             if self.method == "radau5":
@@ -88,12 +91,15 @@ class RunningMotion(MotionUnderWay):
                         status = Status.TOO_LONG
                         message = stopped(
                             float(clock[stepping.NOW]),
-                            f"{count[stepping.STEPS]} steps",
+                            Message("{n} steps", n=int(count[stepping.STEPS])),
                             max_seconds if is_late else None,
                         )
                         jumping = [p.name for p in self.engine.pushes if has_jump(p.law, free_symbols(p.law))]
                         if jumping:
-                            message += f"; the law of {', '.join(jumping)} jumps, which takes many small steps"
+                            jumps = Message(
+                                "the law of {names} jumps, which takes many small steps", names=in_turn(jumping)
+                            )
+                            message = further(message, jumps)
                         break
                     at = time.perf_counter()
                     result = self._advance(min(size, max_steps - int(count[stepping.STEPS])))
@@ -106,7 +112,9 @@ class RunningMotion(MotionUnderWay):
                     if result == stepping.LOOK and self._look():
                         status = Status.EVENT
                         if self.violation is None:
-                            message = f"{self.happenings[-1].name} at t = {self.happenings[-1].time:.9g} s"
+                            message = Message(
+                                "{event} at t = {t:.9g} s", event=self.happenings[-1].name, t=self.happenings[-1].time
+                            )
                         break
                     if result == stepping.TOO_SMALL:
                         status, message = self._trouble()
@@ -115,20 +123,25 @@ class RunningMotion(MotionUnderWay):
                     is_stiff = result == stepping.LOOK and count[stepping.STIFF] >= stepping.STIFF_STEPS
                     if result == stepping.STIFF_FOUND or (is_stiff and self.implicit is None):
                         count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
-                        stiff = f"stiff from t = {clock[stepping.NOW]:.6g} s"
+                        now = float(clock[stepping.NOW])
                         if self.is_automatic:
                             self.implicit = self.solver = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
-                            self.method, note = "dop853, then radau5", f"{stiff}, where the method changed to radau5"
+                            self.method = "dop853, then radau5"
+                            note = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
                         else:
-                            note = f"{stiff}: radau5 takes fewer steps"
+                            note = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
             except KeyboardInterrupt:
-                status, message = Status.INTERRUPTED, f"interrupted at t = {clock[stepping.NOW]:.6g} s"
+                status, message = (
+                    Status.INTERRUPTED,
+                    Message("interrupted at t = {t:.6g} s", t=float(clock[stepping.NOW])),
+                )
+        loose = ""
         if clock[stepping.ALLOWED] > 1.0:
-            loose = (
-                f"near singular poses steps were accepted with up to {clock[stepping.ALLOWED]:.0e} times the tolerance"
+            loose = Message(
+                "near singular poses steps were accepted with up to {n:.0e} times the tolerance",
+                n=float(clock[stepping.ALLOWED]),
             )
-            note = f"{note}; {loose}" if note else loose
-        message = "; ".join(part for part in (message, note, *self.notes) if part)
+        message = further(*(part for part in (message, note, loose, *self.notes) if part))
         return self._collected(status, message, time.perf_counter() - began)
 
     def _advance(self, n: int) -> int:

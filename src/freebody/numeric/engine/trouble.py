@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freebody.language.expression import ZERO, free_symbols
+from freebody.language.sentences import Message, in_turn
 from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status
 
@@ -24,9 +25,11 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     t, trouble = float(run.clock[stepping.NOW]), int(run.count[stepping.TROUBLE])
     step, end = float(run.clock[stepping.STEP]), float(run.clock[stepping.END])
     if abs(t) * ROUND_OFF <= step < abs(end) * ROUND_OFF:
-        return Status.STEP_TOO_SMALL, (
-            f"the end at {end:.6g} s is too far away: beside it a step of {step:.3g} s, which the motion needs, is "
-            "lost in rounding. Ask for a shorter motion"
+        return Status.STEP_TOO_SMALL, Message(
+            "the end at {end:.6g} s is too far away: beside it a step of {step:.3g} s, which the motion needs, is "
+            "lost in rounding. Ask for a shorter motion",
+            end=end,
+            step=step,
         )
     out = np.zeros(engine.n_y)
     y = run.states[0].copy()
@@ -34,29 +37,37 @@ def diagnosed(engine: Evaluator, run: SteppedRun) -> tuple[Status, str]:
     if trouble in (stepping.NOT_FINITE, stepping.NOT_HELD):
         name = _without_value(engine, run, y, out, t)
         if name:
-            return Status.NOT_FINITE, f"{name} has no finite value beyond t = {t:.6g} s; change its law or stop before"
+            return Status.NOT_FINITE, Message(
+                "{name} has no finite value beyond t = {t:.6g} s; change its law or stop before", name=name, t=t
+            )
     rows, ratio = _dependent(engine)
     held = engine.held
     names = list(dict.fromkeys(held[k].connection for k in rows))
     if rows and ratio < SINGULAR:
         drivers = [held[k].name for k in rows if "t" in free_symbols(held[k].target or ZERO)]
-        listed = ", ".join(names)
         if drivers:
-            limit, driven = _limit(engine, y, out, t), ", ".join(drivers)
-            return Status.UNREACHABLE, (
-                f"{driven} cannot be driven beyond t = {limit:.9g} s: {listed} reach the limit of what they "
-                f"allow there, with speeds that grow without bound; the motion is followed to t = {t:.9g} s. Drive "
-                "within that limit, or change a length"
+            return Status.UNREACHABLE, Message(
+                "{driven} cannot be driven beyond t = {limit:.9g} s: {connections} reach the limit of what they "
+                "allow there, with speeds that grow without bound; the motion is followed to t = {t:.9g} s. Drive "
+                "within that limit, or change a length",
+                driven=in_turn(drivers),
+                limit=_limit(engine, y, out, t),
+                connections=in_turn(names),
+                t=t,
             )
-        return Status.SINGULAR, (
-            f"at t = {t:.9g} s the mechanism reaches a dead point: {listed} hold the same thing there, and its "
-            "motion beyond is not determined"
+        return Status.SINGULAR, Message(
+            "at t = {t:.9g} s the mechanism reaches a dead point: {connections} hold the same thing there, and its "
+            "motion beyond is not determined",
+            t=t,
+            connections=in_turn(names),
         )
     if trouble == stepping.NOT_HELD:
-        return Status.UNREACHABLE, f"beyond t = {t:.9g} s no pose holds {', '.join(names) or 'what is held'}"
-    return Status.STEP_TOO_SMALL, (
-        f"the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that "
-        "jumps or grows without limit?). Loosen the tolerance, or smooth the load"
+        what = in_turn(names) or Message("what is held")
+        return Status.UNREACHABLE, Message("beyond t = {t:.9g} s no pose holds {what}", t=t, what=what)
+    return Status.STEP_TOO_SMALL, Message(
+        "the step became too small at t = {t:.9g} s: the accelerations change without bound there (a load that "
+        "jumps or grows without limit?). Loosen the tolerance, or smooth the load",
+        t=t,
     )
 
 

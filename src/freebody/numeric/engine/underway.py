@@ -7,6 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
+from freebody.language.sentences import Message
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.evaluator import EngineWatch, Evaluator
@@ -32,7 +33,7 @@ class MotionUnderWay:
         self.engine, self.tableau, self.run, self.until = engine, tableau, run, until
         self.solver: StepSolver | None = None
         self.searches: list[ProgramSearch] = []  # of what is watched
-        self.notes: list[str] = []
+        self.notes: list[Message] = []
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
         self.happenings: list[Event] = []
 
@@ -90,11 +91,15 @@ class MotionUnderWay:
         """Notes that events may have been overlooked in the last step from a part of it on."""
         begin, end = float(self.run.clock[stepping.BEFORE]), float(self.run.clock[stepping.NOW])
         t = begin + part * (end - begin)
-        said = (
-            f"{what} was not looked for between t = {t:.9g} s and {end:.9g} s: it happens too often in one step; "
-            "set a shorter longest step (max_step)"
+        self.notes.append(
+            Message(
+                "{what} was not looked for between t = {t:.9g} s and {end:.9g} s: it happens too often in one step; "
+                "set a shorter longest step (max_step)",
+                what=what,
+                t=t,
+                end=end,
+            )
         )
-        self.notes.append(said)
 
     def add(self, happening: Event, state: Floats | None) -> None:
         """Notes an event, and the motion at its instant."""

@@ -240,9 +240,10 @@ def regular_start(mechanism: Mechanism, x: Array) -> tuple[Array, str]:
     regular = [y for y in poses if mechanism.nullity(y) == 1]
     start = max(regular, key=lambda y: abs(float(mechanism.first(y).rates[0])))
     moved = float(np.abs(start - x).max())
-    return start, (
-        f"the given pose is a change point itself, so the path starts {moved:.2g} sizes or radians from it, on one "
-        "of the branches that meet there"
+    return start, Message(
+        "the given pose is a change point itself, so the path starts {moved:.2g} sizes or radians from it, on one "
+        "of the branches that meet there",
+        moved=moved,
     )
 
 

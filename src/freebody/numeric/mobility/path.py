@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, further
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
@@ -128,7 +128,7 @@ def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], 
         period=abs(float(inputs[-1] - inputs[0])) if full_turn and walk.is_closed else None,
         reach=None if full_turn else _reach(walk, limits),
         points=tuple(point for _place, point in sorted(found, key=lambda placed: placed[0])),
-        note="; ".join(dict.fromkeys(text for text in notes if text)),
+        note=further(*dict.fromkeys(text for text in notes if text)),
     )
 
 
@@ -158,10 +158,11 @@ def _dead_points(mechanism: Mechanism, stations: Sequence[Station], k: int, name
         if (rates[i] >= 0.0) == (rates[j] >= 0.0):
             continue
         here, part = _still(mechanism, a, b, k)
-        end = "upper" if a.rates[k] >= 0.0 else "lower"
-        extreme = {"upper": "largest", "lower": "smallest"}[end]
+        is_upper = a.rates[k] >= 0.0
         kind: Kind = "dead point" if k == 0 else "output dead point"
-        what = f"{end} limit of {name}" if k == 0 else f"{name} is {extreme}"
+        what = Message("upper limit of {x}" if is_upper else "lower limit of {x}", x=name)
+        if k:
+            what = Message("{x} is largest" if is_upper else "{x} is smallest", x=name)
         value = float(here.values[k]) if k else None
         yield i + part * (j - i), PathPoint(kind, float(here.values[0]), mechanism.chart.q(here.x), what, value)
 
@@ -199,9 +200,9 @@ def _change_points(mechanism: Mechanism, walk: Walk) -> Iterator[_Placed]:
         value = mechanism.reference.jet(g, mechanism.measures[0], mechanism.name).value
         branch = other_branch(mechanism, change)
         n_free = mechanism.nullity(change.x)
-        what = "another branch leaves" if branch is not None else "to second order no other branch leaves"
+        what = Message("another branch leaves" if branch is not None else "to second order no other branch leaves")
         if n_free > 2:
-            what = f"{n_free} motions to first order; which of them go on is not worked out"
+            what = Message("{n} motions to first order; which of them go on is not worked out", n=n_free)
         yield place, PathPoint("change point", value, q, what, branch=branch)
 
 
@@ -220,9 +221,22 @@ def _reach(walk: Walk, limits: Sequence[float]) -> tuple[float, float] | None:
 
 
 def _ending(mechanism: Mechanism, station: Station, end: str) -> str:
-    where = f"{mechanism.name} = {station.values[0]:.6g}"
-    return {
-        "far": f"the motion goes on beyond {FAR:g} sizes of the system",
-        "stuck": f"no way on was found at {where}: the poses beyond are singular, or a measure has no value there",
-        "long": f"the path was left at {where} before it closed; more n_steps follow it further",
-    }.get(end, "")
+    x, value = mechanism.name, float(station.values[0])
+    match end:
+        case "far":
+            return Message("the motion goes on beyond {n:g} sizes of the system", n=FAR)
+        case "stuck":
+            return Message(
+                "no way on was found at {x} = {value:.6g}: the poses beyond are singular, or a measure has no value "
+                "there",
+                x=x,
+                value=value,
+            )
+        case "long":
+            return Message(
+                "the path was left at {x} = {value:.6g} before it closed; more n_steps follow it further",
+                x=x,
+                value=value,
+            )
+        case _:
+            return ""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from freebody.errors import InputError
+from freebody.language.sentences import Message, further, in_turn
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import NO_TRACKS, Status, Trajectory
 from freebody.numeric.engine.layout import Floats
@@ -166,7 +167,7 @@ class _Run:
                     is_late = time.perf_counter() - began > max_seconds
                     if is_late or self.n_done >= max_steps:
                         limit = max_seconds if is_late else None
-                        status, message = Status.TOO_LONG, stopped(self.now, f"{self.n_done} steps", limit)
+                        status, message = Status.TOO_LONG, stopped(self.now, Message("{n} steps", n=self.n_done), limit)
                         break
                     trouble = self._advance(min(int(mark), self.n_done + STEPS_AT_ONCE, max_steps))
                     if trouble is not None:
@@ -178,10 +179,10 @@ class _Run:
                     break
                 self._store()
         except KeyboardInterrupt:
-            status, message = Status.INTERRUPTED, f"interrupted at t = {self.now:.6g} s"
+            status, message = Status.INTERRUPTED, Message("interrupted at t = {t:.6g} s", t=self.now)
         if status is not Status.FINISHED and (not self._states or self._states[-1][0] < self.now):
             self._store()
-        return self._collected(status, "; ".join([*([message] if message else []), *self._notes()]), began)
+        return self._collected(status, further(*(said for said in (message, *self._notes()) if said)), began)
 
     @property
     def now(self) -> float:
@@ -216,9 +217,11 @@ class _Run:
             elif result == marching.FULL:
                 s.grow()
             elif result == marching.NOT_FINITE:
-                return Status.NOT_FINITE, f"after t = {self.now:.6g} s speeds are not finite; take a shorter step"
+                return Status.NOT_FINITE, Message(
+                    "after t = {t:.6g} s speeds are not finite; take a shorter step", t=self.now
+                )
             else:
-                return Status.UNREACHABLE, f"after t = {self.now:.6g} s what is held cannot be held"
+                return Status.UNREACHABLE, Message("after t = {t:.6g} s what is held cannot be held", t=self.now)
 
     def _store(self) -> None:
         """The state and the contacts of this instant."""
@@ -255,32 +258,38 @@ class _Run:
         self._deepest = max(self._deepest, float(deep))
 
     # -- the result ---------------------------------------------------------------------------
-    def _notes(self) -> list[str]:
+    def _notes(self) -> Iterator[Message]:
         m = self.march
-        found: list[str] = []
         if m.count[marching.CAPPED]:
-            found.append(
-                f"the contacts of {m.count[marching.CAPPED]} of {self.n_done} steps were left after "
-                f"{m.count[marching.MOST_SWEEPS]} sweeps, with velocities that still changed by up to "
-                f"{m.clock[marching.WORST_RESIDUAL]:.1e} m/s; more sweeps (max_sweeps) or shorter steps make them exact"
+            yield Message(
+                "the contacts of {n} of {all} steps were left after {sweeps} sweeps, with velocities that still "
+                "changed by up to {v:.1e} m/s; more sweeps (max_sweeps) or shorter steps make them exact",
+                n=int(m.count[marching.CAPPED]),
+                all=self.n_done,
+                sweeps=int(m.count[marching.MOST_SWEEPS]),
+                v=float(m.clock[marching.WORST_RESIDUAL]),
             )
         if m.count[marching.SOFTENED]:
-            found.append(
-                f"in {m.count[marching.SOFTENED]} steps with several impacts the law of restitution would have added "
-                "energy; they were done without restitution"
+            yield Message(
+                "in {n} steps with several impacts the law of restitution would have added energy; they were done "
+                "without restitution",
+                n=int(m.count[marching.SOFTENED]),
             )
         if self.scene.lent:
-            found.append(
-                f"{', '.join(self.scene.lent)}: without mass or moment of inertia; time stepping counts "
-                f"{KEPT * OF_LIGHTEST:.0e} of the lightest one beside it instead"
+            yield Message(
+                "{names}: without mass or moment of inertia; time stepping counts {share:.0e} of the lightest one "
+                "beside it instead",
+                names=in_turn([*self.scene.lent]),
+                share=KEPT * OF_LIGHTEST,
             )
         reach = self.step * float(m.clock[marching.FASTEST])
         if len(self.scene.built.pairs) and reach > self.scene.size:
-            found.append(
-                f"a body moved {reach:.3g} m in a step, more than the smallest outline ({self.scene.size:.3g} m): "
-                "contacts may have been missed; take a shorter step"
+            yield Message(
+                "a body moved {reach:.3g} m in a step, more than the smallest outline ({size:.3g} m): contacts may "
+                "have been missed; take a shorter step",
+                reach=reach,
+                size=float(self.scene.size),
             )
-        return found
 
     def _collected(self, status: Status, message: str, began: float) -> Stepped:
         m, s, packed = self.march, self.scene, self.scene.packed

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from freebody.budgets import allowed
+from freebody.language.sentences import Message, in_turn, listed
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Point
@@ -49,12 +50,18 @@ class Conflict:
     @property
     def message(self) -> str:
         """What contradicts, by how much, and what to do."""
-        *others, last = self.names
-        listed = ", ".join(others) + f" and {last}" if others else last
-        verb = "contradict each other" if others else "cannot hold"
-        what = "lengths and positions" if self.is_geometric else "start (at, angle, start) or the lengths"
-        rest = "" if self.is_minimal else " Perhaps not all of them are needed for it: the search was cut short."
-        return f"{listed} {verb}: at best {self.gap}. Change or leave out one of them, or change the {what}.{rest}"
+        told = Message(
+            "{names} contradict each other: at best {gap}. Change or leave out one of them, or change the {what}."
+            if len(self.names) > 1
+            else "{names} cannot hold: at best {gap}. Change or leave out one of them, or change the {what}.",
+            names=listed(self.names),
+            gap=self.gap,
+            what=Message("lengths and positions" if self.is_geometric else "start (at, angle, start) or the lengths"),
+        )
+        if self.is_minimal:
+            return told
+        rest = Message("Perhaps not all of them are needed for it: the search was cut short.")
+        return in_turn([told, rest], "{first} {second}")
 
     def to_plain(self) -> dict[str, Any]:
         return {
@@ -96,7 +103,9 @@ class _Miss:
 
     @property
     def gap(self) -> str:
-        return "there is no pose in which all measures have a value" if self.fit is None else self.fit.worst
+        if self.fit is None:
+            return Message("there is no pose in which all measures have a value")
+        return self.fit.worst
 
     def sizes(self) -> dict[int, float]:
         """How large the gap of each equation is, by its identity, in parts of the largest."""

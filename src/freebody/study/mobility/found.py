@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from freebody.assess.verdict import Judgement
+from freebody.language.sentences import Message, in_turn
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.numeric.mobility.rank import Rank
 from freebody.present.lines import plural
@@ -43,6 +44,7 @@ class Mobility(Result):
     reachable: int | None = None  # dimensions of the poses that can be reached, where connections hold velocities
     answers: Mapping[str, Judgement] = field(default_factory=dict[str, Judgement])
     notes: tuple[str, ...] = ()
+    is_over_driven: bool = False  # drivers lead the same freedom at different rates
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -210,31 +212,38 @@ def _advice(found: Mobility) -> str:
     kinds = {d.kind for d in found.dependences}
     if found.contradiction is not None:
         return found.contradiction.message
-    over_driven = [note for note in found.notes if note.startswith("over-driven")]
-    if over_driven:
-        return f"Leave out one of {', '.join(found.gruebler.drivers)}: they lead the same freedom at different rates."
-    if any(d.is_shaky for d in found.dependences) and found.gruebler.drivers:
-        return f"The drivers ({', '.join(found.gruebler.drivers)}) are at a dead point: lead another measure."
+    drivers = in_turn([*found.gruebler.drivers])
+    if found.is_over_driven:
+        return Message("Leave out one of {drivers}: they lead the same freedom at different rates.", drivers=drivers)
+    if any(d.is_shaky for d in found.dependences) and drivers:
+        return Message("The drivers ({drivers}) are at a dead point: lead another measure.", drivers=drivers)
     if any(d.is_shaky for d in found.dependences):
-        return (
+        return Message(
             "It gives way to first order only, so small errors of the lengths become large displacements: change "
             "the shape."
         )
     if "momentary" in kinds:
-        return (
+        return Message(
             "The pose is singular: the motion may go on along more than one branch. Start from another pose, or guide "
             "the mechanism through it."
         )
     if found.redundant:
-        rows = ", ".join(dict.fromkeys(dependent[-1] for dependent in found.redundant))
-        unique = f"free {rows} (a joint that holds less, clearance, a flexible part) to make the reactions unique."
+        rows = in_turn(list(dict.fromkeys(dependent[-1] for dependent in found.redundant)))
         if "special geometry" in kinds and found.degrees_of_freedom:
-            return f"It moves only as long as the dimensions are exactly so: {unique}"
-        return unique[0].upper() + unique[1:]
-    if found.degrees_of_freedom == 0 and found.gruebler.drivers:
-        return f"It moves as {', '.join(found.gruebler.drivers)} lead it; all reactions are unique."
-    if found.degrees_of_freedom == 0:
-        return "Nothing can move, and all reactions are unique."
+            return Message(
+                "It moves only as long as the dimensions are exactly so: free {rows} (a joint that holds less, "
+                "clearance, a flexible part) to make the reactions unique.",
+                rows=rows,
+            )
+        return Message(
+            "Free {rows} (a joint that holds less, clearance, a flexible part) to make the reactions unique.", rows=rows
+        )
     n = found.degrees_of_freedom
-    lead = ", ".join(found.independent_coordinates) or f"{n} coordinate{'s' * (n > 1)}"
-    return f"Lead {lead} to determine the motion; all reactions are unique."
+    if n == 0 and drivers:
+        return Message("It moves as {drivers} lead it; all reactions are unique.", drivers=drivers)
+    if n == 0:
+        return Message("Nothing can move, and all reactions are unique.")
+    lead = in_turn([*found.independent_coordinates]) or (
+        Message("1 coordinate") if n == 1 else Message("{n} coordinates", n=n)
+    )
+    return Message("Lead {lead} to determine the motion; all reactions are unique.", lead=lead)

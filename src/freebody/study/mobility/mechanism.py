@@ -155,8 +155,11 @@ def motions_of(
             )
         return found
     if system.space and free == 1:
-        plane = "instant centres, Grashof's cases, transmission angles and assembly modes"
-        notes.append(f"{plane} are told in the plane only")
+        notes.append(
+            Message(
+                "instant centres, Grashof's cases, transmission angles and assembly modes are told in the plane only"
+            )
+        )
     is_loop = has_loops(system)
     if along is not None or (is_loop and free == 1 and len(system.moving) <= MOST_BODIES):
         try:
@@ -168,7 +171,7 @@ def motions_of(
         except CannotAnswer as error:
             if along is not None:
                 raise
-            notes.append(f"not followed along {given.name}: {error}")
+            notes.append(Message("not followed along {name}: {why}", name=given.name, why=error))
     has_few = is_loop and free == 1 and not _counts_turns(system) and len(system.moving) <= _MOST_MODES
     if wanted.modes or (has_few and not system.space):
         try:
@@ -176,7 +179,7 @@ def motions_of(
         except CannotAnswer as error:
             if wanted.modes:
                 raise
-            notes.append(f"assembly modes not told: {error}")
+            notes.append(Message("assembly modes not told: {why}", why=error))
     return replace(found, notes=tuple(notes))
 
 

@@ -89,7 +89,9 @@ def _of_topology(system: System, count: Gruebler) -> Mobility:
         )
         for rows in rank.circuits
     )
-    note = f"{', '.join(system.unspecified)} are open: the rank holds for all but special dimensions"
+    note = Message(
+        "{names} are open: the rank holds for all but special dimensions", names=in_turn([*system.unspecified])
+    )
     return Mobility(system, count, "topology", rank, None, found, {}, _drawn(system, rank), None, None, notes=(note,))
 
 
@@ -110,14 +112,17 @@ def _of_symbols(system: System, count: Gruebler) -> Mobility:
     try:
         found = draws(system, 1)[0]
     except CannotAnswer as error:
-        open_ = "dimensions and directions" if system.space else "dimensions"
-        note = f"no values of the symbols were found that fit together ({error}): the rank is that of {open_} that do"
+        note = Message(
+            "no values of the symbols were found that fit together ({why}): the rank is that of {what} that do",
+            why=error,
+            what=Message("dimensions and directions" if system.space else "dimensions"),
+        )
         return replace(_of_topology(system, count), notes=(note,))
     q = found.q
     if not system.start and all(b.start.angle is None for b in system.moving):
         q = found.anywhere(SEED, 0.0, 0.3).q  # nobody meant the angles to be zero
     study = _at_pose(system, count, found.reference, q, "symbols", WantedFigures())
-    return replace(study, notes=("parameters without a value have random ones", *study.notes))
+    return replace(study, notes=(Message("parameters without a value have random ones"), *study.notes))
 
 
 def _contradictory(system: System, count: Gruebler, error: CannotAnswer, along: str | None) -> Mobility:
@@ -134,10 +139,10 @@ def _contradictory(system: System, count: Gruebler, error: CannotAnswer, along: 
             pass
         else:
             study = _at_pose(system, count, reference, q, "pose", WantedFigures())
-            note = "looked at a pose that can be assembled, not at the start of the file"
+            note = Message("looked at a pose that can be assembled, not at the start of the file")
             return replace(study, contradiction=found, notes=(note, *study.notes))
     rank = generic_rank(system)
-    note = "the rank is that of the same connections with dimensions that fit together"
+    note = Message("the rank is that of the same connections with dimensions that fit together")
     return Mobility(system, count, "topology", rank, None, (), {}, (), found, None, notes=(note,))
 
 
@@ -167,16 +172,20 @@ def _at_pose(
     notes: list[str] = []
     loose = [b.name for b in system.moving if all(b.name not in row.measure.bodies() for row in system.held)]
     if loose:
-        notes.append(f"connected with nothing: {', '.join(loose)}")
+        notes.append(Message("connected with nothing: {names}", names=in_turn(loose)))
     if count.drivers:
         free = len(q) - rank_at(reference, q, without=count.drivers).rank
-        notes.append(f"without {', '.join(count.drivers)}: {free} degree{'s' * (free != 1)} of freedom")
+        without = in_turn([*count.drivers])
+        if free == 1:
+            notes.append(Message("without {names}: 1 degree of freedom", names=without))
+        else:
+            notes.append(Message("without {names}: {n} degrees of freedom", names=without, n=free))
     if system.space and motions is not None and n_idle and nearby - n_idle == 1:
-        notes.append("the motion is not followed, since idle freedoms come with it")
+        notes.append(Message("the motion is not followed, since idle freedoms come with it"))
     holds_rates = any(isinstance(row.measure, NonholonomicForm) for row in system.held)
     reachable = reachable_dimensions(reference, q) if holds_rates and not count.drivers else None
-    over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else ""
-    if over_driven:
+    over_driven = _over_driven(reference, q) if len(count.drivers) > 1 and rank.circuits else None
+    if over_driven is not None:
         notes.append(over_driven)
     return Mobility(
         system,
@@ -192,16 +201,17 @@ def _at_pose(
         n_idle,
         reachable,
         notes=tuple(notes),
+        is_over_driven=over_driven is not None,
     )
 
 
-def _over_driven(reference: Reference, q: Array) -> str:
-    """Whether drivers lead the same freedom at different rates."""
+def _over_driven(reference: Reference, q: Array) -> Message | None:
+    """That drivers lead the same freedom at different rates, if they do."""
     try:
         reference.velocities(q, with_start=False)
     except CannotAnswer as error:
-        return f"over-driven: {error}"
-    return ""
+        return Message("over-driven: {why}", why=error)
+    return None
 
 
 def _nearby(reference: Reference, q: Array, rank: Rank) -> int:

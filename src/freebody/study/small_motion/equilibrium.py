@@ -17,7 +17,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import free_symbols
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.measures.base import Measure
 from freebody.measures.distance import Bearing
 from freebody.model.elements import NonholonomicForm
@@ -82,7 +82,9 @@ class _EquilibriumSearch:
         if not guessed:
             judged.sort(key=lambda pair: self._distance(*pair))
         rests = tuple(self._rest(b, s) for b, s in judged)
-        return Equilibria(self.system, self.dof, rests, tuple(self._notes(guessed)), self.reference)
+        searched = "" if guessed else self._searched()
+        notes = tuple(note for note in (searched, *self._notes()) if note)
+        return Equilibria(self.system, self.dof, rests, notes, self.reference, searched)
 
     def from_guesses(self, guesses: Sequence[Guess]) -> list[LoadBalance]:
         found: list[LoadBalance] = []
@@ -125,14 +127,20 @@ class _EquilibriumSearch:
                 continue  # a line without length has no angle
         reactions, shared = self._reactions(b)
         notes = [
-            f"{row.connection} would have to {'push' if row.reaction == 'tension' else 'pull'} there "
-            f"({row.reaction} {reactions[row.name]:.6g} N), so it does not hold this pose"
+            Message(
+                "{connection} would have to push there ({reaction} {N:.6g} N), so it does not hold this pose"
+                if row.reaction == "tension"
+                else "{connection} would have to pull there ({reaction} {N:.6g} N), so it does not hold this pose",
+                connection=row.connection,
+                reaction=row.reaction,
+                N=reactions[row.name],
+            )
             for row in system.held
             if row.unilateral and (reactions[row.name] or 0.0) < -1e-9 * float(np.abs(b.forces).max(initial=0.0))
         ]
         neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
         if neutral:
-            notes.append(f"one of a family: free to rest anywhere along {', '.join(neutral)}")
+            notes.append(Message("one of a family: free to rest anywhere along {names}", names=in_turn(neutral)))
         scale = b.scale or 1.0
         return FoundEquilibrium(
             values,
@@ -163,20 +171,30 @@ class _EquilibriumSearch:
         return moved_most(self.reference, self.statics.geometry(b.pose).of, motion)
 
     # -- what to say --------------------------------------------------------------------------
-    def _notes(self, guessed: bool) -> Iterator[str]:
-        if self.dof > 1 and not guessed and not self.statics.is_single:
-            yield f"found by {self.statics.n_searches} searches; with {self.dof} degrees of freedom there may be more"
+    def _searched(self) -> str:
+        if self.dof < 2 or self.statics.is_single:
+            return ""
+        return Message(
+            "found by {n} searches; with {dof} degrees of freedom there may be more",
+            n=self.statics.n_searches,
+            dof=self.dof,
+        )
+
+    def _notes(self) -> Iterator[Message]:
         for row in self.system.held:
             if isinstance(row.measure, NonholonomicForm):
-                yield f"{row.connection} binds velocities only, so the system rests in other poses as well"
+                yield Message(
+                    "{connection} binds velocities only, so the system rests in other poses as well",
+                    connection=row.connection,
+                )
         if self.dof == 0:
-            yield "nothing can move (0 degrees of freedom): this is the one pose, with its reactions"
+            yield Message("nothing can move (0 degrees of freedom): this is the one pose, with its reactions")
         for row in self.system.held:
             if row.target is not None and TIME in free_symbols(row.target):
-                yield f"{row.connection} is held at its value at t = 0"
+                yield Message("{connection} is held at its value at t = 0", connection=row.connection)
         for push in self.system.pushes:
             if TIME in free_symbols(push.law):
-                yield f"{push.load} has its value at t = 0"
+                yield Message("{load} has its value at t = 0", load=push.load)
 
     def _why_none(self, guessed: bool) -> str:
         """What keeps accelerating, from the start at rest."""

@@ -59,6 +59,7 @@ class Equilibria(Result):
     rests: tuple[FoundEquilibrium, ...]
     notes: tuple[str, ...]
     reference: Reference = field(repr=False)
+    searched: str = ""  # among the notes: how the rests were found, and that there may be more
 
     def __iter__(self) -> Iterator[FoundEquilibrium]:
         return iter(self.rests)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer, InputError
 from freebody.language.expression import free_symbols
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.model.names import did_you_mean
 from freebody.numeric.directional import derivative
 from freebody.numeric.instant import forces
@@ -164,7 +164,7 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
     small = SmallMotion(
         found.reference, LinearisationPoint(rest.q, np.zeros_like(rest.q), 0.0, rest.pose.branches, frozen=True)
     )
-    notes = [*(note for note in found.notes if "searches" not in note), *rest.notes]
+    notes = [*(note for note in found.notes if note != found.searched), *rest.notes]
     return NaturalModes(system, at, rest.measures, rest.stability, _modes(small), tuple(notes), small)
 
 
@@ -182,10 +182,12 @@ def _about_start(system: System) -> NaturalModes:
             continue
     unsteady = [c for c in small.positions if c.measure is not None and not _is_steady(small, s, c.measure)]
     if unsteady:
-        names = ", ".join(c.name for c in unsteady)
         notes.append(
-            f"the start is no steady state of {names}: the equations hold for its first instant only, and its modes "
-            "are those of coefficients that stay as they are then"
+            Message(
+                "the start is no steady state of {names}: the equations hold for its first instant only, and its modes "
+                "are those of coefficients that stay as they are then",
+                names=in_turn([c.name for c in unsteady]),
+            )
         )
     return NaturalModes(system, "start", measures, "", _modes(small), tuple(notes), small)
 
