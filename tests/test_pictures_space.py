@@ -21,17 +21,18 @@ from freebody.connections.base import Connection
 from freebody.errors import InputError, ModelError
 from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix
+from freebody.present.corner import round_length
 from freebody.present.figures import Array, hull
+from freebody.present.names import footprints, names
 from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
-from freebody.present.space.drawing import Drawing, round_length
-from freebody.present.space.labels import Footprint, names
+from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, between, matrices, quaternions
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
-from freebody.present.space.painter import Shot, paint, shots
+from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
-from freebody.present.space.stills import draw, owner
+from freebody.present.space.stills import draw
 from freebody.present.view import View
 from freebody.system.kinds import register_kinds
 from freebody.system.system import System
@@ -383,11 +384,7 @@ def test_names_stand_in_the_picture_and_not_on_each_other(name: str, angles: tup
     low, high = drawing.bounds(view)
     letter = float((high - low).max()) / 70
     frame = low - 6 * letter, high + 6 * letter
-    painted: dict[int, list[tuple[Shot, list[Any]]]] = {}
-    for shot in shots(drawing, 0, view):
-        if shot.piece.look != "plane":
-            painted.setdefault(owner(shot), []).append((shot, list(paint(shot))))
-    inks = {index: Footprint.of(own, letter) for index, own in painted.items()}
+    inks = footprints(painted(drawing, 0, view), letter)
     bodies = {form.index: form.name for form in drawing.scene.figures}
     found = names(inks, bodies, (0.56 * letter, letter), frame)
     assert [label.text for label in found] == list(bodies.values())

@@ -8,27 +8,24 @@ import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.language.plain_text import plain, shortened
 from freebody.present.drawing import Drawing
 from freebody.present.figures import Array
 from freebody.present.files import replaced
 from freebody.present.marks import ContactTrack
 from freebody.present.plane_page import note_on, page
 from freebody.present.scene import Scene
-from freebody.present.stills import frame_axes, paint
-from freebody.present.theme import THEMES
+from freebody.present.stage import Show, Stage, show_of_plane
 
 RATE = 30  # frames a second of shown time
 GIF_RATE = 25  # GIF counts hundredths of a second
 N_FRAMES = 3000
 FEWEST = 120  # of a page, which can be slowed down
-_PIXELS, _DPI = 640, 100
-MOST_IN_TITLE = 200  # characters over a film
+_INCHES, _DPI = 6.4, 100
 
 
 def write_animation(
@@ -48,22 +45,55 @@ def write_animation(
     of motion in a second of showing. contacts: where bodies touch at the given times, to be marked. Returns the path.
     Raises InputError if these do not fit together, the suffix is another one, the file cannot be written, or there is
     no ffmpeg for an MP4."""
-    return write_film(_Film(scene, _checked(scene, times, poses, contacts), title, speed), path)
+    motion = _checked(scene, times, poses, contacts)
+
+    def show(n_frames: int) -> tuple[Show, Array]:
+        drawing, shown = motion.drawn(scene, n_frames)
+        return show_of_plane(drawing, note_on(drawing)), shown
+
+    def page_of(n_frames: int, title: str, speed: float) -> str:
+        drawing, shown = motion.drawn(scene, n_frames)
+        return page(drawing, shown, title, speed)
+
+    return write_film(Film(motion.times, title, speed, show, page_of), path)
 
 
-class Film(Protocol):
-    """A motion that can be shown; speed: seconds of motion in a second of showing."""
+@dataclass(frozen=True)
+class Film:
+    """A motion that can be shown. times: (n_times,) [s] at which it is given; speed: seconds of motion in a second of
+    showing; show, page: of so many frames the drawing with their times, equally spaced, and the page that plays them
+    with a title and a speed; fewest: frames of a page, at least."""
 
-    @property
-    def speed(self) -> float: ...
+    times: Array
+    title: str
+    speed: float
+    show: Callable[[int], tuple[Show, Array]]
+    page: Callable[[int, str, float], str]
+    fewest: int = FEWEST + 1
 
-    def page(self) -> str:
+    def n_frames(self, rate: int) -> int:
+        """Of a film at a rate [1/s]."""
+        return min(N_FRAMES, math.ceil((self.times[-1] - self.times[0]) / self.speed * rate - 1e-9) + 1)
+
+    def text(self) -> str:
         """The text of a page that plays it."""
-        ...
+        return self.page(min(N_FRAMES, max(self.fewest, self.n_frames(RATE))), self.title, self.speed)
 
     def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
         """A figure, and an iterator that brings it to one frame after the other, at a rate [1/s]."""
-        ...
+        show, shown = self.show(self.n_frames(rate))
+        stage = Stage.of(show, _INCHES, title=self.title)
+        clock = stage.figure.text(0.97, 0.03, "", ha="right", va="bottom", fontsize=9, color=stage.theme.muted)
+
+        def stages() -> Iterator[None]:
+            for frame, t in enumerate(shown):
+                artists = stage.paint(frame)
+                clock.set_text(f"t = {t:.2f} s")
+                yield
+                for artist in artists:
+                    artist.remove()
+
+        return stage.figure, stages()
 
 
 def write_film(film: Film, path: str | Path) -> Path:
@@ -73,7 +103,7 @@ def write_film(film: Film, path: str | Path) -> Path:
     if not (math.isfinite(film.speed) and film.speed > 0):
         raise InputError(f"the speed of an animation is a positive number, not {film.speed}")
     writers: dict[str, Callable[[Path], None]] = {
-        ".html": lambda file: _written(file, film.page()),
+        ".html": lambda file: _written(file, film.text()),
         ".gif": lambda file: _write_gif(*film.stages(GIF_RATE), file),
         ".mp4": lambda file: _write_mp4(film, file),
     }
@@ -131,29 +161,6 @@ def _checked(scene: Scene, times: Array, poses: Array, contacts: ContactTrack | 
     return _Motion(times[last], poses[last], kept)
 
 
-def n_frames(times: Array, speed: float, rate: int) -> int:
-    """Of a film at a rate [1/s]."""
-    return min(N_FRAMES, math.ceil((times[-1] - times[0]) / speed * rate - 1e-9) + 1)
-
-
-@dataclass(frozen=True)
-class _Film:
-    """A motion of the plane, and how it is to be shown."""
-
-    scene: Scene
-    motion: _Motion
-    title: str
-    speed: float
-
-    def page(self) -> str:
-        drawing, shown = self.motion.drawn(self.scene, max(FEWEST + 1, n_frames(self.motion.times, self.speed, RATE)))
-        return page(drawing, shown, self.title, self.speed)
-
-    def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
-        drawing, shown = self.motion.drawn(self.scene, n_frames(self.motion.times, self.speed, rate))
-        return _stages(drawing, shown, self.title)
-
-
 def _written(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
 
@@ -193,41 +200,6 @@ def _ffmpeg() -> str:
             'an MP4 needs ffmpeg, and there is none: pip install "freebody[video]", or write .html or .gif instead'
         )
     return program
-
-
-# -- frames with Matplotlib -------------------------------------------------------------------
-def _stages(drawing: Drawing, times: Array, title: str) -> tuple[Any, Iterator[None]]:
-    """A figure, and an iterator that brings it to one frame after the other."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    width, height = drawing.high - drawing.low
-    shape = min(1.6, max(0.5, height / width))
-    even = 2 * round(_PIXELS * min(1.3, shape) / 2)  # video codecs want even numbers of pixels
-    figure: Any = Figure(figsize=(_PIXELS / _DPI, (even + 80) / _DPI), dpi=_DPI, layout="constrained")
-    FigureCanvasAgg(figure)
-    theme = THEMES["light"]
-    figure.set_facecolor(theme.paper)
-    axes = figure.add_subplot()
-    frame_axes(drawing, axes, theme)
-    figure.suptitle(shortened(plain(title), MOST_IN_TITLE), fontsize=11, color=theme.ink, parse_math=False, wrap=True)
-    note = note_on(drawing)
-    if note:
-        figure.supxlabel(note, fontsize=7, color=theme.muted, parse_math=False, wrap=True)
-    clock = axes.set_title("", fontsize=9, color=theme.muted, loc="left")
-
-    def stages() -> Iterator[None]:
-        for frame, t in enumerate(times):
-            artists = paint(drawing, frame, axes, theme)
-            clock.set_text(f"t = {t:.2f} s")
-            if frame == 0:
-                figure.draw_without_rendering()
-                figure.set_layout_engine("none")
-            yield
-            for artist in artists:
-                artist.remove()
-
-    return figure, stages()
 
 
 def _pictures(figure: Any, stages: Iterator[None]) -> Iterator[Any]:

@@ -36,7 +36,6 @@ class Drawing:
     high: Array
     moved: tuple[str, ...]
     strokes: list[Stroke] = field(default_factory=list[Stroke])
-    labels: list[Caption] = field(default_factory=list[Caption])  # names of bodies
     words: list[Caption] = field(default_factory=list[Caption])  # equations that have no sign
     contacts: ContactTrack | None = None  # with as many times as the poses
 
@@ -61,7 +60,6 @@ class Drawing:
         pen, surfaces = Pen(scene, layout), Surfaces(scene, layout)
         drawing.strokes.extend(Halts(scene, layout).strokes())
         drawing.strokes.extend(pen.strokes())
-        drawing.labels.extend(pen.labels())
         drawing.words.extend(pen.words())
         drawing._frame(least)
         drawing.strokes[:0] = surfaces.strokes(drawing.low, drawing.high)

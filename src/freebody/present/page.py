@@ -2,7 +2,7 @@
 script that draws it (`player.js`).
 
 The script draws strokes of the plane over each other in their order, and pieces of space by their depth, as
-`space.painter`, `space.order` and `space.labels` do; all through one camera: the plane is the view along z.
+`space.painter`, `space.order` and `names` do; all through one camera: the plane is the view along z.
 """
 
 from __future__ import annotations

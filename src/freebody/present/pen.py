@@ -361,39 +361,8 @@ class Pen:
             strokes = hatched(-1.2 * self.u, 1.2 * self.u, 0.75 * self.u, 0.6 * self.u)
             yield Path(place, GROUND, strokes + np.array((0.0, level + 0.45 * self.u)), "hatch")
 
-    # -- names --------------------------------------------------------------------------------
-    def labels(self) -> Iterator[Caption]:
-        """The name of each body beside its middle, or beside its rim where something else stands in the middle."""
-        taken: list[Array] = []
-        for figure in self.scene.figures:
-            at = positions(self.poses, figure.mass_center)[0]
-            options = [(1.2, 1.2), (1.2, -1.6), (-1.2, 1.2), (-1.2, -1.6), (1.2, 3.2), (1.2, -3.6)]
-            if figure.radius is not None and (figure.is_hollow or figure.radius < 12 * self.u):
-                r = 0.71 * figure.radius / self.u + 0.6
-                options = [(r, r), (r, -r - 0.8), (-r, r), (-r, -r - 0.8)]
-            spots = [at + self.u * np.array(o) for o in options]
-            free = [min((float(np.abs((s - t) / (6.0, 1.8)).max()) for t in taken), default=9e9) for s in spots]
-            n = len(figure.name)
-            free = [
-                0.0 if self._is_on_surface(spots[k], n if dx > 0 else -n) else free[k]
-                for k, (dx, _dy) in enumerate(options)
-            ]
-            k = next((k for k, f in enumerate(free) if f > self.u), int(np.argmax(free)))
-            taken.append(spots[k])
-            yield Caption(figure.mass_center, figure.name, *options[k])
-
+    # -- words --------------------------------------------------------------------------------
     def words(self) -> Iterator[Caption]:
         """What has no sign, as it is written."""
         for n, sign in enumerate(sign for sign in self.scene.signs if isinstance(sign, glyphs.Equation)):
             yield Caption(sign.at, equation(sign.text).text, 1.2, -3.4 - 1.8 * n)
-
-    def _is_on_surface(self, spot: Array, n_letters: int) -> bool:
-        """Whether a name that begins (or ends, for a negative number of letters) at a spot covers a line of the ground
-        or its hatching."""
-        end = spot + np.array([0.6 * self.u * n_letters, 0.0])
-        for wall in self.scene.walls:
-            normal, through = np.array(wall.along.normal().xy), np.array(wall.through.xy)
-            heights = np.array([spot - through, end - through]) @ normal
-            if wall.is_endless and heights.min() < 0.8 * self.u and heights.max() > -1.8 * self.u:
-                return True
-        return False

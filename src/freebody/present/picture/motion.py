@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from freebody.present.corner import round_length
 from freebody.present.figures import Array
 from freebody.present.picture.arrows import Seen
 from freebody.present.picture.label import Label, Run, words
@@ -13,7 +14,6 @@ from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Ink
 from freebody.present.picture.signs import across, arrow, cross
 from freebody.present.picture.sketch import Sketch
-from freebody.present.space.drawing import round_length
 
 LONGEST = 48.0  # [points]
 _LEAST = 5.0  # [points] what is shorter is left out

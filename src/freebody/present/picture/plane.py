@@ -9,8 +9,9 @@ import numpy as np
 
 from freebody.model.glyphs import Equation, Field, Halt, Surface, Touch, TurnHalt
 from freebody.present.drawing import Drawing
-from freebody.present.figures import Array, Drawn, owners
+from freebody.present.figures import Array, Drawn, hull, owners
 from freebody.present.layout import bounds
+from freebody.present.names import Painted
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
@@ -55,6 +56,17 @@ def shapes(drawing: Drawing, sketch: Sketch) -> Iterator[Shape]:
     """The strokes of the first instant."""
     for stroke in drawing.shown(0):
         yield shape_of(stroke, sketch.seen(drawing.points(stroke, 0)))
+
+
+def painted(drawing: Drawing, frame: int) -> list[Painted]:
+    """The strokes of one instant, in metres, in the order in which they lie on each other."""
+    return [_painted(stroke, drawing.points(stroke, frame)) for stroke in drawing.shown(frame)]
+
+
+def _painted(stroke: Stroke, points: Array) -> Painted:
+    is_area = not isinstance(stroke, Strand) and stroke.is_closed
+    outline = hull(points) if is_area else np.zeros((0, 2))
+    return Painted(stroke.color if isinstance(stroke, Path) else -1, (shape_of(stroke, points),), outline)
 
 
 def shape_of(stroke: Stroke, points: Array) -> Shape:

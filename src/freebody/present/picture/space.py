@@ -9,7 +9,9 @@ from itertools import islice, zip_longest
 import numpy as np
 
 from freebody.model.glyphs import Equation, ForceArrow, MomentArrow
+from freebody.present.corner import corner_marks
 from freebody.present.figures import Array
+from freebody.present.names import footprints, names
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
 from freebody.present.picture.forces import Force
@@ -19,12 +21,10 @@ from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
-from freebody.present.space.corner import corner_marks
 from freebody.present.space.drawing import Drawing, shells_of
 from freebody.present.space.figures import Poses
-from freebody.present.space.labels import Footprint, names
 from freebody.present.space.looks import OF_BODIES
-from freebody.present.space.painter import Shot, paint, shots
+from freebody.present.space.painter import paint, painted_shot, shots
 from freebody.present.space.shells import Shells
 from freebody.present.space.symbols import arrow, curved_arrow
 
@@ -78,13 +78,8 @@ class SpaceSketch(Sketch):
         return replace(shape, points=points, fill=ink) if shape.is_area else replace(shape, points=points, stroke=ink)
 
     def _name(self, painted: Sequence[Sequence[Shape]]) -> None:
-        owned: dict[int, list[tuple[Shot, Sequence[Shape]]]] = {}
-        for shot, marks in zip(self.taken, painted, strict=True):
-            if shot.piece.look != "plane":
-                index = shot.piece.turn if shot.piece.look in OF_BODIES else -1
-                owned.setdefault(index, []).append((shot, marks))
         letter = _SIZE / self.scale
-        inks = {index: Footprint.of(own, letter) for index, own in owned.items()}
+        inks = footprints(list(map(painted_shot, self.taken, painted)), letter)
         called = {form.index: form.name for form in self.drawing.scene.figures}
         low, high = self.drawing.bounds(self.view)
         frame = low - 6 * letter, high + 6 * letter
@@ -96,7 +91,8 @@ class SpaceSketch(Sketch):
         low, _high = self.corners()
         corner = low - np.array((4.0, 90.0))
         letter = _SIZE / self.scale
-        marks, texts = corner_marks(self.drawing, self.view, corner / self.scale + self.origin, letter)
+        at, gravity = corner / self.scale + self.origin, self.drawing.scene.gravity
+        marks, texts = corner_marks(gravity, self.view, at, letter, has_lengths=self.drawing.has_lengths)
         self.shapes.extend(self._on_paper(mark) for mark in marks)
         for at, text, color in texts:
             label = words(text) if len(text) > 1 else name(text)

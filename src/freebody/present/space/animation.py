@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from freebody.errors import InputError
-from freebody.present.animation import FEWEST, N_FRAMES, RATE, n_frames, write_film
+from freebody.present.animation import FEWEST, Film, write_film
 from freebody.present.figures import Array
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
 from freebody.present.space.page import page
-from freebody.present.space.stills import checked, figure_of, paint_frame
+from freebody.present.space.stills import checked, show_of_space
+from freebody.present.stage import Show
 from freebody.present.view import AZIMUTH, ELEVATION
 
 _STEP = 0.35  # [rad] a body turns between two frames of a page at most, or it would seem to turn the other way
-_INCHES = 6.4
 
 
 def write_animation(
@@ -43,7 +41,19 @@ def write_animation(
     4) unit quaternions (w, x, y, z); both in the order of `scene.names`. speed: seconds of motion in a second of
     showing. view: azimuth and elevation of the viewer [deg]. Returns the path. Raises InputError if these do not fit
     together, the suffix is another one, the file cannot be written, or there is no ffmpeg for an MP4."""
-    return write_film(_Film(scene, _checked(scene, times, centers, axes), title, speed, view, perspective), path)
+    motion = _checked(scene, times, centers, axes)
+    fast = largest_turn(motion.times, motion.turns) * float(motion.times[-1] - motion.times[0])
+
+    def show(n_frames: int) -> tuple[Show, Array]:
+        drawing, shown, _turns = motion.drawn(scene, n_frames)
+        return show_of_space(drawing, view, perspective=perspective), shown
+
+    def page_of(n_frames: int, title: str, speed: float) -> str:
+        drawing, shown, turns = motion.drawn(scene, n_frames)
+        return page(drawing, shown, turns, title, speed, view, perspective=perspective)
+
+    fewest = max(FEWEST + 1, math.ceil(fast / _STEP) + 1)
+    return write_film(Film(motion.times, title, speed, show, page_of, fewest), path)
 
 
 @dataclass(frozen=True)
@@ -53,6 +63,11 @@ class _Turning:
     times: Array
     centers: Array
     turns: Array
+
+    def drawn(self, scene: Scene, n_frames: int) -> tuple[Drawing, Array, Array]:
+        """The drawing of frames at equally spaced times, these times, and the quaternions."""
+        shown, centers, turns = at_times(self.times, self.centers, self.turns, n_frames)
+        return Drawing.of(scene, centers, matrices(turns)), shown, turns
 
 
 def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Turning:
@@ -66,43 +81,3 @@ def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Turnin
         raise InputError("the times of an animation must ascend, and be finite")
     last = np.append(np.diff(times) > 0, True)
     return _Turning(times[last], centers[last], quaternions(axes[last]))
-
-
-@dataclass(frozen=True)
-class _Film:
-    """A motion, and how it is to be shown."""
-
-    scene: Scene
-    motion: _Turning
-    title: str
-    speed: float
-    view: tuple[float, float]
-    perspective: bool
-
-    def page(self) -> str:
-        times, turns = self.motion.times, self.motion.turns
-        needed = math.ceil(largest_turn(times, turns) * float(times[-1] - times[0]) / _STEP) + 1
-        n = min(N_FRAMES, max(FEWEST + 1, n_frames(times, self.speed, RATE), needed))
-        shown, centers, turns = at_times(times, self.motion.centers, turns, n)
-        drawing = Drawing.of(self.scene, centers, matrices(turns))
-        return page(drawing, shown, turns, self.title, self.speed, self.view, perspective=self.perspective)
-
-    def stages(self, rate: int) -> tuple[Any, Iterator[None]]:
-        """A figure, and an iterator that brings it to one frame after the other."""
-        n = n_frames(self.motion.times, self.speed, rate)
-        shown, centers, turns = at_times(self.motion.times, self.motion.centers, self.motion.turns, n)
-        drawing = Drawing.of(self.scene, centers, matrices(turns))
-        look: dict[str, Any] = {"perspective": self.perspective, "title": self.title, "width": _INCHES, "is_film": True}
-        stage = figure_of(drawing, self.view, **look)
-        figure = stage.canvas_figure
-        clock = figure.text(0.97, 0.03, "", ha="right", va="bottom", fontsize=9, color=stage.theme.muted)
-
-        def stages() -> Iterator[None]:
-            for frame, t in enumerate(shown):
-                artists = paint_frame(stage, drawing, frame)
-                clock.set_text(f"t = {t:.2f} s")
-                yield
-                for artist in artists:
-                    artist.remove()
-
-        return figure, stages()

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freebody.model.glyphs import Belt, Coil, Equation, Face, MomentArrow, Shoe, Surface, Toothed, Track, Wheels
+from freebody.present.corner import round_length
 from freebody.present.figures import Array, Heading, Place, Triple, places_in
 from freebody.present.scene import Scene
 from freebody.present.space.bodies import body_pieces, convex
@@ -142,12 +143,6 @@ def shells_of(scene: Scene, poses: tuple[Array, Array]) -> Shells:
 def _size(low: Array, high: Array) -> float:
     size = float(np.linalg.norm(high - low))
     return size if size > _TINY else 0.0
-
-
-def round_length(value: float) -> float:
-    """The largest of 1, 2, 5, 10, ... times a power of ten that is not above a value."""
-    power = 10.0 ** math.floor(math.log10(value))
-    return power * max(m for m in (1.0, 2.0, 5.0) if m * power <= value * (1 + 1e-9))
 
 
 def _extent(scene: Scene, poses: Poses) -> tuple[Array, Array]:

@@ -6,7 +6,7 @@ away are hidden ones, drawn weakly and dashed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.present.figures import Array
+from freebody.present.names import Painted
 from freebody.present.picture.shapes import Shape, area, line
 from freebody.present.space.drawing import Drawing
-from freebody.present.space.looks import LOOKS, Look
+from freebody.present.space.looks import LOOKS, OF_BODIES, Look
 from freebody.present.space.order import Seen, back_to_front, seen_ball, seen_solid
 from freebody.present.space.pieces import Piece
 from freebody.present.view import View
@@ -50,6 +51,18 @@ def shots(drawing: Drawing, frame: int, view: View) -> list[Shot]:
     below = [shot for shot in flats if shot.normals[0, 2] > 0]
     above = [shot for shot in flats if shot.normals[0, 2] <= 0]
     return [*below, *(rest[k] for k in back_to_front([shot.seen for shot in rest])), *above]
+
+
+def painted(drawing: Drawing, frame: int, view: View, *, is_dark: bool = False) -> list[Painted]:
+    """All pieces at one instant, from the back to the front."""
+    return [painted_shot(shot, tuple(paint(shot, is_dark=is_dark))) for shot in shots(drawing, frame, view)]
+
+
+def painted_shot(shot: Shot, shapes: Sequence[Shape]) -> Painted:
+    """A piece with what it becomes on paper."""
+    piece = shot.piece
+    owner = None if piece.look == "plane" else piece.turn if piece.look in OF_BODIES else -1
+    return Painted(owner, tuple(shapes), shot.seen.outline, shot.points[0, :2] if piece.radius else None)
 
 
 def _shot(drawing: Drawing, piece: Piece, frame: int, view: View) -> Shot:

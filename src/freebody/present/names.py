@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from freebody.present.figures import Array
 from freebody.present.picture.shapes import Shape
-from freebody.present.space.painter import Shot
 
 _N_AROUND = 16
 _N_STEPS = 40
@@ -42,6 +41,17 @@ class Name:
 
 
 @dataclass(frozen=True)
+class Painted:
+    """What one stroke or piece becomes on paper. owner: the number of the body that it is, -1 for what joins bodies,
+    None for a plane behind them; outline: (n, 2) of its area, convex, no points of a line; middle: (2,) of a ball."""
+
+    owner: int | None
+    shapes: tuple[Shape, ...]
+    outline: Array
+    middle: Array | None = None
+
+
+@dataclass(frozen=True)
 class Footprint:
     """What is drawn of a body, or of what joins bodies: points (n, 2) along lines, and outlines of pieces."""
 
@@ -49,12 +59,12 @@ class Footprint:
     outlines: tuple[Array, ...]
 
     @classmethod
-    def of(cls, painted: Sequence[tuple[Shot, Sequence[Shape]]], letter: float) -> Footprint:
+    def of(cls, painted: Sequence[Painted], letter: float) -> Footprint:
         """letter: [m] the height of one on paper; points nearer than a third of it are one."""
         step = letter / 3
-        lines = [mark.points for _shot, own in painted for mark in own if not (mark.is_area or mark.is_closed)]
-        outlines = [shot.seen.outline for shot, _own in painted]
-        middles = [shot.points[:1, :2] for shot, _own in painted if shot.piece.radius]
+        lines = [shape.points for own in painted for shape in own.shapes if not (shape.is_area or shape.is_closed)]
+        outlines = [own.outline for own in painted if len(own.outline)]
+        middles = [own.middle[None] for own in painted if own.middle is not None]
         rims = [np.concatenate((outline, outline[:1])) for outline in outlines]
         dense = np.concatenate([np.zeros((0, 2)), *middles, *(_dense(line, step) for line in (*lines, *rims))])
         return cls(np.unique(np.round(dense / step), axis=0) * step, tuple(outlines))
@@ -66,6 +76,15 @@ class Footprint:
             if (way[:, 0] * arm[:, 1] >= way[:, 1] * arm[:, 0]).all():
                 return True
         return False
+
+
+def footprints(painted: Sequence[Painted], letter: float) -> dict[int, Footprint]:
+    """What is drawn, by the number of the body that it belongs to."""
+    owned: dict[int, list[Painted]] = {}
+    for own in painted:
+        if own.owner is not None:
+            owned.setdefault(own.owner, []).append(own)
+    return {owner: Footprint.of(own, letter) for owner, own in owned.items()}
 
 
 @cache
@@ -85,7 +104,7 @@ def names(
 ) -> list[Name]:
     """inks: what is drawn, by the index of the body it belongs to; bodies: names by index; letter: width and height
     of one on paper [m]; frame: the corners of the picture, (2,) and (2,); before: the choices of the last picture,
-    which are kept where they are not much worse, or in any case if a name `stays`."""
+    which are kept where they are not much worse, or if a name `stays` and none stands there."""
     width, height = letter
     placed: list[Name] = []
     for index, text in bodies.items():
@@ -98,8 +117,10 @@ def names(
         middle = 0.5 * (own.min(axis=0) + own.max(axis=0))
         kept = before.get(text) if before is not None else None
         if stays and kept is not None:
-            placed.append(Name(text, _option(kept, own, middle, half, height), half, kept))
-            continue
+            at = _option(kept, own, middle, half, height)
+            if not any(name.overlaps(at, half) for name in placed):
+                placed.append(Name(text, at, half, kept))
+                continue
         options = [_option(k, own, middle, half, height) for k in range(_N_AROUND + 1)]
         costs = [
             _cost(at, half, own, others, height)

@@ -1,0 +1,159 @@
+"""A drawing on its way, in a Matplotlib figure, one frame after the other: for films."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from freebody.language.plain_text import plain, shortened
+from freebody.present.corner import corner_marks
+from freebody.present.drawing import Drawing
+from freebody.present.figures import Array, positions
+from freebody.present.names import Painted, footprints, names
+from freebody.present.picture import pixels, plane
+from freebody.present.scene import Scene
+from freebody.present.theme import THEMES, Theme
+from freebody.present.view import View
+
+_SHAPES = (0.55, 1.1)  # height by width
+_LETTER, _FONT = 0.56, 9.0  # width of a letter by its height; points
+_PER_INCH = 72.0
+_PATIENCE = 10  # frames
+_CORNER = 8.0  # heights of letters that the axes take
+_MOST_IN_TITLE = 100
+
+
+@dataclass(frozen=True)
+class Show:
+    """What is put on a stage: strokes of the plane or pieces of space.
+
+    painted: by the frame and whether it is on dark paper; bounds: (2,), (2,) [m] corners on paper of all frames;
+    called: names of the bodies by the numbers of their owners; words: at a frame, where (2,) and what; note: what else
+    to know."""
+
+    scene: Scene
+    view: View
+    bounds: tuple[Array, Array]
+    painted: Callable[[int, bool], Sequence[Painted]]
+    called: Mapping[int, str]
+    words: Callable[[int], Sequence[tuple[Array, str]]] = lambda _frame: ()
+    has_lengths: bool = True
+    note: str = ""
+
+
+def show_of_plane(drawing: Drawing, note: str = "") -> Show:
+    """A planar drawing, seen along z."""
+
+    def words(frame: int) -> list[tuple[Array, str]]:
+        poses, u = drawing.poses[frame : frame + 1], drawing.symbol
+        return [(positions(poses, w.place)[0] + u * np.array((w.dx, w.dy)), w.text) for w in drawing.words]
+
+    def painted(frame: int, _is_dark: bool) -> list[Painted]:
+        return plane.painted(drawing, frame)
+
+    called = {figure.number: figure.name for figure in drawing.scene.figures}
+    bounds = drawing.low, drawing.high
+    return Show(drawing.scene, View(np.eye(3), np.zeros(3)), bounds, painted, called, words, note=note)
+
+
+@dataclass
+class Stage:
+    """A Matplotlib figure for one view of a drawing. letter: [m] the height of one on paper; low, high: corners of the
+    paper; choices: where names were last."""
+
+    show: Show
+    figure: Any
+    axes: Any
+    theme: Theme
+    is_dark: bool
+    letter: float
+    low: Array
+    high: Array
+    choices: dict[str, int] = field(default_factory=dict[str, int])
+
+    @classmethod
+    def of(cls, show: Show, width: float, *, title: str = "", dark: bool = False) -> Stage:
+        """An empty figure, as wide as said [inches] and as high as it needs, an even number of pixels."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+
+        theme = THEMES["dark" if dark else "light"]
+        low, high = show.bounds
+        wide, tall = high - low
+        # room for names round the bodies, and a strip below for the axes
+        head, foot = (0.45 if title else 0.12) + (0.25 if show.note else 0.0), 1.25
+        room = 0.4
+        shape = min(_SHAPES[1], max(_SHAPES[0], tall / wide))
+        height = shape * (width - 2 * room)
+        scale = min((width - 2 * room) / wide, height / tall)  # inches by metre
+        page = round(50 * (height + 0.5 * room + head + foot)) / 50
+        figure: Any = Figure(figsize=(width, page), dpi=100)
+        FigureCanvasAgg(figure)
+        figure.set_facecolor(theme.paper)
+        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        axes.set_axis_off()
+        corner = 0.5 * (low + high) - np.array((0.5 * width, 0.5 * height + foot)) / scale
+        paper = np.array((width, page)) / scale
+        axes.set_xlim(corner[0], corner[0] + paper[0])
+        axes.set_ylim(corner[1], corner[1] + paper[1])
+        look: dict[str, Any] = {"parse_math": False, "ha": "center", "va": "center"}
+        if title:
+            text = shortened(plain(title), _MOST_IN_TITLE)
+            figure.text(0.5, 1.0 - 0.24 / page, text, fontsize=11, color=theme.ink, **look)
+        if show.note:
+            below = 1.0 - (head - 0.1) / page
+            figure.text(0.5, below, plain(show.note), fontsize=7, color=theme.muted, wrap=True, **look)
+        letter = _FONT / _PER_INCH / scale
+        return cls(show, figure, axes, theme, dark, letter, corner, corner + paper)
+
+    def paint(self, frame: int) -> list[Any]:
+        """Draws one instant; returns the artists. In a film names look for better places now and then."""
+        painted = self.show.painted(frame, self.is_dark)
+        shapes = [shape for own in painted for shape in own.shapes]
+        gravity, has_lengths = self.show.scene.gravity, self.show.has_lengths
+        corner, words = corner_marks(gravity, self.show.view, self.low, self.letter, has_lengths=has_lengths)
+        artists = [pixels.paint([*shapes, *corner], self.axes, dark=self.is_dark)]
+        artists += [self._text(at, text, color) for at, text, color in words]
+        artists += [self._text(at, text, "ink") for at, text in self.show.words(frame)]
+        frame_of = self.low + np.array((0.0, _CORNER * self.letter)), self.high
+        inks = footprints(painted, self.letter)
+        size = _LETTER * self.letter, self.letter
+        found = names(inks, self.show.called, size, frame_of, self.choices, stays=frame % _PATIENCE != 0)
+        self.choices = {name.text: name.choice for name in found}
+        return [*artists, *(self._text(name.at, name.text, "ink") for name in found)]
+
+    def _text(self, at: Array, text: str, color: str) -> Any:
+        return _text(self.axes, at, text, self.theme, color)
+
+
+def _text(axes: Any, at: Array, text: str, theme: Theme, color: str = "ink") -> Any:
+    from matplotlib.patheffects import withStroke
+
+    halo = [withStroke(linewidth=2.5, foreground=theme.paper)]
+    look: dict[str, Any] = {"fontsize": _FONT, "parse_math": False, "path_effects": halo, "zorder": 9}
+    return axes.text(at[0], at[1], text, ha="center", va="center_baseline", color=theme.color(color, -1), **look)
+
+
+def draw_frame(scene: Scene, pose: Array, axes: Any, *, dark: bool = False) -> None:
+    """Draws one instant of the plane into Matplotlib axes, for figures of one's own. pose: (n_moving_bodies, 3), x and
+    y of the mass centre [m] and the angle [rad], in the order of `scene.names`."""
+    drawing, theme = Drawing.of(scene, np.asarray(pose, dtype=np.float64)[None]), THEMES["dark" if dark else "light"]
+    axes.set_xlim(drawing.low[0], drawing.high[0])
+    axes.set_ylim(drawing.low[1], drawing.high[1])
+    axes.set_aspect("equal")
+    axes.set_facecolor(theme.paper)
+    for spine in axes.spines.values():
+        spine.set_color(theme.faint)
+    axes.tick_params(colors=theme.muted, labelsize=8)
+    axes.set_xlabel("x [m], to the right", color=theme.muted, fontsize=8)
+    axes.set_ylabel("y [m], up", color=theme.muted, fontsize=8)
+    show, letter = show_of_plane(drawing), 1.5 * drawing.symbol
+    painted = show.painted(0, dark)
+    pixels.paint([shape for own in painted for shape in own.shapes], axes, dark=dark)
+    size = _LETTER * letter, letter
+    found = names(footprints(painted, letter), show.called, size, (drawing.low, drawing.high))
+    for at, text in (*((name.at, name.text) for name in found), *show.words(0)):
+        _text(axes, at, text, theme)
