@@ -8,6 +8,8 @@ from freebody import System
 from freebody.language.notation import to_text
 from freebody.narrative.explain import Derivation, Explanation, explain
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Sentence
+from test_kept_modes import BOWL, MAY_LEAVE, SLOPE
+from test_narrative import reread
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
@@ -109,3 +111,25 @@ def test_reactions_that_equilibrium_leaves_open_are_said_to_be_open() -> None:
     _found, derivation = of("ladder_rough_wall", "friction")
     said = [item.key for stage in derivation.stages for item in stage.items if isinstance(item, Sentence)]
     assert "rest.not_unique" in said
+
+
+# -- one law of motion ------------------------------------------------------------------------
+def test_what_one_law_says_is_derived_in_the_mode_with_which_the_motion_begins() -> None:
+    """A ball that may leave its bowl swings in it, 7/5 m (R - r) phi'' = -m g sin(phi), and keeps its energy."""
+    system = System.from_text(BOWL.replace("TOUCH", MAY_LEAVE))
+    found = explain(system)
+    for derivation in found.derivations:
+        assert not derivation.reason, derivation.reason
+        reread(found, derivation)
+    told = {d.question.id: [shown(line) for line in lines_of(d.stages)] for d in found.derivations}
+    assert "c_0 = 5·g/(7·(R - r))" in told["q1"]
+    assert "sin(φ_e) = 0" in told["q2"]
+
+
+def test_the_energy_that_friction_takes_is_told_by_the_power_of_the_slip() -> None:
+    """-mu N times the slip x' + r theta': conserved without friction, or where nothing presses."""
+    found = explain(System.from_text(SLOPE), "q1")
+    (derivation,) = found.derivations
+    assert not derivation.reason, derivation.reason
+    reread(found, derivation)
+    assert "E' = -m·μ·g·cos(θ)·(x' + r·θ_ball')" in [shown(line) for line in lines_of(derivation.stages)]

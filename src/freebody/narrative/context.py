@@ -10,7 +10,7 @@ from typing import Literal
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
-from freebody.narrative.contact.settings import setup_of
+from freebody.narrative.contact.settings import first_mode, has_phases, setup_of
 from freebody.narrative.lines.glossary import Glossary
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.acting import Acting
@@ -63,6 +63,23 @@ class Context:
         if "rates" in self.__dict__:  # not made for a system in space
             self.newton.begin()
         return Script(self.glossary, self.next_number)
+
+    def of_question(self, question: Question) -> Context:
+        """What is meant of one law of motion is told, with contacts or dry friction, of the mode with which the motion
+        begins."""
+        quantity = question.quantity
+        if quantity.scope in ("structure", "rest") or quantity.is_of_state or not has_phases(self.system):
+            return self
+        self._first_mode.next_number = self.next_number
+        return self._first_mode
+
+    @cached_property
+    def _first_mode(self) -> Context:
+        """A system of its own. Raises CannotAnswer where the motion begins with none."""
+        setup = first_mode(self.system)
+        made = Context(setup.system, self.next_number, self.introduced)
+        made.setup = setup
+        return made
 
     def symbol(self, *wishes: str) -> Symbol:
         """The first of some names that means nothing else in this system, as a symbol."""

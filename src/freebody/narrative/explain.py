@@ -118,14 +118,16 @@ def _derived(
     assert answer is not None
     busy_with(f"deriving {question.id}: {question.text}")
     derive = derivation_of(context.system, question)
-    stages, reason = _attempt(context, question, answer, method, derive)
+    here = context.of_question(question) if answer.is_answered else context
+    stages, reason = _attempt(here, question, answer, method, derive)
     compared: Sequence[DerivationStage] = ()
     if second is not None and not reason:
-        compared, trouble = _attempt(context, question, answer, second, derive)
+        compared, trouble = _attempt(here, question, answer, second, derive)
         reason = trouble
     if answer.is_answered and not reason:
-        end, reason = _attempt(context, question, answer, method, _closing)
+        end, reason = _attempt(here, question, answer, method, _closing)
         stages = [*stages, *end]
+    context.next_number = here.next_number
     return Derivation(question, answer, tuple(stages), method, reason, tuple(compared), second or "auto")
 
 

@@ -32,7 +32,7 @@ def _place(system: System, question: Question) -> str:
     scope = question.quantity.scope
     if scope == "rest":
         return "contact.rest"
-    if question.transition is not None or (has_phases(system) and scope not in ("structure", "every motion")):
+    if question.transition is not None or (has_phases(system) and question.quantity.is_of_state):
         return "contact.phases"
     if scope in _PLACES:
         return _PLACES[scope]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
 from freebody.study.answering.solve import MOST_PLACES
 from freebody.study.setup import Setup
 from freebody.system.system import System
@@ -23,6 +25,17 @@ def setup_of(system: System) -> Setup:
 
     tree = tree_of(system)
     return tree.roots[0].phase.setup if tree.roots else tree.home
+
+
+def first_mode(system: System) -> Setup:
+    """The mode with which a motion begins, kept for good. Raises CannotAnswer where there is none."""
+    from freebody.study.phases.kept import KeptMode
+    from freebody.study.phases.tree import tree_of
+
+    tree = tree_of(system)
+    if not tree.roots:
+        raise CannotAnswer(Message("no state of the contacts is consistent with the start"))
+    return KeptMode(tree, tree.roots[0])
 
 
 def has_phases(system: System) -> bool:

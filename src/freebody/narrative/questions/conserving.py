@@ -47,8 +47,6 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert isinstance(asked, Conserved)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("its rate has no closed form"))
-    if context.system.bounds or context.system.rubs:
-        raise CannotAnswer(Message("the law of motion changes on the way; conservation is derived for one law only"))
     telling = _ConservingTelling(context, asked, answer)
     telling.tell()
     return telling.script.stages
