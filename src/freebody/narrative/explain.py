@@ -19,6 +19,7 @@ from freebody.narrative.lines.script import DerivationStage, NumberedFormula
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import report_of
+from freebody.present.report.results import Reported
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -30,47 +31,22 @@ if TYPE_CHECKING:
     from freebody.present.report.blocks import Report
 
 
-class Explanation(WorkedSolutions):
+class Explanation(WorkedSolutions, Reported):
     """All worked solutions of a system, ready to be written in any format."""
 
-    @cached_property
+    @property
     def report(self) -> Report:
         """The explanation as a report."""
+        return self._report
+
+    @cached_property
+    def _report(self) -> Report:
         return report_of(self)
-
-    def to_html(self) -> str:
-        """A page of its own, without any network."""
-        from freebody.present.report.formats.html import html_page
-
-        return html_page(self.report)
-
-    def to_text(self, width: int = 100) -> str:
-        """For a terminal."""
-        from freebody.present.report.formats.terminal import terminal_text
-
-        return terminal_text(self.report, width)
-
-    def write(self, path: str | Path) -> list[Path]:
-        """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
-        InputError for another suffix or a place that cannot be written."""
-        from freebody.present.report.write import write_report
-
-        return write_report(self.report, Path(path), code=self._code)
 
     @property
     def _code(self) -> str:
         name = Path(self.system.file).name if self.system.file else "model.yaml"
         return f'import freebody\n\nsystem = freebody.System.load("{name}")\nsystem.solve()'
-
-    def _repr_html_(self) -> str:
-        from freebody.present.report.formats.html import html_fragment
-
-        return html_fragment(self.report)
-
-    def _repr_latex_(self) -> str:
-        from freebody.present.report.formats.latex import latex_fragment
-
-        return latex_fragment(self.report)
 
 
 @in_words

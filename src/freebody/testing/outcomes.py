@@ -18,10 +18,10 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import FrameType
-from typing import Any
 
 from freebody.api import System
 from freebody.errors import FreebodyError, RoutesDisagree, RoutesUntold
+from freebody.present.report.results import Result
 from freebody.study.answering.answer import Answer
 
 DISAGREE = ("routes disagree", "defect of freebody", "another formula than the solver")
@@ -144,41 +144,21 @@ def _solve(system: System) -> list[Outcome]:
     return _of_answers("solve", solution.answers)
 
 
+def _told(study: Callable[[System], Result]) -> Study:
+    """A study whose result is written in words and as data."""
+
+    def run(system: System) -> list[Outcome]:
+        found = study(system)
+        found.to_text()
+        found.to_plain()
+        return [Outcome("", End.ANSWERED)]
+
+    return run
+
+
 def _eom(system: System) -> list[Outcome]:
-    equations = system.equations_of_motion()
-    equations.to_latex()
-    equations.to_text()
-    return _done(equations)
-
-
-def _mobility(system: System) -> list[Outcome]:
-    found = system.mobility()
-    found.to_text()
-    return _done(found)
-
-
-def _conserved(system: System) -> list[Outcome]:
-    found = system.conserved()
-    found.to_text()
-    return _done(found)
-
-
-def _equilibrium(system: System) -> list[Outcome]:
-    found = system.equilibria()
-    found.to_text()
-    return _done(found)
-
-
-def _modes(system: System) -> list[Outcome]:
-    found = system.modes()
-    found.to_text()
-    return _done(found)
-
-
-def _statics(system: System) -> list[Outcome]:
-    found = system.statics()
-    found.to_text()
-    return _done(found)
+    system.equations_of_motion().to_latex()
+    return _told(System.equations_of_motion)(system)
 
 
 def _simulate(system: System) -> list[Outcome]:
@@ -213,13 +193,6 @@ def _write(system: System) -> list[Outcome]:
     ]
 
 
-def _done(found: Any) -> list[Outcome]:
-    to_plain = getattr(found, "to_plain", None)
-    if to_plain is not None:
-        to_plain()
-    return [Outcome("", End.ANSWERED)]
-
-
 @cache
 def studies() -> dict[str, Study]:
     """All studies by name, the cheap ones first."""
@@ -227,12 +200,12 @@ def studies() -> dict[str, Study]:
         "write": _write,
         "solve": _solve,
         "draw": _draw,
-        "mobility": _mobility,
-        "equilibrium": _equilibrium,
-        "modes": _modes,
-        "statics": _statics,
+        "mobility": _told(System.mobility),
+        "equilibrium": _told(System.equilibria),
+        "modes": _told(System.modes),
+        "statics": _told(System.statics),
         "eom": _eom,
-        "conserved": _conserved,
+        "conserved": _told(System.conserved),
         "simulate": _simulate,
         "explain": _explain,
     }

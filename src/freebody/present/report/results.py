@@ -39,8 +39,9 @@ class Reported:
         InputError for another suffix or a place that cannot be written."""
         from freebody.present.report.write import write_report
 
-        return write_report(self.report, Path(path), code=self._code())
+        return write_report(self.report, Path(path), code=self._code)
 
+    @property
     def _code(self) -> str:
         """What the first cell of a notebook runs."""
         return ""

@@ -127,7 +127,9 @@ class Phases:
         """Draws the regions of the cases."""
         from freebody.present.region_picture import region_picture
 
-        return region_picture(self.regions(x, y, n), path)
+        r = self.regions(x, y, n)
+        cases = [f"{case}: {where}" for case, where in zip(r.cases, r.conditions, strict=True)]
+        return region_picture(r.x, r.y, r.index, cases, r.labels, path)
 
 
 @in_words
