@@ -74,6 +74,47 @@ start: {{y: 0, rate(y): 0}}
             "time when y = h": "sqrt(2*h*(m1 + m2)/(g*m2))",
         },
     ),
+    # isosceles loops close with an angle, phi = 2 theta - pi: y_G = L/2 sin(theta) - R sin(2 theta), and at rest
+    # 4 R cos(2 theta) = L cos(theta)
+    "rod in a smooth bowl, over its rim": (
+        f"""
+parameters: {{m: 2 kg, L: 1.2 m, R: 0.5 m, {G}}}
+bodies: {{rod: {{rod: {{mass: m, length: L}}, near: {{at: {{start: [-0.4, -0.3]}}}}}}}}
+ground: {{points: {{rim: [R, 0]}}}}
+connections:
+  bowl: {{link: {{first: ground.O, second: rod.start, length: R}}}}
+  edge: {{slot: {{pin: ground.rim, along: rod.x, on: rod}}}}
+{WEIGHT}
+measures: {{th: angle of rod}}
+start: {{th: 20 deg}}
+""",
+        {
+            "equilibrium of th": "acos((L + sqrt(L**2 + 128*R**2))/(16*R))",
+            "velocity of rod.center along down": "(2*R*cos(2*th) - L*cos(th)/2)*rate(th)",
+        },
+    ),
+    # crank and rod of one length: x = 2 r cos(theta); T = m r^2 theta'^2 (1/3 + 3 sin^2), V = m g r sin(theta)
+    "slider-crank with equal crank and rod": (
+        f"""
+parameters: {{r: 0.2 m, m: 1 kg, {G}}}
+bodies:
+  crank: {{rod: {{length: r, mass: m}}}}
+  rod: {{rod: {{length: r, mass: m}}, near: {{angle: -50 deg}}}}
+  piston: {{particle: {{mass: m}}}}
+connections:
+  main: {{pin: [ground.O, crank.start]}}
+  crankpin: {{pin: [crank.end, rod.start]}}
+  wristpin: {{pin: [rod.end, piston]}}
+  cylinder: {{slider: {{body: piston, along: right, through: ground.O}}}}
+{WEIGHT}
+measures: {{th: angle of crank, x: x of piston}}
+start: {{th: 50 deg, rate(th): 0}}
+""",
+        {
+            "velocity of x": "-2*r*rate(th)*sin(th)",
+            "acceleration of th": "-cos(th)*(g + 6*r*rate(th)**2*sin(th))/(2*r*(1/3 + 3*sin(th)**2))",
+        },
+    ),
     # BJ sample problem 16.8 type: cord from below the hub, P (R - r) = (J + M R^2) a/R, the weight sinks a (1 - r/R)
     "spool pulled by a cord on its hub": (
         f"""

@@ -202,6 +202,24 @@ def known_angle(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None
     return None
 
 
+def sum_of_angles(field: Field, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:
+    """The angle of (x, y) where it is a sum of angles: turned back by one of them the vector becomes shorter to
+    write."""
+    known = known_angle(field, y, x, length)
+    if known is not None:
+        return known
+    size = len(field.terms(x.num)) + len(field.terms(y.num))
+    for cos, sin in field.pairs(x.generators() | y.generators()):
+        for sign in (1, -1):
+            c, s = field.variable(cos), sign * field.variable(sin)
+            u, w = x * c + y * s, y * c - x * s
+            if len(field.terms(u.num)) + len(field.terms(w.num)) < size:
+                rest = sum_of_angles(field, w, u, length)
+                if rest is not None:
+                    return sign * field.angles[cos] + rest
+    return None
+
+
 def _arc(field: Field, name: str, argument: Ratio, slope: Callable[[Ratio], Ratio]) -> Ratio:
     return function_atom(field, name, argument, lambda _f, u: slope(u))
 

@@ -6,6 +6,7 @@ whose unknowns stay keep them, and all others are written out in the coordinates
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -15,10 +16,12 @@ from freebody.measures.geometry import Vector
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation, TangentPair
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.functions import cos_sin
+from freebody.symbolic.functions import cos_sin, sum_of_angles
 from freebody.symbolic.geometry import straight_tangent
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import TANGENT_ANGLE, TANGENT_LENGTH, ModelUnknowns
+
+_SAME = 1e-7  # of angles that assembled poses have
 
 AngleBy = Callable[[int, Ratio, Ratio, Ratio], Ratio | None]
 
@@ -123,8 +126,28 @@ class Lines:
         return None
 
     def angle_by(self) -> AngleBy | None:
-        """The angle q with a cos q + b sin q + d = 0, on the branch of the samples; None where it is not looked for."""
+        """The angle q with a cos q + b sin q + d = 0, on the branch of the samples."""
+        return self._plain_angle
+
+    def _plain_angle(self, index: int, a: Ratio, b: Ratio, d: Ratio) -> Ratio | None:
+        """Where it is a sum of angles, as in isosceles triangles: with a^2 + b^2 - d^2 a square w^2 (see
+        `closure`). Longer formulas than that are left to the closed loop."""
+        f = self.field
+        square = f.lowest_terms(a * a + b * b)
+        root = f.sqrt(f.lowest_terms(square - d * d), lambda _x: False)  # of either sign
+        if {g for g in f.ingredients(root) if f.generators[g].kind == "root"} - f.ingredients(square * d):
+            return None
+        for w in (root, -root):
+            cos, sin = (f.lowest_terms(x / square) for x in (b * w - a * d, -(a * w + b * d)))
+            angle = sum_of_angles(f, sin, cos, f.one)
+            if angle is not None and self._is_at_samples(f.variable(index) - angle):
+                self.samples.is_negative(w)  # where it vanishes the loop may close the other way
+                return angle
         return None
+
+    def _is_at_samples(self, turned: Ratio) -> bool:
+        """Whether an angle is whole turns at every sample."""
+        return all(abs(math.remainder(v, math.tau)) < _SAME for v in self.samples.everywhere(turned))
 
 
 class KnownTangents:

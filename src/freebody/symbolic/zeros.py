@@ -5,6 +5,7 @@ from __future__ import annotations
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 
 
@@ -68,11 +69,11 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
     """The angles at which a cos + b sin + r vanishes."""
     f = model.field
     in_cos = base.coefficients(cos)
-    if len(in_cos) > 2:
-        return []
+    if len(in_cos) > 2 or len(base.coefficients(sin)) > 2:
+        return _of_one_wave(model, base, cos, sin)
     a = in_cos[1] if len(in_cos) == 2 else f.zero
     in_sin = in_cos[0].coefficients(sin)
-    if len(in_sin) > 2 or {cos, sin} & a.generators():
+    if {cos, sin} & a.generators():
         return []
     b, r = (in_sin[1] if len(in_sin) == 2 else f.zero), in_sin[0]
     pi, fn = f.pi, functions(f, model.samples.is_negative)
@@ -95,3 +96,26 @@ def _turned_zeros(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list
         return [2 * fn["atan"](-a / b), pi]
     root = fn["sqrt"](a * a + b * b - r * r)
     return [2 * fn["atan"]((-b - root) / (r - a)), 2 * fn["atan"]((-b + root) / (r - a))]
+
+
+def _of_one_wave(model: SymbolicModel, base: Ratio, cos: int, sin: int) -> list[Ratio]:
+    """The same of p cos^2 + q cos + r = 0, or of p cos^2 + q sin + r = 0 with cos^2 = 1 - sin^2."""
+    f = model.field
+    in_cos = base.coefficients(cos)
+    parts = [(*x.coefficients(sin), f.zero)[:2] for x in in_cos]  # sin^2 never stands in the normal form
+    if len(in_cos) != 3 or any(not of_sin.is_zero() for _rest, of_sin in parts[1:]):
+        return []
+    (r, q_sin), (q_cos, _), (p, _) = parts
+    if q_sin.is_zero():
+        c, arc = (r, q_cos, p), "acos"
+    elif q_cos.is_zero():
+        c, arc = (r + p, q_sin, -p), "asin"
+    else:
+        return []
+    square = f.lowest_terms(c[1] * c[1] - 4 * c[0] * c[2])
+    if sign_of(square) in (Sign.NEGATIVE, Sign.NONPOSITIVE):
+        return []
+    fn = functions(f, model.samples.is_negative)
+    root = f.sqrt(square, model.samples.is_negative)
+    angles = [fn[arc](f.lowest_terms((way * root - c[1]) / (2 * c[2]))) for way in (1, -1)]
+    return [x for angle in angles for x in ((angle, -angle) if arc == "acos" else (angle, f.pi - angle))]

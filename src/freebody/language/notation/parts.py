@@ -23,6 +23,8 @@ from freebody.language.expression import (
 )
 from freebody.language.parser import GREEK, MAX_DIGITS
 
+MOST_HALVED = 1024  # the largest denominator of what comes of halving again and again
+
 # Binding strength of what stands at the top of a written expression.
 SUM, MINUS, PRODUCT, POWER, ATOM = range(5)
 
@@ -87,8 +89,10 @@ def _without_sign(term: Expr) -> tuple[bool, Expr]:
 
 
 def as_decimal(value: Fraction) -> str | None:
-    """The decimal of a positive number whose denominator is over 10 and divides a power of ten."""
-    if value.denominator <= 10 and len(str(value.numerator)) <= MAX_DIGITS:
+    """The decimal of a positive number whose denominator is over 10 and divides a power of ten. Of sixteenths and the
+    like only people who halve make some: they stay fractions."""
+    is_halved = value.denominator & (value.denominator - 1) == 0 and value.denominator <= MOST_HALVED
+    if (value.denominator <= 10 or is_halved) and len(str(value.numerator)) <= MAX_DIGITS:
         return None
     places = _decimal_places(value.denominator)
     if places is None:

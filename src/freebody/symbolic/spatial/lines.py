@@ -10,7 +10,7 @@ from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import RowEquation
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.functions import known_angle
+from freebody.symbolic.functions import sum_of_angles
 from freebody.symbolic.lines import AngleBy, Lines
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import POSITION, TANGENT_LENGTH, ModelUnknowns
@@ -31,31 +31,13 @@ class SpatialLines(Lines):
             square = v.x * v.x + v.y * v.y
             if not v.x.generators() & v.y.generators() & self._positions():
                 length = self.field.sqrt(square, self.samples.is_negative if self.samples.points else None)
-                angle = self._sum_of_angles(v.y, v.x, length)
+                angle = sum_of_angles(self.field, v.y, v.x, length)
                 if angle is not None:
                     return length, angle
         return super().tangent(v, offset)
 
     def _positions(self) -> set[int]:
         return {index for index, u in self.unknowns.found.items() if u.rank[0] == POSITION}
-
-    def _sum_of_angles(self, y: Ratio, x: Ratio, length: Ratio) -> Ratio | None:
-        """The angle of (x, y) where it is a sum of angles: turned back by one of them the vector becomes shorter to
-        write."""
-        f = self.field
-        known = known_angle(f, y, x, length)
-        if known is not None:
-            return known
-        size = len(f.terms(x.num)) + len(f.terms(y.num))
-        for cos, sin in f.pairs(x.generators() | y.generators()):
-            for sign in (1, -1):
-                c, s = f.variable(cos), sign * f.variable(sin)
-                u, w = x * c + y * s, y * c - x * s
-                if len(f.terms(u.num)) + len(f.terms(w.num)) < size:
-                    rest = self._sum_of_angles(w, u, length)
-                    if rest is not None:
-                        return sign * f.angles[cos] + rest
-        return None
 
     # -- roots --------------------------------------------------------------------------------
     def unknown_root(self) -> ElementMap | None:
