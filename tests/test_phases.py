@@ -566,3 +566,16 @@ def test_a_formula_ends_where_a_sign_that_it_takes_ends() -> None:
     beyond = fb.System.from_text(ON_A_TABLE.replace("h: 0.5 m", "h: 1.4 m")).solve()["q3"]
     assert beyond.value is None
     assert any("13" in note for note in beyond.notes) or "13" in beyond.reason
+
+
+def test_a_block_with_drag_comes_to_rest_after_a_logarithm(agrees_text: Agree) -> None:
+    """m v' = -mu m g - c v, so that c v + mu m g falls by exp(-c t/m); x = (m v0 - mu m g t)/c when it stops."""
+    text = FLAT.format(shape="disk").replace("{ball: {disk: {mass: m, radius: r}}}", "{ball: {particle: {mass: m}}}")
+    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m")
+    text = text.replace("{gravity: g}}", "{gravity: g}, d: {force: {at: ball, along: right, magnitude: -c*rate(x)}}}")
+    found = solved(text, "time when ball stops", "x when ball stops")
+    time = "m/c*log(1 + c*v0/(mu*m*g))"
+    agrees_text(to_python(found["q1"].expression), time)
+    agrees_text(to_python(found["q2"].expression), f"m*(v0 - mu*g*({time}))/c")
+    assert found.phases is not None
+    assert found.phases.cases[0].what == "slides, then holds"

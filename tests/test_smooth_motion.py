@@ -14,6 +14,7 @@ import pytest
 import freebody as fb
 from freebody.errors import NeverHappens
 from freebody.language.parser import parse
+from freebody.study.answering.answer import NOT_VALID
 from said import said
 
 Agree = Callable[[fb.Solution, str, str | list[str]], None]
@@ -439,3 +440,21 @@ start: {x: 0, y: h, rate(x): v, rate(y): 0}
     (answer,) = solution.answers
     assert answer.value == pytest.approx((3.0, -((2 * 9.81 * 5) ** 0.5)), rel=1e-12)
     agrees(solution, answer.id, ["v", "-sqrt(2*g*h)"])
+
+
+def test_an_event_that_does_not_come_at_the_values_of_the_model_is_told_by_cases(agrees: Agree) -> None:
+    """m u' = F: at rest after -m u/F, if the force is against the speed; with 3 N and 2 m/s it is not."""
+    text = """
+parameters: {m: 2 kg, F: {value: 3 N, sign: any}, u: {value: 2 m/s, sign: any}}
+bodies: {b: {particle: {mass: m}}}
+connections: {guide: {slider: {body: b, along: right}}}
+loads: {p: {force: {at: b, along: right, magnitude: F}}}
+measures: {x: x of b}
+start: {x: 0, rate(x): u}
+"""
+    solution = fb.System.from_text(text).solve("time when rate(x) = 0")
+    (answer,) = solution.answers
+    agrees(solution, answer.id, "-m*u/F")
+    assert answer.value is None
+    assert any(note.startswith(NOT_VALID) for note in answer.notes)
+    assert {case.conditions for case in answer.cases} == {("u > 0", "F < 0"), ("u < 0", "F > 0")}

@@ -23,7 +23,7 @@ from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.crosscheck import element_at, holds
-from freebody.study.answering.finding import Elements, Finding, answered
+from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
@@ -43,13 +43,14 @@ _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
 
 class QuestionSolver:
-    """Answers one question."""
+    """Answers one question. otherwise: where no closed form is found this way."""
 
-    def __init__(self, setup: Setup, question: Question) -> None:
+    def __init__(self, setup: Setup, question: Question, otherwise: Otherwise | None = None) -> None:
         self.setup = setup
         self.system = setup.system
         self.model = setup.model
         self.question = question
+        self.otherwise = otherwise
 
     def answer(self) -> Answer:
         with self.model.samples.apart():  # what one question takes to be positive is no condition of the next
@@ -64,7 +65,7 @@ class QuestionSolver:
 
                 return answer(self.system, self.question)
             case _:
-                return answered(self.system, self.question, self._smooth, self._number_instead)
+                return answered(self.system, self.question, self._smooth, self._number_instead, self.otherwise)
 
     def _smooth(self) -> Answer:
         return self._finish(self._find())

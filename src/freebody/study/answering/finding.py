@@ -23,6 +23,7 @@ from freebody.system.system import System
 
 Elements = Ratio | tuple[Ratio, ...]
 Instead = Callable[[], tuple[Value, tuple[str, ...]]]  # a number, and what is to be said of how it was looked for
+Otherwise = Callable[[], Answer | None]
 _TOO_LONG = (ExpressionError, OverflowError)  # what goes wrong with formulas that are too long
 NO_FORM = (CannotAnswer, *_TOO_LONG, *FAILED)  # what leaves a question, or a part of it, without a closed form
 
@@ -43,10 +44,14 @@ class Finding:
 
 
 def answered(
-    system: System, question: Question, answer: Callable[[], Answer], instead: Instead | None = None
+    system: System,
+    question: Question,
+    answer: Callable[[], Answer],
+    instead: Instead | None = None,
+    otherwise: Otherwise | None = None,
 ) -> Answer:
-    """The answer, or the reason why there is none. instead: the number that is shown without a closed form; where the
-    routes disagree, or nothing has a value, there is none."""
+    """The answer, or the reason why there is none. otherwise: another way to a closed form; instead: the number that is
+    shown without one. Where the routes disagree, or nothing has a value, there is neither."""
     busy_with(f"answering {question.id}: {question.text}")
     try:
         return answer()
@@ -55,6 +60,8 @@ def answered(
     except (HasNoValue, RoutesDisagree) as error:
         return refused(question, str(error))
     except NO_FORM as error:
+        if otherwise is not None and (found := otherwise()) is not None:
+            return found
         value, unfinished = (None, ()) if instead is None else instead()
         return refused(question, further(why(system, error), *unfinished), value)
 

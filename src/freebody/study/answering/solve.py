@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from math import isfinite
 
 from freebody.errors import CannotAnswer, ModelError, Problem
@@ -16,6 +17,7 @@ from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.closed_form import QuestionSolver
+from freebody.study.answering.finding import NO_FORM
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.parts import part_for
 from freebody.study.answering.solution import Solution
@@ -90,10 +92,27 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
             raise
         return _in_numbers(setup, questions, str(error))
     answers = tuple(
-        QuestionSolver(setup, q).answer() if q.transition is None else _without_contacts(q, q.transition)
+        QuestionSolver(setup, q, partial(_by_cases, setup, q)).answer()
+        if q.transition is None
+        else _without_contacts(q, q.transition)
         for q in questions
     )
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _by_cases(setup: Setup, question: Question) -> Answer | None:
+    """What one formula does not tell of an event a case distinction may: the motion is a sequence of one phase, and
+    inequalities tell which of several roots comes first. None where that leads to no closed form either."""
+    from freebody.study.phases.ask import answer
+    from freebody.study.phases.tree import tree_of
+
+    if question.event is None or setup.system.space or setup.model.dependent:
+        return None
+    try:
+        found = answer(tree_of(setup.system), question)
+    except NO_FORM:
+        return None
+    return None if found.expression is None else found
 
 
 def _with_changes(system: System, questions: Sequence[Question], setup: Setup | None) -> Solution:

@@ -9,6 +9,7 @@ sines and cosines alone goes round for ever.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -21,14 +22,18 @@ from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws import Decay, Growth, MotionLaw, Oscillation
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import CourseZero, EnergyMotion, UniformMotion
+from freebody.symbolic.phases.course import ClosedFormMotion, CourseZero, EnergyMotion, LawMotion, UniformMotion
 from freebody.symbolic.signs import Sign, sign_of
 
 _NOW = 1e-9  # a zero at the very start, relative to what the function can become
 _SOON = 1e-12  # [s] a time that is none
 _HERE = 1e-7  # a place that is the one of the start
 _CLOSE = 1e-5  # a place that round-off may put on either side of the start
+_BESIDE = 1e-6  # of a time: just before and just after it
+_LONG = 20.0  # units of time of a law that a motion without an end is looked at
+_SHARES = tuple((k + 0.5) / 60 for k in range(60))  # of a motion at which it is looked at
 N_ALONG = 24  # places on the way at which a speed must be real
 _FAR = 1e4  # how far a way without an end is looked along, by its own size
 _NOT_NEGATIVE = (Sign.POSITIVE, Sign.NONNEGATIVE, Sign.ZERO)
@@ -85,6 +90,8 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
     match phase.course:
         case UniformMotion() as course:
             found = _in_time(course, watches, sets, indices)
+        case LawMotion() as course:
+            found = _by_laws(course, watches, sets, indices)
         case EnergyMotion() as course:
             road = _Road(course, sets, indices)
             found = road.events(watches)
@@ -196,7 +203,7 @@ def _before(watch: PhaseWatch) -> str:
     return Message("before {contact} {event}", contact=watch.connection, event=occurs(watch))
 
 
-def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
+def _times_in_order(course: ClosedFormMotion, candidates: Sequence[_Candidate], sets: Sets) -> list[Test]:
     """That a time is real, that it comes, and that it comes before another one."""
     model, found = course.model, list[Test]()
     times = [c.zero.time for c in candidates]
@@ -223,6 +230,58 @@ def _times_in_order(course: UniformMotion, candidates: Sequence[_Candidate], set
             words = (_before(c.watch) for c in (one, other))
             found.append(as_test(s - t, ">", sets.evaluate(model, s - t), *words))
     return found
+
+
+# -- along laws of the time -----------------------------------------------------------------------
+def _by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> _PossibleEnds:
+    """Zeros in closed form; that there are no others before the first of them is seen along the motion."""
+    model, found = course.model, _PossibleEnds()
+    mine = np.zeros(sets.n, dtype=bool)
+    mine[indices] = True
+    functions = {watch: course.over_time(watch.element) for watch in watches}
+    tau = model.field.index(course.tau)
+
+    def at(watch: PhaseWatch, t: Array) -> Array:
+        return sets.evaluate(model, functions[watch], {tau: t})
+
+    for watch in watches:
+        with suppress(CannotAnswer):  # what is seen to vanish without a closed form is refused below
+            for zero in course.zeros(watch.element):
+                assert zero.time is not None
+                t = sets.evaluate(model, zero.time)
+                exists = (*zero.needs, *_where(model, watch, zero))
+                with np.errstate(invalid="ignore"):
+                    good = mine & np.isfinite(t) & (t > _SOON) & _all_hold(model, exists, sets)
+                    good &= (at(watch, t * (1 - _BESIDE)) > 0) & (at(watch, t * (1 + _BESIDE)) < 0)
+                if good.any():
+                    found.candidates.append(_Candidate(watch, zero, np.where(good, t, np.inf), (zero.time, *exists)))
+                    found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in exists]
+        if all(c.watch is not watch for c in found.candidates):
+            found.unsure.append(())
+    ends = np.min([c.reached for c in found.candidates], axis=0) if found.candidates else np.full(sets.n, np.inf)
+    horizon = _LONG * np.max([_unit_of_time(model, law, sets) for law in course.laws], axis=0)
+    until = np.where(np.isfinite(ends), ends, horizon)
+    for watch in watches:
+        seen = np.array([at(watch, share * until) for share in _SHARES])
+        with np.errstate(invalid="ignore"):
+            missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
+        if (missed & mine).any():
+            raise CannotAnswer(
+                Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
+            )
+    found.tests = _times_in_order(course, found.candidates, sets) + found.tests
+    return found
+
+
+def _unit_of_time(model: SymbolicModel, law: MotionLaw, sets: Sets) -> Array:
+    """[s] In which a law does what it does; 0 for constant acceleration."""
+    match law:
+        case Oscillation() | Growth():
+            return 1.0 / np.sqrt(sets.evaluate(model, law.square))
+        case Decay():
+            return 1.0 / np.abs(sets.evaluate(model, law.gamma))
+        case _:
+            return np.zeros(sets.n)
 
 
 # -- along the way ----------------------------------------------------------------------------

@@ -19,7 +19,7 @@ from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import EnergyMotion
+from freebody.symbolic.phases.course import EnergyMotion, LawMotion
 from freebody.symbolic.state import SymbolicState
 
 _NO_TIME = Message(
@@ -109,7 +109,7 @@ def _heat(tree: PhaseTree, way: WayToPhase, first: FirstEvent | None) -> Ratio:
         if ends is None:
             continue
         zero = ends.zero
-        if isinstance(phase.course, EnergyMotion):
+        if isinstance(phase.course, (EnergyMotion, LawMotion)):
             total = total + _energy_lost(tree, phase, zero.values)
             continue
         time = None if zero.time is None else tree.to_home(phase, zero.time)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
@@ -25,7 +26,7 @@ from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, EnergyMotion, UniformMotion
+from freebody.symbolic.phases.course import ClosedFormMotion, EnergyMotion, LawMotion, UniformMotion
 from freebody.symbolic.phases.relations import SolvedRelation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
@@ -290,6 +291,11 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
             except CannotAnswer:  # it starts where only the assembly says
                 continue
             motion.append((Symbol(c.name), add(readable(q0), readable(u0 * t), readable(a * t * t / 2))))
+    elif isinstance(course, LawMotion):
+        values = course.values(phase.model.field.time)
+        for c in model.coordinates:
+            with suppress(CannotAnswer):
+                motion.append((Symbol(c.name), readable(tree.to_home(phase, values[c.index]))))
     elif isinstance(course, EnergyMotion):
         motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, readable(course.square)))
     return tuple(equations), tuple(motion)

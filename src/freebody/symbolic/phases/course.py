@@ -2,6 +2,7 @@
 
     rest      nothing can move
     uniform   every acceleration is constant:    q(t) = q0 + u0 t + a t^2/2; what is a polynomial in q and u is one in t
+    laws      every coordinate by itself: harmonic, or exponential (`symbolic/laws.py`)
     energy    one degree of freedom and loads with potentials:    u^2 = (M0 u0^2 + 2 V0 - 2 V(q))/M(q); what is even
               in u is a function of q
 
@@ -10,7 +11,7 @@ t is the time since the phase began.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -18,12 +19,13 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.laws import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import zeros_of
+from freebody.symbolic.zeros import solve_linear, zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
 
@@ -35,6 +37,7 @@ class CourseZero:
     time: Ratio | None
     values: Mapping[int, Ratio]  # coordinates and speeds there, by generator
     at: Ratio | None = None  # of the coordinate, where energy gives the motion
+    needs: tuple[Ratio, ...] = ()  # positive (or not negative) where it is real
 
 
 class ClosedFormMotion:
@@ -105,6 +108,69 @@ class UniformMotion(ClosedFormMotion):
 
     def zeros(self, x: Ratio) -> list[CourseZero]:
         return [CourseZero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
+
+
+class LawMotion(ClosedFormMotion):
+    """Every coordinate moves by a law of its own, whatever the others do."""
+
+    def __init__(self, model: SymbolicModel, start: StartState, laws: Sequence[MotionLaw]) -> None:
+        super().__init__(model, start)
+        self.laws = tuple(laws)
+
+    @property
+    def kind(self) -> str:
+        return "laws"
+
+    @cached_property
+    def tau(self) -> Ratio:
+        return self.model.field.parameter(TAU)
+
+    def values(self, time: Ratio) -> dict[int, Ratio]:
+        """Coordinates and speeds at a time."""
+        f = self.model.field
+        found: dict[int, Ratio] = {f.index(f.time): time}
+        for c, law in zip(self.model.coordinates, self.laws, strict=True):
+            found[c.index], found[c.speed] = map(f.lowest_terms, law.at(time))
+        return found
+
+    def over_time(self, x: Ratio) -> Ratio:
+        """A function of the state as one of the time `tau`."""
+        return self.model.field.follow(self.model.in_independent_speeds(x), self.values(self.tau))
+
+    def along(self, x: Ratio) -> list[Ratio]:
+        raise CannotAnswer(Message("it is no polynomial in the time"))
+
+    def zeros(self, x: Ratio) -> list[CourseZero]:
+        """Of factors that are linear in one coordinate, or in its rate. Raises CannotAnswer for any other."""
+        f = self.model.field
+        found: list[CourseZero] = []
+        for base, _exponent in f.factor(self.plain(x).num)[1]:
+            inside = f.ingredients(base)
+            moving = [(c, law) for c, law in self._each if inside & {c.index, c.speed}]
+            if len(moving) > 1 or f.index(f.time) in inside:
+                raise CannotAnswer(Message("it depends on several coordinates, or on the time as well"))
+            for c, law in moving:
+                found += self._instants(base, c, law)
+        return found
+
+    @property
+    def _each(self) -> Iterator[tuple[Coordinate, MotionLaw]]:
+        return zip(self.model.coordinates, self.laws, strict=True)
+
+    def _instants(self, base: Ratio, c: Coordinate, law: MotionLaw) -> Iterator[CourseZero]:
+        """At most one period later: an instant before the start comes again."""
+        inside, index = self.model.field.ingredients(base), c.index
+        if c.speed in inside:
+            index = c.speed
+        value = None if {c.index, c.speed} <= inside else solve_linear(base, index)
+        instants = None if value is None else law.places(value) if index == c.index else law.rates(value)
+        if instants is None:
+            raise CannotAnswer(Message("it has no closed form in the time"))
+        needs = tuple(x for x, _relation in instants[1])
+        for instant in instants[0]:
+            own = {c.index: instant.place, c.speed: instant.rate}
+            for time in (instant.time, *(() if instant.period is None else (instant.time + instant.period,))):
+                yield CourseZero(time, {**self.values(time), **own}, needs=needs)
 
 
 class EnergyMotion(ClosedFormMotion):
@@ -265,10 +331,18 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     ]
     if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
         return UniformMotion(model, start, still)
+    smooth = SmoothMotion(model, start)
+    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None] if not model.dependent else []
+    has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
         c = model.coordinates[0]
-        square = SmoothMotion(model, start).speed_squared(c, model.field.variable(c.index))
-        return EnergyMotion(model, start, model.field.lowest_terms(square))
+        try:
+            return EnergyMotion(model, start, f.lowest_terms(smooth.speed_squared(c, f.variable(c.index))))
+        except CannotAnswer:
+            if not has_laws:
+                raise
+    if has_laws:
+        return LawMotion(model, start, laws)
     names = ", ".join(c.name for c in model.coordinates)
     raise CannotAnswer(
         Message(
