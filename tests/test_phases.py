@@ -579,3 +579,23 @@ def test_a_block_with_drag_comes_to_rest_after_a_logarithm(agrees_text: Agree) -
     agrees_text(to_python(found["q2"].expression), f"m*(v0 - mu*g*({time}))/c")
     assert found.phases is not None
     assert found.phases.cases[0].what == "slides, then holds"
+
+
+def test_a_pendulum_on_a_cart_with_a_stop_moves_by_energy_and_momentum() -> None:
+    """(M + m) v + m L w cos(b) = 0, so w^2 = 2 g (M + m) (cos(b) - cos(a))/(L (M + m sin(b)^2))."""
+    text = """
+parameters: {M: 2 kg, m: 1 kg, L: 1 m, g: 9.81 m/s^2, a: 60 deg, b: 30 deg}
+bodies: {cart: {rectangle: {mass: M, width: 0.5 m, height: 0.2 m}}, bob: {particle: {mass: m}}}
+connections:
+  track: {slider: {body: cart, along: right}}
+  rod: {link: [cart.center, bob, L]}
+  stop: {stop: {measure: theta, min: 0}}
+loads: {weight: {gravity: g}}
+measures: {x: {x of cart}, theta: {angle of line from cart.center to bob from down}}
+start: {x: 0, theta: a, rate(x): 0, rate(theta): 0}
+"""
+    found = solved(text, "rate of theta when theta = b", "velocity of x when theta = b")
+    rate = "-sqrt(2*g*(M + m)*(cos(b) - cos(a))/(L*(M + m*sin(b)**2)))"
+    near = {"a": math.pi / 3, "b": math.pi / 6}
+    assert_same_function(to_python(found["q1"].expression), rate, near)
+    assert_same_function(to_python(found["q2"].expression), f"-m*L*cos(b)/(M + m)*({rate})", near)

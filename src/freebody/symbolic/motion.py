@@ -16,18 +16,16 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message
-from freebody.model.elements import NonholonomicForm
 from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws import Decay, Growth, LawInstant, MotionLaw, Oscillation, UniformLaw, first
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
-from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath
@@ -66,6 +64,7 @@ class SmoothMotion:
         self.model = model
         self.start = start
         self.field = model.field
+        self.integrals = FirstIntegrals(model, start)
         self._sqrt = functions(model.field, model.samples.is_negative)["sqrt"]
 
     # -- the event ----------------------------------------------------------------------------
@@ -95,8 +94,10 @@ class SmoothMotion:
 
     def known_at(self, reached: Reached) -> dict[int, Ratio]:
         """The coordinates and speeds at an event, as far as they have closed forms, and the time: a coordinate that
-        moves by itself is where its own law has brought it by then."""
+        moves by itself is where its own law has brought it by then, one that nothing depends on keeps its momentum."""
         values = dict(reached.values)
+        if (c := reached.coordinate) is not None and reached.speed is not None and len(self.model.coordinates) > 1:
+            values = self.integrals.speeds_at(c, reached.at, reached.speed) | values
         if reached.time is None:
             return values
         values[self.field.index(self.field.time)] = reached.time
@@ -111,7 +112,7 @@ class SmoothMotion:
         """True where it is proved that nothing ever moves: no speed and no acceleration at the start, nothing that
         depends on time, and laws smooth enough for the motion to be unique (Lipschitz; no root or sign of zero)."""
         f, model = self.field, self.model
-        if any(not self.start.of(c.speed).is_zero() for c in model.coordinates) or _is_driven(model):
+        if any(not self.start.of(c.speed).is_zero() for c in model.coordinates) or is_driven(model):
             return False
         now = {k: x for k, x in self.start.values.items() if k != f.index(f.time)}
         try:
@@ -361,31 +362,7 @@ class SmoothMotion:
 
     def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
         """u^2 at q = at."""
-        if self.model.degrees_of_freedom != 1:
-            raise CannotAnswer(
-                Message(
-                    "there are {n} degrees of freedom; energy alone gives the speed of one",
-                    n=self.model.degrees_of_freedom,
-                )
-            )
-        if self.model.dependent:
-            names = ", ".join(d.name for d in self.model.dependent)
-            raise CannotAnswer(Message("{names} follow from {x} only through the closed loop", names=names, x=c.name))
-        values = {c.index: at}
-        M, M0 = (self.field.follow(self.model.dynamics.mass_matrix[0][0], v) for v in (values, self.start.values))
-        V, V0 = (self._potential(v) for v in (values, self.start.values))
-        u0 = self.start.of(c.speed)
-        return (M0 * u0 * u0 + 2 * (V0 - V)) / M
-
-    def _potential(self, values: dict[int, Ratio]) -> Ratio:
-        """Minus the work function of all loads; each must be a function of its own measure."""
-        state = SymbolicState(self.model, values)
-        if _is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
-            raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
-        total = self.field.zero
-        for push in self.model.system.pushes:
-            total = total + state.potential(push)
-        return total
+        return self.integrals.speed_squared(c, at)
 
 
 @dataclass(frozen=True)
@@ -404,13 +381,3 @@ class _Passage:
 def _first_positive(plus: float, minus: float) -> int | None:
     good = [(t, k) for k, t in enumerate((plus, minus)) if t > 0]
     return min(good)[1] if good else None
-
-
-def _is_driven(model: SymbolicModel) -> bool:
-    """True where something is held at a function of time."""
-    return any(row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held)
-
-
-def _moves(target: Expr) -> bool:
-
-    return "t" in free_symbols(target)

@@ -171,6 +171,8 @@ def _energy_integral(
 ) -> None:
     """T + V is what it was, but for the work of friction; solved for the square of the speed."""
     f, c, phase = leg.phase.model.field, course.coordinate, leg.phase
+    if len(phase.model.coordinates) > 1:
+        raise CannotAnswer(Message("several coordinates move, and that a momentum stays is derived by no line here"))
     kinetic, potential = energy_parts(leg)
     begin = course.start.values
     at_first = f.lowest_terms(f.follow(kinetic + potential, begin))

@@ -244,6 +244,8 @@ def _energy(way: _EventWay) -> list[int]:
     model, f = context.setup.model, context.setup.model.field
     if reached.speed is None:
         raise CannotAnswer(Message("the motion to the event has no closed form"))
+    if len(model.coordinates) > 1:
+        raise CannotAnswer(Message("several coordinates move, and that a momentum stays is derived by no line here"))
     lines = energy_terms(context, script)
     u = rates_of(c.name, 1)
     event = way.question.event

@@ -70,7 +70,7 @@ def start_velocities(reference: Reference, q: Array) -> Array:
     if closing:
         g = reference.geometry(q, np.zeros_like(q), 0.0)
         size = PENETRATION * reference.sizes.length
-        touching = [b for b in closing if abs(gap_of(reference, g, b)) <= size and _exists(reference, g, b)]
+        touching = [b for b in closing if abs(gap_of(reference, g, b)) <= size and is_within(reference, g, b)]
         with suppress(CannotAnswer):
             return reference.velocities(q, [(b.row.measure, 0.0) for b in touching])
     return reference.velocities(q)
@@ -98,7 +98,7 @@ def _next(
     g = reference.geometry(q, np.zeros_like(q), 0.0)
     gaps = {b.name: gap_of(reference, g, b) for b in bounds if b.family in closing and b.name not in closed}
     for family in sorted(closing):
-        own = [b for b in bounds if b.family == family and b.name in gaps and _exists(reference, g, b)]
+        own = [b for b in bounds if b.family == family and b.name in gaps and is_within(reference, g, b)]
         if family in turning:
             foot = _foot(reference, g, [b for b in bounds if b.family == family], turning[family])
             if not any(b.family == family for b in closed.values()):
@@ -198,8 +198,9 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
     return found
 
 
-def _exists(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> bool:
-    tolerance = PENETRATION * reference.sizes.length
+def is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float | None = None) -> bool:
+    """Whether the place of a bound is on the edge on which it lies; it may be beyond its ends by some slack."""
+    tolerance = PENETRATION * reference.sizes.length if slack is None else slack
     for span in bound.within:
         value = reference.jet(g, span.measure, bound.name).value
         low = -math.inf if span.low is None else reference.number(span.low) - tolerance
@@ -220,11 +221,11 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         gap = gap_of(reference, g, bound)
         if bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
-        elif gap < -PENETRATION * reference.sizes.length and _exists(reference, g, bound):
+        elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
             found.append(_said(bound, -gap))
     for places in faced.values():
         gap, bound = max(places, key=lambda place: place[0])
-        if gap < -PENETRATION * reference.sizes.length and _exists(reference, g, bound):
+        if gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
             found.append(_said(bound, -gap))
     if not found:
         found = _overlaps(reference, g, bounds)

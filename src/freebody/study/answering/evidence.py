@@ -24,6 +24,7 @@ from freebody.study.answering.crosscheck import (
     holds,
 )
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import NotHere
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import at_event, places_at
 from freebody.study.mobility.centres import moving_for
@@ -90,7 +91,7 @@ def along_motion(
     check.gather(setup.draw_stream(), compare)
     is_short = len(check.pairs) < MIN_DRAWS and setup.has_values
     if is_short and (broken := _broken(setup, signs)):
-        raise CannotAnswer(
+        raise NotHere(
             Message(
                 "a formula is found only for motions that keep to {needs}, as at the start; this one does not do so "
                 "until '{event}'",
@@ -99,7 +100,7 @@ def along_motion(
             )
         )
     if is_short and (broken := _broken(setup, conditions)):
-        raise CannotAnswer(
+        raise NotHere(
             Message(
                 "'{event}' does not come at the model's own values: that needs {needs}",
                 event=event.text,

@@ -28,6 +28,10 @@ _TOO_LONG = (ExpressionError, OverflowError)  # what goes wrong with formulas th
 NO_FORM = (CannotAnswer, *_TOO_LONG, *FAILED)  # what leaves a question, or a part of it, without a closed form
 
 
+class NotHere(CannotAnswer):
+    """There is a formula, but what it tells of does not come at the model's own values."""
+
+
 @dataclass
 class Finding:
     """A closed form with its evidence; `says` are conditions in words, such as `stable if ...`."""
@@ -60,7 +64,7 @@ def answered(
     except (HasNoValue, RoutesDisagree) as error:
         return refused(question, str(error))
     except NO_FORM as error:
-        if otherwise is not None and (found := otherwise()) is not None:
+        if otherwise is not None and not isinstance(error, NotHere) and (found := otherwise()) is not None:
             return found
         value, unfinished = (None, ()) if instead is None else instead()
         return refused(question, further(why(system, error), *unfinished), value)

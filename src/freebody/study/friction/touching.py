@@ -17,7 +17,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstraint
-from freebody.numeric.contact.start import far_sides
+from freebody.numeric.contact.start import far_sides, is_within
 from freebody.numeric.jets import Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
@@ -47,7 +47,7 @@ class TouchingAtRest:
         g = reference.geometry(q, np.zeros_like(q), 0.0)
         slack, closed = TOUCHES * reference.sizes.length, {bound.name for bound in self.bounds}
         for bound in self.bounds:
-            if not _is_within(reference, g, bound, slack):
+            if not is_within(reference, g, bound, slack):
                 return False
         apart = _apart(reference, g, self.system.bounds)
         return all(gap >= -slack or name in closed for gap, name in apart.values())
@@ -120,7 +120,7 @@ def _apart(
         pair = (site.row.connection, *site.row.ends[:1], *site.row.ends[-1:])
         here = _gap(reference, g, site), site.name
         is_edge = isinstance(site.row.measure, Displacement)
-        known = found if is_edge or _is_within(reference, g, site, 0.0) else doubtful
+        known = found if is_edge or is_within(reference, g, site, 0.0) else doubtful
         known[pair] = max(known.get(pair, (-math.inf, "")), here)
     return doubtful | found
 
@@ -131,20 +131,9 @@ def _met(reference: Reference, g: JetGeometry, bounds: Iterable[UnilateralConstr
     return {
         bound.name
         for bound in bounds
-        if bound.name not in closed and abs(_gap(reference, g, bound)) <= size and _is_within(reference, g, bound, size)
+        if bound.name not in closed and abs(_gap(reference, g, bound)) <= size and is_within(reference, g, bound, size)
     }
 
 
 def _gap(reference: Reference, g: JetGeometry, bound: UnilateralConstraint) -> float:
     return bound.row.sign * reference.gap(bound.row, g).value
-
-
-def _is_within(reference: Reference, g: JetGeometry, bound: UnilateralConstraint, slack: float) -> bool:
-    """Whether the place of a contact exists in this pose, up to some slack."""
-    for span in bound.within:
-        value = reference.jet(g, span.measure).value
-        low = None if span.low is None else reference.number(span.low)
-        high = None if span.high is None else reference.number(span.high)
-        if (low is not None and value < low - slack) or (high is not None and value > high + slack):
-            return False
-    return True

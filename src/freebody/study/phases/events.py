@@ -133,14 +133,7 @@ def _in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, i
         try:
             coefficients = course.along(watch.element)
         except CannotAnswer as error:
-            raise CannotAnswer(
-                Message(
-                    "when {contact} {event} has no closed form: {why}",
-                    contact=watch.connection,
-                    event=occurs(watch),
-                    why=error,
-                )
-            ) from None
+            raise _no_closed_form(watch, error) from None
         n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
         if len(coefficients) - n_now > 3:
             raise CannotAnswer(
@@ -165,6 +158,13 @@ def _in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, i
             found.unsure.append(_without_roots(coefficients))
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
     return found
+
+
+def _no_closed_form(watch: PhaseWatch, error: CannotAnswer) -> CannotAnswer:
+    told = Message(
+        "when {contact} {event} has no closed form: {why}", contact=watch.connection, event=occurs(watch), why=error
+    )
+    return CannotAnswer(told)
 
 
 def _without_roots(c: Sequence[Ratio]) -> Proofs:
@@ -254,7 +254,7 @@ def _by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indic
                     good = mine & np.isfinite(t) & (t > _SOON) & _all_hold(model, exists, sets)
                     good &= (at(watch, t * (1 - _BESIDE)) > 0) & (at(watch, t * (1 + _BESIDE)) < 0)
                 if good.any():
-                    found.candidates.append(_Candidate(watch, zero, np.where(good, t, np.inf), (zero.time, *exists)))
+                    found.candidates.append(_Candidate(watch, zero, np.where(good, t, np.inf), exists))
                     found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in exists]
         if all(c.watch is not watch for c in found.candidates):
             found.unsure.append(())
@@ -295,7 +295,9 @@ class _Road:
         model, c = course.model, course.coordinate
         self.model, self.c = model, c
         self.start, self.speed = course.start.of(c.index), course.start.of(c.speed)
-        self.push = model.field.follow(model.dynamics.solved_accelerations[model.accelerations[0]], course.start.values)
+        self.push = model.field.follow(
+            model.dynamics.solved_accelerations[model.accelerations[model.coordinates.index(c)]], course.start.values
+        )
         self.q0, self.u0, self.a0 = (sets.evaluate(model, x) for x in (self.start, self.speed, self.push))
         self.way = np.sign(np.where(self.u0 != 0.0, self.u0, self.a0))
         self.too_near = np.zeros(sets.n, dtype=bool)  # sets at which a place cannot be told from the start in numbers
@@ -340,7 +342,10 @@ class _Road:
     def events(self, watches: Sequence[PhaseWatch]) -> _PossibleEnds:
         found = _PossibleEnds()
         for watch in watches:
-            places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
+            try:
+                places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
+            except CannotAnswer as error:
+                raise _no_closed_form(watch, error) from None
             for place, at in places:
                 found.candidates += self._reached(watch, place, at)
             if not watch.within:

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow, Start, UnilateralConstraint
-from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of
+from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
@@ -206,7 +206,7 @@ def closed_at_start(system: System) -> frozenset[str]:
         closed |= {
             b.name
             for b in system.bounds
-            if b.starts_closed and abs(gap_of(reference, g, b)) <= size and _exists(reference, q, b, size)
+            if b.starts_closed and abs(gap_of(reference, g, b)) <= size and is_within(reference, g, b, size)
         }
     others = [b for b in system.bounds if b.name not in closed]
     if others:
@@ -216,8 +216,9 @@ def closed_at_start(system: System) -> frozenset[str]:
             target = setup.model.field.zero if bound.row.target is None else geometry.scalar(bound.row.target)
             measure: Any = bound.row.measure
             if setup.start_instant.here(measure.value(geometry) - target).is_zero():
-                draw = setup.draws[0]
-                if _exists(draw.reference, draw.q, bound, _TOUCHES * draw.reference.sizes.length):
+                reference, q = setup.draws[0].reference, setup.draws[0].q
+                g = reference.geometry(q, np.zeros_like(q), 0.0)
+                if is_within(reference, g, bound, _TOUCHES * reference.sizes.length):
                     closed.add(bound.name)
     return frozenset(closed - _far_sides(system, closed))
 
@@ -251,15 +252,3 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
         largest = max(map(abs, rates.values()))
         found |= {name for name, rate in rates.items() if abs(rate) > _ZERO * largest}
     return frozenset(found)
-
-
-def _exists(reference: Reference, q: Array, bound: UnilateralConstraint, slack: float) -> bool:
-    """Whether the place of a contact is within the edge on which it lies."""
-    now = reference.snapshot(q, np.zeros_like(q))
-    for span in bound.within:
-        value = now.value(span.measure)
-        if span.low is not None and value < reference.number(span.low) - slack:
-            return False
-        if span.high is not None and value > reference.number(span.high) + slack:
-            return False
-    return True

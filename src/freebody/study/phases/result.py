@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, Symbol, add
+from freebody.language.expression import Call, Expr, Symbol, add, substitute
 from freebody.language.notation import stated_plain, to_python
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
@@ -238,8 +238,8 @@ def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: P
         if edge.first is not None and edge.watch is not None:
             event = happening(edge.watch, None if following is None else following.phase)
             duration = None if edge.time is None else readable(edge.time)
-            if edge.first.zero.at is not None:
-                c = phase.model.coordinates[0]
+            if edge.first.zero.at is not None and isinstance(phase.course, EnergyMotion):
+                c = phase.course.coordinate
                 place = Symbol(c.name), readable(edge.first.zero.at)
     return PhaseResult(
         summary(phase),
@@ -297,8 +297,13 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
             with suppress(CannotAnswer):
                 motion.append((Symbol(c.name), readable(tree.to_home(phase, values[c.index]))))
     elif isinstance(course, EnergyMotion):
-        motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, readable(course.square)))
+        motion.append((Call("rate", Symbol(course.coordinate.name)) ** 2, _with_places(tree, readable(course.square))))
     return tuple(equations), tuple(motion)
+
+
+def _with_places(tree: PhaseTree, e: Expr) -> Expr:
+    """Without the symbols that stand for angles at which later phases begin."""
+    return substitute(e, {name: readable(x) for name, x in tree.angles.items()})
 
 
 def _course(phase: Phase) -> ClosedFormMotion | None:

@@ -3,8 +3,8 @@
     rest      nothing can move
     uniform   every acceleration is constant:    q(t) = q0 + u0 t + a t^2/2; what is a polynomial in q and u is one in t
     laws      every coordinate by itself: harmonic, or exponential (`symbolic/laws.py`)
-    energy    one degree of freedom and loads with potentials:    u^2 = (M0 u0^2 + 2 V0 - 2 V(q))/M(q); what is even
-              in u is a function of q
+    energy    one coordinate on which all depends, and loads with potentials:    u^2 = (M0 u0^2 + 2 V0 - 2 V(q))/M(q);
+              what is even in u is a function of q; speeds of other coordinates follow by their momenta
 
 t is the time since the phase began.
 """
@@ -12,12 +12,14 @@ t is the time since the phase began.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws import MotionLaw
 from freebody.symbolic.model import SymbolicModel
@@ -37,7 +39,7 @@ class CourseZero:
     time: Ratio | None
     values: Mapping[int, Ratio]  # coordinates and speeds there, by generator
     at: Ratio | None = None  # of the coordinate, where energy gives the motion
-    needs: tuple[Ratio, ...] = ()  # positive (or not negative) where it is real
+    needs: tuple[Ratio, ...] = ()  # positive where it is real and after the start, as far as that is known otherwise
 
 
 class ClosedFormMotion:
@@ -169,28 +171,42 @@ class LawMotion(ClosedFormMotion):
         needs = tuple(x for x, _relation in instants[1])
         for instant in instants[0]:
             own = {c.index: instant.place, c.speed: instant.rate}
-            for time in (instant.time, *(() if instant.period is None else (instant.time + instant.period,))):
-                yield CourseZero(time, {**self.values(time), **own}, needs=needs)
+            key = () if instant.key is None else (instant.key,)  # of the sign of the time
+            times: list[tuple[Ratio, tuple[Ratio, ...]]] = [(instant.time, key)]
+            if instant.period is not None:
+                times.append((instant.time + instant.period, tuple(-x for x in key)))
+            for time, after in times:
+                yield CourseZero(time, {**self.values(time), **own}, needs=(*needs, *after))
 
 
 class EnergyMotion(ClosedFormMotion):
-    """One degree of freedom by the first integral of energy."""
+    """One coordinate by the first integral of energy; the speeds of others, on which nothing depends, by momenta."""
 
     @property
     def kind(self) -> str:
         return "energy"
 
-    def __init__(self, model: SymbolicModel, start: StartState, square: Ratio) -> None:
+    def __init__(self, model: SymbolicModel, start: StartState, coordinate: Coordinate) -> None:
         super().__init__(model, start, {})
-        self.square = square  # u^2 as a function of q
+        self.coordinate = coordinate
+        integrals, f = FirstIntegrals(model, start), model.field
+        # u^2 as a function of q
+        self.square = f.lowest_terms(integrals.speed_squared(coordinate, f.variable(coordinate.index)))
+        self._others = {k: x for k, x in integrals.speeds(coordinate).items() if k != coordinate.speed}
 
-    @property
-    def coordinate(self) -> Coordinate:
-        return self.model.coordinates[0]
+    def _reduced(self, x: Ratio) -> Ratio:
+        """With the speeds that momenta give put in. Raises CannotAnswer where it depends on another coordinate."""
+        x = self.model.in_independent_speeds(x)
+        x = self.model.field.follow(x, self._others) if self._others else x
+        inside = self.model.field.ingredients(x) if self._others else set[int]()
+        others = [c.name for c in self.model.coordinates if c is not self.coordinate and c.index in inside]
+        if others:
+            raise CannotAnswer(Message("it depends on {names} as well", names=", ".join(others)))
+        return x
 
     def is_odd(self, x: Ratio) -> bool:
         """Whether a function of the state changes its sign with the direction of the motion."""
-        parts = self.model.in_independent_speeds(x).numerator().coefficients(self.coordinate.speed)
+        parts = self._reduced(x).numerator().coefficients(self.coordinate.speed)
         return all(part.is_zero() for part in parts[::2])
 
     def as_function(self, x: Ratio) -> Ratio:
@@ -198,7 +214,7 @@ class EnergyMotion(ClosedFormMotion):
         CannotAnswer where it is neither odd nor even."""
         f, speed = self.model.field, self.coordinate.speed
         odd = int(self.is_odd(x))
-        x = self.model.in_independent_speeds(x)
+        x = self._reduced(x)
         total = f.zero
         for k, part in enumerate(x.numerator().coefficients(speed)):
             if (k + odd) % 2 and not part.is_zero():
@@ -240,9 +256,9 @@ class EnergyMotion(ClosedFormMotion):
                 None, {c.index: value}, value
             )  # its cosine is made of nested roots: no form to go on from
         square = f.lowest_terms(f.follow(self.square, {c.index: value}))
-        return CourseZero(
-            self._time_to(value), {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}, value
-        )
+        own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
+        others = {k: f.follow(x, own) for k, x in self._others.items()}
+        return CourseZero(self._time_to(value), {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
         """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
@@ -332,17 +348,21 @@ def course_of(model: SymbolicModel, start: StartState) -> ClosedFormMotion:
     if all(a.is_constant() and f.index(f.time) not in f.ingredients(a) for a in accelerations):
         return UniformMotion(model, start, still)
     smooth = SmoothMotion(model, start)
-    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None] if not model.dependent else []
+    # what is driven goes on by the time since the start of the model, not of the phase
+    free = not model.dependent and not is_driven(model)
+    laws = [law for c in model.coordinates if (law := smooth.law_of(c)) is not None] if free else []
     has_laws = len(laws) == len(model.coordinates)
     if len(model.coordinates) == 1:
-        c = model.coordinates[0]
         try:
-            return EnergyMotion(model, start, f.lowest_terms(smooth.speed_squared(c, f.variable(c.index))))
+            return EnergyMotion(model, start, model.coordinates[0])
         except CannotAnswer:
             if not has_laws:
                 raise
     if has_laws:
         return LawMotion(model, start, laws)
+    for c in model.coordinates:
+        with suppress(CannotAnswer):
+            return EnergyMotion(model, start, c)
     names = ", ".join(c.name for c in model.coordinates)
     raise CannotAnswer(
         Message(

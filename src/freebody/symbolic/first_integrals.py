@@ -1,0 +1,128 @@
+"""The speed of one coordinate as a function of it: energy, and the momenta of the coordinates that nothing depends on.
+
+Where neither the masses nor the potential know of a coordinate x_c (cyclic), its generalized momentum stays,
+
+    p_c = sum_k M_ck u_k,       so that the other speeds are  u_c = a_c(q) + b_c(q) u ;
+
+put into the energy this leaves one equation in the speed u of the one coordinate q that is left,
+
+    sum_jk M_jk u_j u_k/2 + V = E:      A(q) + B(q) u^2/2 + V(q) = E,
+
+whose linear term vanishes. Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 8.2 and 8.3
+(cyclic coordinates, Routh's procedure).
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, free_symbols
+from freebody.language.sentences import Message
+from freebody.model.elements import NonholonomicForm
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.start import StartState
+from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.unknowns import Coordinate
+
+
+class FirstIntegrals:
+    """Energy and momenta of a model from its start on. Everything raises CannotAnswer where they are none, or do not
+    suffice."""
+
+    def __init__(self, model: SymbolicModel, start: StartState) -> None:
+        self.model = model
+        self.start = start
+        self.field = model.field
+
+    def speed_squared(self, c: Coordinate, at: Ratio) -> Ratio:
+        """u^2 at q = at."""
+        f = self.field
+        speeds = self.speeds(c)
+        kinetic = f.zero
+        for j, row in zip(self.model.coordinates, self.model.dynamics.mass_matrix, strict=True):
+            for k, entry in zip(self.model.coordinates, row, strict=True):
+                kinetic = kinetic + entry * speeds[j.speed] * speeds[k.speed] / 2
+        kinetic = f.lowest_terms(f.follow(kinetic, {c.index: at}))
+        parts = kinetic.numerator().coefficients(c.speed)
+        rest, mass = (2 * p / kinetic.denominator() for p in (parts[0], (*parts, f.zero, f.zero)[2]))
+        M, u0 = self.model.dynamics.mass_matrix, [self.start.of(k.speed) for k in self.model.coordinates]
+        total = f.zero
+        for j, row in enumerate(M):
+            for k, entry in enumerate(row):
+                total = total + f.follow(entry, self.start.values) * u0[j] * u0[k]
+        before, now = (self.potential(values) for values in (self.start.values, {c.index: at}))
+        return (total - rest + 2 * (before - now)) / mass
+
+    def speeds_at(self, c: Coordinate, at: Ratio, speed: Ratio) -> dict[int, Ratio]:
+        """The speeds of the other coordinates, by generator, where one of them has a value and a speed; nothing where
+        they do not follow."""
+        try:
+            speeds = self.speeds(c)
+        except CannotAnswer:
+            return {}
+        own = {c.index: at, c.speed: speed}
+        return {k: self.field.follow(x, own) for k, x in speeds.items() if k != c.speed}
+
+    def _check(self, c: Coordinate) -> None:
+        others = [k for k in self.model.coordinates if k is not c]
+        if any(k.index in self._needed for k in others):
+            raise CannotAnswer(
+                Message(
+                    "there are {n} degrees of freedom; energy alone gives the speed of one",
+                    n=self.model.degrees_of_freedom,
+                )
+            )
+        if self.model.dependent:
+            names = ", ".join(d.name for d in self.model.dependent)
+            raise CannotAnswer(Message("{names} follow from {x} only through the closed loop", names=names, x=c.name))
+
+    @cached_property
+    def _needed(self) -> set[int]:
+        """The coordinates on which masses and potential depend; with one freedom there are no others to ask for."""
+        if self.model.degrees_of_freedom == 1 or self.model.dependent:
+            return {k.index for k in self.model.coordinates} if self.model.degrees_of_freedom != 1 else set()
+        elements = [x for row in self.model.dynamics.mass_matrix for x in row] + [self.potential({})]
+        return set[int]().union(*map(self.field.ingredients, elements))
+
+    def speeds(self, c: Coordinate) -> dict[int, Ratio]:
+        """All speeds by that of one coordinate, as the momenta of the others give them."""
+        self._check(c)
+        f, names = self.field, self.model.coordinates
+        own = names.index(c)
+        others = [k for k in range(len(names)) if k != own]
+        rows: list[Row] = []
+        for k in others:
+            line = self.model.dynamics.mass_matrix[k]
+            momentum = f.zero
+            for entry, other in zip(line, names, strict=True):
+                momentum = momentum + f.follow(entry, self.start.values) * self.start.of(other.speed)
+            row = {names[j].speed: line[j] for j in others if not line[j].is_zero()}
+            right = momentum - line[own] * f.variable(c.speed)
+            rows.append(row if right.is_zero() else {**row, RHS: right})
+        solved = solve(f, rows, [names[k].speed for k in others], lambda x: x.is_zero())
+        if solved.free or solved.contradictory:
+            raise CannotAnswer(Message("the momenta do not give the speeds of the other coordinates"))
+        found = {k: f.lowest_terms(line.get(RHS, f.zero)) for k, line in solved.pivots.items()}
+        return {**found, c.speed: f.variable(c.speed)}
+
+    def potential(self, values: dict[int, Ratio]) -> Ratio:
+        """Minus the work function of all loads; each must be a function of its own measure."""
+        state = SymbolicState(self.model, values)
+        if is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
+            raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
+        total = self.field.zero
+        for push in self.model.system.pushes:
+            total = total + state.potential(push)
+        return total
+
+
+def is_driven(model: SymbolicModel) -> bool:
+    """True where something is held at a function of time."""
+    return any(row.general is not None or (row.target is not None and _moves(row.target)) for row in model.system.held)
+
+
+def _moves(target: Expr) -> bool:
+    return "t" in free_symbols(target)
