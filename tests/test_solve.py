@@ -80,7 +80,7 @@ start: {{y: 0, rate(y): 0}}
         f"""
 parameters: {{m: 2 kg, L: 1.2 m, R: 0.5 m, {G}}}
 bodies: {{rod: {{rod: {{mass: m, length: L}}, near: {{at: {{start: [-0.4, -0.3]}}}}}}}}
-ground: {{points: {{rim: [R, 0]}}}}
+ground: {{points: {{O: [0, 0], rim: [R, 0]}}}}
 connections:
   bowl: {{link: {{first: ground.O, second: rod.start, length: R}}}}
   edge: {{slot: {{pin: ground.rim, along: rod.x, on: rod}}}}
