@@ -162,18 +162,25 @@ HAPPENING = Message("{contact} opens", contact="left")
             "obere Grenze: block kippt um block.foot und load gleitet auf wedge nach links oben",
         ),
         (
-            Message("just before {event}, while the system {what}", event=HAPPENING, what=Message("slides")),
+            Message(
+                "just before {event}, {phase}",
+                event=HAPPENING,
+                phase=Message("while the system {what}", what=Message("slides")),
+            ),
             "unmittelbar bevor sich left öffnet, in dieser Phase: das System gleitet",
         ),
         (
             Message(
-                "just before {event}, while the system {what}",
+                "just before {event}, {phase}",
                 event=HAPPENING,
-                what=in_turn(
-                    [
-                        Message("{contact} {does}", contact="a", does=Message("rolls")),
-                        Message("{contact} {does}", contact="b", does=Message("sticks")),
-                    ]
+                phase=Message(
+                    "while {what}",
+                    what=in_turn(
+                        [
+                            Message("{contact} {does}", contact="a", does=Message("rolls")),
+                            Message("{contact} {does}", contact="b", does=Message("sticks")),
+                        ]
+                    ),
                 ),
             ),
             "unmittelbar bevor sich left öffnet, in dieser Phase: a rollt, b haftet",

@@ -742,6 +742,24 @@ def test_a_double_pendulum_has_no_first_integral_for_one_angle() -> None:
     assert "2 degrees of freedom" in unanswered(model, "velocity of theta1 when theta1 = 90 deg").reason
 
 
+def test_what_cancels_in_decimals_is_zero() -> None:
+    """4 kg 0.3 m = 6 kg 0.2 m, which binary numbers miss by 2e-16 kg m."""
+    model = """
+parameters: {m1: 4 kg, m2: 6 kg, I: 0.1 kg m^2, R: 0.3 m, r: 0.2 m, g: 9.81 m/s^2}
+bodies: {drum: {body: {inertia: I, mass: 1 kg}}, a: {particle: {mass: m1}}, b: {particle: {mass: m2}}}
+connections:
+  axle: {pin: [ground.O, drum]}
+  ra: {string: {path: [wound on drum radius R at left, a]}}
+  rb: {string: {path: [wound on drum radius r at right, b]}}
+loads: {w: {gravity: g}}
+measures: {phi: angle of drum}
+questions: [acceleration of phi, tension of ra]
+"""
+    solution = fb.System.from_text(model).solve()
+    assert solution["q1"].value == 0.0
+    assert solution["q2"].value == pytest.approx(4 * 9.81)
+
+
 def test_unstable_position_does_not_oscillate() -> None:
     """The inverted pendulum on a soft spring, k < m g L/2."""
     model = PROBLEMS["inverted pendulum on a torsional spring"][0]

@@ -33,6 +33,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
 from freebody.symbolic.existence import exists
+from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
@@ -377,5 +378,14 @@ class QuestionSolver:
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
         small = _ROUND_OFF * (magnitude(self.question.quantity.dimension, draw.seen(draw.start())) or 1.0)
-        values = tuple(0.0 if abs(v) < small else v for v in values)
+        pairs = zip(parts, values, strict=True)
+        values = tuple(0.0 if abs(v) < small or self._cancels(part) else v for part, v in pairs)
         return values if isinstance(element, tuple) else values[0]
+
+    def _cancels(self, part: Ratio) -> bool:
+        """Whether it is zero for the decimals as they are written: 4 * 0.3 - 6 * 0.2 is not so in binary numbers."""
+        field, draw = self.model.field, self.setup.draws[0]
+        if any(field.generators[g].kind != "parameter" for g in field.ingredients(part)):
+            return False
+        numbers = self.model.samples.numbers(draw.sample())
+        return field.evaluate(part, {g: Fraction(repr(numbers[g])) for g in field.ingredients(part)}) == 0

@@ -25,7 +25,7 @@ from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import happening, summary
+from freebody.study.phases.words import happening, in_phase, summary
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.relations import SolvedRelation, readable
 
@@ -82,14 +82,10 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
     value = _value(tree, main) if tree.system.has_values else None
     notes = list(main.notes)
     if main.first is None:
-        notes.append(Message("while the system {what}", what=summary(main.phase)))
+        notes.append(in_phase(main.phase))
     elif main.after is None and question.quantity.may_jump:
         notes.append(
-            Message(
-                "just before {event}, while the system {what}",
-                event=happening(main.first.watch, None),
-                what=summary(main.phase),
-            )
+            Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
         )
     if tree.system.has_values and 0 not in own.sets:
         broken = _broken(tree, own)

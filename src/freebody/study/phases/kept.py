@@ -22,7 +22,7 @@ from freebody.study.phases.phase import Given, Phase
 from freebody.study.phases.quantities import frictions
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import label, summary
+from freebody.study.phases.words import in_phase, label, summary
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.state import SymbolicState
@@ -70,7 +70,7 @@ def in_first_modes(tree: PhaseTree, question: Question) -> Answer:
             other = _in_mode(tree, node, question)
             if other.expression is not None and not _is_same(answer, other):
                 others.append((node, other))
-    notes = (*answer.notes, Message("while the system {what}", what=summary(own.phase)))
+    notes = (*answer.notes, in_phase(own.phase))
     if not others or answer.expression is None:
         return replace(answer, notes=notes)
     cases = [_case(tree, node, other) for node, other in [(own, answer), *others]]

@@ -81,6 +81,13 @@ def summary(phase: Phase) -> str:
     return in_turn([_place_does(n, w) for n, w in spoken.items()])
 
 
+def in_phase(phase: Phase) -> str:
+    """While what it does, for a note."""
+    what = summary(phase)
+    is_of_all = len(_by_connection(states(phase))) < 2
+    return Message("while the system {what}", what=what) if is_of_all else Message("while {what}", what=what)
+
+
 def _place_does(place: str, does: str) -> str:
     contact, _, where = place.partition(" (")
     if where:
