@@ -65,6 +65,8 @@ def formula(expression: object) -> str:
 
 def index(cards: list[Card]) -> str:
     """The page that shows all examples."""
+    from freebody.present.assets import colored
+
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -72,7 +74,7 @@ def index(cards: list[Card]) -> str:
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>freebody: worked examples</title>
-<style>{STYLE}</style>
+<style>{colored(STYLE)}</style>
 </head>
 <body>
 <header><h1>Worked examples</h1>
@@ -99,10 +101,9 @@ def card_of(card: Card) -> str:
 
 
 STYLE = """
-:root { --paper: #fff; --ink: #1f2328; --muted: #59636e; --faint: #d0d5da; --accent: #0072b2; }
-:root { color-scheme: light dark; }
+:root { color-scheme: light dark; {{light}} }
 @media (prefers-color-scheme: dark) {
-  :root { --paper: #14171b; --ink: #e6e9ec; --muted: #98a2ad; --faint: #3a424b; --accent: #56b4e9; }
+  :root { {{dark}} }
 }
 body { margin: 0; padding: 2rem clamp(1rem, 4vw, 4rem); background: var(--paper); color: var(--ink);
   font: 1rem/1.5 system-ui, sans-serif; }

@@ -13,12 +13,12 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
 
 from freebody.language.plain_text import plain
+from freebody.present.assets import asset
 from freebody.present.figures import Array, Place
 from freebody.present.scene import Scene
 from freebody.present.theme import THEMES
@@ -74,9 +74,9 @@ class Pages:
             "back_key": steps[0],
             "next_key": steps[1],
             "data": _embedded(self._data(speed)),
-            "script": _asset("player.js"),
+            "script": asset("player.js"),
         }
-        return _PART.sub(lambda found: parts[found[1]], _asset("page.html"))
+        return _PART.sub(lambda found: parts[found[1]], asset("page.html"))
 
     def _data(self, speed: float) -> dict[str, Any]:
         n, gravity = len(self.times), self.scene.gravity
@@ -131,11 +131,6 @@ def place_data(place: Place, digits: int) -> list[Any]:
 
 def rounded(values: Any, digits: int) -> list[float]:
     return [float(v) for v in np.round(np.asarray(values, dtype=np.float64), digits) + 0.0]
-
-
-def _asset(name: str) -> str:
-    """The text of a file of the page."""
-    return files("freebody.present").joinpath(name).read_text(encoding="utf-8")
 
 
 def _embedded(data: dict[str, Any]) -> str:

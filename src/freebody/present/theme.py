@@ -101,3 +101,24 @@ THEMES = {
         "#f0a858",
     ),
 }
+
+
+def _page(theme: Theme, muted: str, wash: str, right: str, wrong: str, result: str) -> dict[str, str]:
+    """The colours of a page with drawings of a theme on it. Muted words are read, so they differ more from paper."""
+    same = {"paper": theme.paper, "ink": theme.ink, "muted": muted, "faint": theme.faint, "wash": wash}
+    return {**same, "accent": theme.bodies[0], "right": right, "wrong": wrong, "warning": wrong, "result": result}
+
+
+PAGES = {
+    "light": _page(THEMES["light"], "#59636e", "#f4f6f8", "#00704f", "#b03a00", "#eef6fb"),
+    "dark": _page(THEMES["dark"], "#98a2ad", "#1c2127", "#2ec49a", "#f0883e", "#172733"),
+    "print": {
+        **{"paper": "#ffffff", "ink": "#000000", "muted": "#444444", "faint": "#bbbbbb", "wash": "#ffffff"},
+        **{"accent": "#005a8c", "right": "#00563d", "wrong": "#8a2e00", "warning": "#8a2e00", "result": "#ffffff"},
+    },
+}
+
+
+def properties(page: str) -> str:
+    """The colours of a page as custom properties of a style sheet."""
+    return " ".join(f"--{name}: {color};" for name, color in PAGES[page].items())

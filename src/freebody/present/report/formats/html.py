@@ -9,9 +9,9 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from html import escape
-from importlib.resources import files
 
 from freebody.language.plain_text import plain
+from freebody.present.assets import asset
 from freebody.present.report.blocks import (
     Block,
     Columns,
@@ -52,14 +52,14 @@ def html_page(report: Report) -> str:
 <meta name="color-scheme" content="light dark">
 <title>{_words(report.title)}</title>
 <style>
-{_asset("report.css")}body {{ margin: 0; }}
+{asset("report", "report.css")}body {{ margin: 0; }}
 </style>
 </head>
 <body>
 <div class="freebody-report page">
 {_body(report, "", "main")}
 </div>
-{f"<script>{_asset('report.js')}</script>" if has_steps else ""}
+{f"<script>{asset('report', 'report.js')}</script>" if has_steps else ""}
 </body>
 </html>
 """
@@ -68,12 +68,8 @@ def html_page(report: Report) -> str:
 def html_fragment(report: Report) -> str:
     """The report to stand within another page, as a notebook's: its style is its own, and it has no script."""
     digest = hashlib.sha256(_body(report, "", "div").encode()).hexdigest()[:8]
-    style = f"<style>\n{_asset('report.css')}</style>"
+    style = f"<style>\n{asset('report', 'report.css')}</style>"
     return f'<div class="freebody-report">\n{style}\n{_body(report, f"r{digest}-", "div")}\n</div>'
-
-
-def _asset(name: str) -> str:
-    return files("freebody.present.report").joinpath(name).read_text(encoding="utf-8")
 
 
 def _body(report: Report, prefix: str, element: str) -> str:

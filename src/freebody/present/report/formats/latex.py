@@ -5,7 +5,7 @@ Numbers are the report's own (\tag), so that a part of it can stand in another d
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from freebody.present.report.blocks import (
     Block,
@@ -25,7 +25,7 @@ from freebody.present.report.formulas.rows import formula_width
 from freebody.present.report.latex_text import latex_words, math_words
 from freebody.present.report.words import capital
 from freebody.present.report.writer import BlockWriter, ReportFormat
-from freebody.present.theme import THEMES
+from freebody.present.theme import PAGES, THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
 _BABEL = {"de": "ngerman", "en": "english"}
@@ -33,6 +33,7 @@ _HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
 _LOOKS = {"code": r"\texttt{{{}}}", "strong": r"\textbf{{{}}}", "soft": r"{{\color{{frmuted}}{}}}"}
 _MARKS = {"": "", "right": r"\textcolor{frright}{$\checkmark$}", "wrong": r"\textcolor{frwrong}{$\times$}"}
 
+_COLORS = {f"fr{name}": PAGES["light"][name] for name in ("muted", "accent", "right", "wrong")}
 # \frfitted{width}{what} shrinks what is wider; \frbox{colour}{text} is a frame.
 MACROS = r"""\providecommand{\frfitted}[2]{\sbox0{#2}\ifdim\wd0>#1\resizebox{#1}{!}{\usebox0}\else\usebox0\fi}
 \providecommand{\frbox}[2]{\par\medskip\noindent{\setlength{\fboxsep}{6pt}%
@@ -45,9 +46,8 @@ def latex_document(report: Report) -> str:
     """The text of a .tex file."""
     language = _BABEL.get(report.language.split("-")[0], "english")
     light = THEMES["light"]
-    colors = {"frmuted": light.muted, "fraccent": light.bodies[0], "frright": "#00704f", "frwrong": "#b03a00"}
-    named = {"ink": light.ink, "muted": light.muted, "faint": light.faint, "paper": light.paper, **colors}
-    defined = "".join(rf"\definecolor{{{name}}}{{HTML}}{{{color[1:].upper()}}}" + "\n" for name, color in named.items())
+    named = {"ink": light.ink, "muted": light.muted, "faint": light.faint, "paper": light.paper, **_COLORS}
+    defined = _defined("definecolor", named)
     subtitle = rf"\par\smallskip{{\color{{frmuted}}{latex_words(report.subtitle)}}}" if report.subtitle else ""
     return rf"""\documentclass[11pt,a4paper]{{article}}
 \usepackage[utf8]{{inputenc}}
@@ -74,11 +74,12 @@ def latex_document(report: Report) -> str:
 
 def latex_fragment(report: Report) -> str:
     """The body alone, to be read by \\input where the packages named in its first line are loaded."""
-    colors = "".join(
-        rf"\providecolor{{{name}}}{{HTML}}{{{color}}}" + "\n"
-        for name, color in (("frmuted", "59636E"), ("fraccent", "0072B2"), ("frright", "00704F"), ("frwrong", "B03A00"))
-    )
+    colors = _defined("providecolor", _COLORS)
     return f"% needs the packages {PACKAGES}\n{MACROS}{colors}{_Writer(report).blocks(report.blocks)}\n"
+
+
+def _defined(command: str, colors: Mapping[str, str]) -> str:
+    return "".join(rf"\{command}{{{name}}}{{HTML}}{{{color[1:].upper()}}}" + "\n" for name, color in colors.items())
 
 
 class _Writer(BlockWriter[str]):

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from importlib import import_module
-from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -17,6 +16,7 @@ from typing import Any
 
 from freebody.errors import InputError
 from freebody.language.plain_text import plain
+from freebody.present.assets import asset
 from freebody.present.report.blocks import (
     Block,
     Emphasis,
@@ -41,7 +41,7 @@ _FORMULAS = TypstFormulas()
 def typst_files(report: Report) -> tuple[str, dict[str, str]]:
     """The text of a .typ file, and the drawings by the names by which it reads them."""
     writer = _Writer(report)
-    style = files("freebody.present.report").joinpath("report.typ").read_text(encoding="utf-8")
+    style = asset("report", "report.typ")
     head = f"#show: sheet.with({_words(report.title)}, {_words(report.subtitle)}, {quoted(_language(report))})"
     return f"{style}\n{head}\n\n{writer.blocks(report.blocks)}\n", writer.drawings
 
