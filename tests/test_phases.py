@@ -581,6 +581,17 @@ def test_a_block_with_drag_comes_to_rest_after_a_logarithm(agrees_text: Agree) -
     assert found.phases.cases[0].what == "slides, then holds"
 
 
+def test_without_a_closed_form_there_is_the_number_of_the_motion() -> None:
+    """With drag the place of a block contains time and exponential both: v - v0 = -c x/m - mu g t when x = 1 m."""
+    text = FLAT.format(shape="disk").replace("{ball: {disk: {mass: m, radius: r}}}", "{ball: {particle: {mass: m}}}")
+    text = text.replace("v0: 5 m/s", "v0: 5 m/s, c: 1 N s/m")
+    text = text.replace("{gravity: g}}", "{gravity: g}, d: {force: {at: ball, along: right, magnitude: -c*rate(x)}}}")
+    found = solved(text, "velocity of x when x = 1 m", "time when x = 1 m")
+    assert found["q1"].expression is None
+    assert "has no closed form" in found["q1"].reason
+    assert found["q1"].value == pytest.approx(5 - 1 - 0.2 * 9.81 * found["q2"].value, rel=1e-9)
+
+
 def test_a_pendulum_on_a_cart_with_a_stop_moves_by_energy_and_momentum() -> None:
     """(M + m) v + m L w cos(b) = 0, so w^2 = 2 g (M + m) (cos(b) - cos(a))/(L (M + m sin(b)^2))."""
     text = """

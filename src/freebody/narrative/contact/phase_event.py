@@ -38,7 +38,7 @@ def tell_event(
             elif isinstance(course, EnergyMotion) and zero.at is not None:
                 found = _on_the_way(script, way, leg, course, symbol, element, uses)
             else:
-                raise CannotAnswer(Message("the event has no closed form"))
+                raise CannotAnswer(Message("of this law of motion the time of an event is derived by no line here"))
             return {**found, **_state(script, way, leg, told, found)}
 
 

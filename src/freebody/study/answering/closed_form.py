@@ -11,7 +11,7 @@ from typing import Any
 
 from freebody.assess.options import judge
 from freebody.assess.verdict import Judgement
-from freebody.errors import BudgetExhausted, CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import ZERO, Expr, number
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, further
@@ -92,18 +92,12 @@ class QuestionSolver:
             why_no_value=Message("the rate depends on the motion"),
         )
 
-    def _number_instead(self) -> tuple[Value, tuple[str, ...]]:
-        """The value of the numeric route where there is no closed form, at the start or at the event; and what is to be
-        said where a budget was exhausted on the way."""
+    def _number_instead(self) -> Value:
+        """The value of the numeric route where there is no closed form, at the start or at the event."""
         q = self.question
         if not self.setup.has_values or q.quantity.scope == "steady motion":
-            return None, ()
-        try:
-            return number_of(self.setup, q.quantity, q.event), ()
-        except BudgetExhausted as error:
-            return None, (str(error),)
-        except (CannotAnswer, ArithmeticError, ValueError):
-            return None, ()
+            return None
+        return number_of(self.setup, q.quantity, q.event)
 
     def _find(self) -> Finding:
         q = self.question.quantity

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from freebody.errors import CannotAnswer, ExpressionError, NeverHappens, RoutesDisagree
+from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, RoutesDisagree
 from freebody.language.sentences import Message, further
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
@@ -22,7 +22,7 @@ from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 
 Elements = Ratio | tuple[Ratio, ...]
-Instead = Callable[[], tuple[Value, tuple[str, ...]]]  # a number, and what is to be said of how it was looked for
+Instead = Callable[[], Value]
 Otherwise = Callable[[], Answer | None]
 _TOO_LONG = (ExpressionError, OverflowError)  # what goes wrong with formulas that are too long
 NO_FORM = (CannotAnswer, *_TOO_LONG, *FAILED)  # what leaves a question, or a part of it, without a closed form
@@ -66,8 +66,18 @@ def answered(
     except NO_FORM as error:
         if otherwise is not None and not isinstance(error, NotHere) and (found := otherwise()) is not None:
             return found
-        value, unfinished = (None, ()) if instead is None else instead()
+        value, unfinished = (None, ()) if instead is None else _number(instead)
         return refused(question, further(why(system, error), *unfinished), value)
+
+
+def _number(instead: Instead) -> tuple[Value, tuple[str, ...]]:
+    """A number, where there is one; and what is to be said where a budget was exhausted on the way."""
+    try:
+        return instead(), ()
+    except BudgetExhausted as error:
+        return None, (str(error),)
+    except (CannotAnswer, ArithmeticError, ValueError):
+        return None, ()
 
 
 def why(system: System, error: Exception) -> str:

@@ -7,32 +7,41 @@ from functools import partial, singledispatch
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.budgets import allowed
+from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
+from freebody.numeric.engine.course import Status
 from freebody.numeric.linearised import frequencies
+from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.crosscheck import as_parts, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import NumericPassage
-from freebody.study.answering.witness import motion_to
+from freebody.study.answering.witness import TOLERANCE, motion_to
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 from freebody.study.simulation.at_rest import is_unstable_rest
+from freebody.study.simulation.motion import SimulatedMotion
+from freebody.study.simulation.observed import observed
 from freebody.study.simulation.simulator import Simulator
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
+from freebody.system.system import System
 
 N_PANELS = 16
+LONGEST = 60.0  # [s] that an event is waited for
+_STEPS = 20_000  # of a motion in which contacts change
+_SOON = 1e-9  # [s] of a motion that is looked at where it begins
 
 
 def at_event(
@@ -69,7 +78,7 @@ def _number(quantity: Quantity, setup: Setup, event: QuestionEvent | None, draw:
     elif _rests(setup):
         raise CannotAnswer(Message("it starts at rest, and only round-off accelerates it: numbers would follow that"))
     else:
-        values = as_parts(at_event(setup, quantity, draw, start, 60.0, event))
+        values = as_parts(at_event(setup, quantity, draw, start, LONGEST, event))
     return values[0] if len(values) == 1 else values
 
 
@@ -111,6 +120,29 @@ def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[t
             of, ground = body.point(body.default_point), Point(GROUND)
             wanted += [(place, there.value(place)) for place in (Displacement(of, ground, d) for d in (RIGHT, UP))]
     return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
+
+
+def number_with_changes(system: System, question: Question) -> float | None:
+    """What a motion in which contacts and dry friction change their states gives, at its start or at the first event
+    within a minute: a measure, a rate, an acceleration or the time; None for what is none of these, or does not come.
+    Raises BudgetExhausted where the event was not reached within the budget of steps."""
+    quantity, event = question.quantity, question.event
+    if not system.has_values or question.transition is not None or not (quantity.is_of_event or quantity.watched):
+        return None
+    simulator = Simulator(system, events=() if event is None else (f"stop when {event.text}",))
+    options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
+    until = LONGEST if event is not None else _SOON
+    course = simulator.run(until, options, outputs=np.array([0.0] if event is None else [until]))
+    if course.status is Status.TOO_LONG:
+        raise BudgetExhausted(course.message)
+    if event is not None and course.status is not Status.EVENT:
+        return None
+    if quantity.is_of_event:
+        return course.t_end
+    assert quantity.watched is not None
+    measure, order = quantity.watched
+    seen = observed(SimulatedMotion(system, simulator, course, options), {"it": measure})["it"]
+    return float(seen[order][-1 if event is not None else 0])
 
 
 def _rests(setup: Setup) -> bool:

@@ -17,6 +17,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered
+from freebody.study.answering.numbers import number_with_changes
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
 from freebody.study.phases.evidence import compare
@@ -34,7 +35,8 @@ _ROUND_OFF = 1e-12
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
-    return answered(tree.system, question, lambda: _by_cases(tree, question))
+    system = tree.system
+    return answered(system, question, lambda: _by_cases(tree, question), lambda: number_with_changes(system, question))
 
 
 def _by_cases(tree: PhaseTree, question: Question) -> Answer:
