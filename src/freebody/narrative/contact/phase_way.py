@@ -19,7 +19,7 @@ from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
-from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, pieces

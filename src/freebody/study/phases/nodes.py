@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from freebody.language.sentences import Message, in_turn
-from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.impact import ClosedFormCollision
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch, Placed

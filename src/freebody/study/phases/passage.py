@@ -12,7 +12,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.passage import FormulaPassage, FormulaPhase
-from freebody.study.phases.events import FirstEvent
+from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase

@@ -13,7 +13,8 @@ from freebody.language.sentences import Message
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.study.answering.finding import NO_FORM, Elements, why
-from freebody.study.phases.events import FirstEvent, first_events
+from freebody.study.phases.ends import FirstEvent
+from freebody.study.phases.events import first_events
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.passage import elements_in, passage_of

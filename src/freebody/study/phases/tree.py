@@ -21,7 +21,8 @@ from freebody.model.elements import ConstraintRow, DryFriction, UnilateralConstr
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.consistent import candidates, checks, without_slip
 from freebody.study.phases.decide import NOTHING, Inequality, Test, as_test, cells
-from freebody.study.phases.events import PhaseOutcome, Proofs, first_events
+from freebody.study.phases.ends import PhaseOutcome, Proofs
+from freebody.study.phases.events import first_events
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import Blow, ClosedFormCollision
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart

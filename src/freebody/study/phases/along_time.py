@@ -1,0 +1,173 @@
+"""What ends a phase first along its time: where accelerations are constant, and by laws of the coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
+from freebody.study.phases.decide import Test, as_test
+from freebody.study.phases.ends import (
+    NOT_NEGATIVE,
+    PossibleEnd,
+    PossibleEnds,
+    Proofs,
+    all_hold,
+    needed_there,
+    no_closed_form,
+)
+from freebody.study.phases.numbers import Chosen, Mask, Sets
+from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.words import occurs
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.laws import Decay, Growth, MotionLaw, Oscillation
+from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, UniformMotion
+from freebody.symbolic.signs import sign_of
+
+_NOW = 1e-9  # a zero at the very start, relative to what the function can become
+_SOON = 1e-12  # [s] a time that is none
+_BESIDE = 1e-6  # of a time: just before and just after it
+_LONG = 20.0  # units of time of a law that a motion without an end is looked at
+_SHARES = tuple((k + 0.5) / 60 for k in range(60))  # of a motion at which it is looked at
+
+
+def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> PossibleEnds:
+    model, found = course.model, PossibleEnds()
+    mine = np.zeros(sets.n, dtype=bool)
+    mine[indices] = True
+    for watch in watches:
+        try:
+            coefficients = course.along(watch.element)
+        except CannotAnswer as error:
+            raise no_closed_form(watch, error) from None
+        n_now = next((k for k, c in enumerate(coefficients) if not c.is_zero()), 0)  # zeros at the start itself
+        if len(coefficients) - n_now > 3:
+            raise CannotAnswer(
+                Message(
+                    "when {contact} {event} is a root of degree {n}",
+                    contact=watch.connection,
+                    event=occurs(watch),
+                    n=len(coefficients) - 1 - n_now,
+                )
+            )
+        numbers = np.array([sets.evaluate(model, c) for c in coefficients])
+        n_before = len(found.candidates)
+        for zero in course.zeros(watch.element):
+            assert zero.time is not None
+            t = sets.evaluate(model, zero.time)
+            there = needed_there(model, watch, zero)
+            good = _falls(numbers, t) & mine & all_hold(model, there, sets)
+            if good.any():
+                found.candidates.append(PossibleEnd(watch, zero, np.where(good, t, np.inf), (zero.time, *there)))
+                found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in there]
+        if len(found.candidates) == n_before and not all(sign_of(c) in NOT_NEGATIVE for c in coefficients[1:]):
+            found.unsure.append(_without_roots(coefficients))
+    found.tests = _times_in_order(course, found.candidates, sets) + found.tests
+    return found
+
+
+def _without_roots(c: Sequence[Ratio]) -> Proofs:
+    """A polynomial that is not negative at the start stays so: if nothing pulls it down, or it has no two roots."""
+    if len(c) != 3:
+        return (tuple(c[1:]),)
+    return (c[1], c[2]), (c[2], 4 * c[0] * c[2] - c[1] * c[1])
+
+
+def _falls(numbers: Array, t: Array) -> Mask:
+    """Where the polynomial, positive before, falls through zero at the time t."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        slope = sum((k * c * t ** (k - 1) for k, c in enumerate(numbers) if k), np.zeros(len(t)))
+        shares = [np.abs(k * c * t ** (k - 1)) for k, c in enumerate(numbers) if k]
+        size = np.max(shares, axis=0) + 1e-300
+        result: Mask = np.isfinite(t) & (t > _SOON) & (slope < _NOW * size)
+    return result
+
+
+def _before(watch: PhaseWatch) -> str:
+    return Message("before {contact} {event}", contact=watch.connection, event=occurs(watch))
+
+
+def _times_in_order(course: ClosedFormMotion, candidates: Sequence[PossibleEnd], sets: Sets) -> list[Test]:
+    """That a time is real, that it comes, and that it comes before another one."""
+    model, found = course.model, list[Test]()
+    times = [c.zero.time for c in candidates]
+    for t in times:
+        assert t is not None
+        for g in sorted(model.field.ingredients(t)):
+            if model.field.generators[g].kind == "root" and model.field.generators[g].made_of:
+                inside = model.field.radicand(g)
+                found.append(
+                    as_test(
+                        inside, ">", sets.evaluate(model, inside), Message("it happens"), Message("no event ends it")
+                    )
+                )
+    for t in times:
+        assert t is not None
+        found.append(as_test(t, ">", sets.evaluate(model, t), Message("it happens"), Message("no event ends it")))
+    for j, one in enumerate(candidates):
+        for k, other in enumerate(candidates[:j]):
+            s, t = times[j], times[k]
+            assert s is not None
+            assert t is not None
+            if one.watch is other.watch:
+                continue
+            words = (_before(c.watch) for c in (one, other))
+            found.append(as_test(s - t, ">", sets.evaluate(model, s - t), *words))
+    return found
+
+
+# -- along laws of the time -----------------------------------------------------------------------
+def by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> PossibleEnds:
+    """Zeros in closed form; that there are no others before the first of them is seen along the motion."""
+    model, found = course.model, PossibleEnds()
+    mine = np.zeros(sets.n, dtype=bool)
+    mine[indices] = True
+    functions = {watch: course.over_time(watch.element) for watch in watches}
+    tau = model.field.index(course.tau)
+
+    def at(watch: PhaseWatch, t: Array) -> Array:
+        return sets.evaluate(model, functions[watch], {tau: t})
+
+    for watch in watches:
+        with suppress(CannotAnswer):  # what is seen to vanish without a closed form is refused below
+            for zero in course.zeros(watch.element):
+                assert zero.time is not None
+                t = sets.evaluate(model, zero.time)
+                exists = (*zero.needs, *needed_there(model, watch, zero))
+                with np.errstate(invalid="ignore"):
+                    good = mine & np.isfinite(t) & (t > _SOON) & all_hold(model, exists, sets)
+                    good &= (at(watch, t * (1 - _BESIDE)) > 0) & (at(watch, t * (1 + _BESIDE)) < 0)
+                if good.any():
+                    found.candidates.append(PossibleEnd(watch, zero, np.where(good, t, np.inf), exists))
+                    found.tests += [as_test(x, ">", sets.evaluate(model, x)) for x in exists]
+        if all(c.watch is not watch for c in found.candidates):
+            found.unsure.append(())
+    ends = np.min([c.reached for c in found.candidates], axis=0) if found.candidates else np.full(sets.n, np.inf)
+    horizon = _LONG * np.max([_unit_of_time(model, law, sets) for law in course.laws], axis=0)
+    until = np.where(np.isfinite(ends), ends, horizon)
+    for watch in watches:
+        seen = np.array([at(watch, share * until) for share in _SHARES])
+        with np.errstate(invalid="ignore"):
+            missed = (seen < -_NOW * np.abs(seen).max(axis=0)).any(axis=0)
+        if (missed & mine).any():
+            raise CannotAnswer(
+                Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
+            )
+    found.tests = _times_in_order(course, found.candidates, sets) + found.tests
+    return found
+
+
+def _unit_of_time(model: SymbolicModel, law: MotionLaw, sets: Sets) -> Array:
+    """[s] In which a law does what it does; 0 for constant acceleration."""
+    match law:
+        case Oscillation() | Growth():
+            return 1.0 / np.sqrt(sets.evaluate(model, law.square))
+        case Decay():
+            return 1.0 / np.abs(sets.evaluate(model, law.gamma))
+        case _:
+            return np.zeros(sets.n)

@@ -1,0 +1,186 @@
+"""What ends a phase first along its way, where energy gives the speed: u^2 = f(q).
+
+It is followed in the direction of the start to the next zero of f, where it turns, and back to the zero of f on the
+other side; what has not happened by then never does, since the motion repeats itself. Without such zeros an angle that
+stands in sines and cosines alone goes round for ever.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.numeric.jets import Array
+from freebody.study.phases.decide import Test, as_test
+from freebody.study.phases.ends import (
+    NOT_NEGATIVE,
+    PossibleEnd,
+    PossibleEnds,
+    all_hold,
+    needed_there,
+    no_closed_form,
+)
+from freebody.study.phases.numbers import Chosen, Sets
+from freebody.study.phases.phase import PhaseWatch
+from freebody.study.phases.words import occurs
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.phases.course import CourseZero, EnergyMotion
+from freebody.symbolic.signs import sign_of
+
+_NOW = 1e-9  # a place at the very end of the way, relative to it
+_HERE = 1e-7  # a place that is the one of the start
+_CLOSE = 1e-5  # a place that round-off may put on either side of the start
+N_ALONG = 24  # places on the way at which a speed must be real
+_FAR = 1e4  # how far a way without an end is looked along, by its own size
+
+
+class EnergyRoad:
+    """The way of one coordinate whose speed energy gives, at all sets."""
+
+    def __init__(self, course: EnergyMotion, sets: Sets, indices: Chosen) -> None:
+        self.course, self.sets = course, sets
+        self.mine = np.zeros(sets.n, dtype=bool)
+        self.mine[indices] = True
+        model, c = course.model, course.coordinate
+        self.model, self.c = model, c
+        self.start, self.speed = course.start.of(c.index), course.start.of(c.speed)
+        self.push = model.field.follow(
+            model.dynamics.solved_accelerations[model.accelerations[model.coordinates.index(c)]], course.start.values
+        )
+        self.q0, self.u0, self.a0 = (sets.evaluate(model, x) for x in (self.start, self.speed, self.push))
+        self.way = np.sign(np.where(self.u0 != 0.0, self.u0, self.a0))
+        self.too_near = np.zeros(sets.n, dtype=bool)  # sets at which a place cannot be told from the start in numbers
+        self.goes_round = self._is_periodic(course.square)
+        self.turns = self._variants(course.zeros_of(course.square), course.square)
+        self.ahead, self.behind = self._turning(1), self._turning(-1)
+        self.behind = np.where(self.u0 == 0.0, 0.0, self.behind)
+
+    def _is_periodic(self, x: Ratio) -> bool:
+        """Whether the coordinate is an angle that stands in sines and cosines alone."""
+        return self.c.index not in x.generators()
+
+    def _variants(self, places: Sequence[Ratio], of: Ratio) -> list[tuple[Ratio, Array]]:
+        """Zeros of a function with their numbers; of an angle also a turn on and a turn back."""
+        whole = 2 * self.model.field.pi
+        shifts = (0, 1, -1) if self._is_periodic(of) else (0,)
+        listed = [place + k * whole if k else place for k in shifts for place in places]
+        found = [(place, self.sets.evaluate(self.model, place)) for place in listed]
+        for _place, at in found:
+            near = np.abs(at - self.q0) < _CLOSE * self._size(at)
+            if not near[: self.sets.n_near].all():  # else it is the start, however it is written
+                self.too_near |= near
+        return found
+
+    def _size(self, at: Array) -> Array:
+        return np.ones(self.sets.n) if self.goes_round else np.maximum(np.abs(at), np.abs(self.q0))
+
+    def _distance(self, at: Array, direction: int) -> Array:
+        """How far ahead (or behind) of the start a place is; nan at the start itself and on the other side."""
+        with np.errstate(invalid="ignore"):
+            d = direction * self.way * (at - self.q0)
+            return np.where(d > _HERE * self._size(at), d, np.nan)
+
+    def _turning(self, direction: int) -> Array:
+        """The distance to the next place where the speed vanishes; inf where there is none."""
+        found = np.full(self.sets.n, np.inf)
+        for _place, at in self.turns:
+            d = self._distance(at, direction)
+            found = np.where(np.isfinite(d), np.fmin(found, d), found)
+        return found
+
+    def events(self, watches: Sequence[PhaseWatch]) -> PossibleEnds:
+        found = PossibleEnds()
+        for watch in watches:
+            try:
+                places = self._variants(self.course.places(watch.element), self.course.as_function(watch.element))
+            except CannotAnswer as error:
+                raise no_closed_form(watch, error) from None
+            for place, at in places:
+                found.candidates += self._reached(watch, place, at)
+            if not watch.within:
+                self._require_known(watch, [c for c in found.candidates if c.watch is watch])
+            if watch.within or (not places and sign_of(self.course.as_function(watch.element)) not in NOT_NEGATIVE):
+                found.unsure.append(())
+        found.tests = self._tests(found.candidates)
+        return found
+
+    def _reached(self, watch: PhaseWatch, place: Ratio, at: Array) -> list[PossibleEnd]:
+        """The place on the way out, and on the way back behind the start."""
+        out, back = self._distance(at, 1), self._distance(at, -1)
+        with np.errstate(invalid="ignore"):  # the start itself is passed on the way back
+            back = np.where((np.abs(at - self.q0) <= _HERE * self._size(at)) & (self.u0 != 0.0), 0.0, back)
+        with np.errstate(invalid="ignore"):
+            roads = (
+                (1, np.where(out <= self.ahead * (1 + _NOW), out, np.inf)),
+                (
+                    -1,
+                    np.where(
+                        np.isfinite(self.ahead) & (back <= self.behind * (1 + _NOW)), back + 2 * self.ahead, np.inf
+                    ),
+                ),
+            )
+        found: list[PossibleEnd] = []
+        for turned, length in roads:
+            good = self.mine & np.isfinite(length)
+            for sign in (1, -1):
+                here = good & (self.way * turned == sign)
+                if here.any():
+                    zero = self.course.at(place, sign)
+                    if turned < 0:
+                        zero = CourseZero(None, zero.values, zero.at)
+                    there = needed_there(self.model, watch, zero)
+                    here &= all_hold(self.model, there, self.sets)
+                    exists = (*self.course.reachable(zero), *there)
+                    found.append(PossibleEnd(watch, zero, np.where(here, length, np.inf), exists))
+        return found
+
+    def _require_known(self, watch: PhaseWatch, own: Sequence[PossibleEnd]) -> None:
+        """Up to its first zero a watched function must be positive and the speed real: zeros without a closed form
+        show there. Raises CannotAnswer."""
+        first = np.min([c.reached for c in own], axis=0) if own else np.full(self.sets.n, np.inf)
+        value = self.course.as_function(watch.element)
+        is_odd = self.course.is_odd(watch.element)
+        out = np.minimum(first, self.ahead)
+        endless = 2 * np.pi if self.goes_round else _FAR * np.maximum(np.abs(self.q0), 1.0)
+        out = np.where(np.isfinite(out), out, endless)
+        back = np.where(np.isfinite(first) | ~np.isfinite(self.ahead), 0.0, np.minimum(self.behind, endless))
+        missed = np.zeros(self.sets.n, dtype=bool)
+        shares = (np.arange(N_ALONG) + 0.5) / N_ALONG
+        for share in shares:
+            for d in (share * out, -share * back):
+                place = {self.c.index: self.q0 + self.way * d}
+                f, square = (self.sets.evaluate(self.model, x, place) for x in (value, self.course.square))
+                sign = self.way if is_odd else 1.0
+                with np.errstate(invalid="ignore"):
+                    missed |= (d != 0) & ((sign * f < 0) | (square < 0))
+                if is_odd:
+                    break  # its sign turns with the speed: on the way back it has ended
+        if (missed & self.mine & ~self.too_near & (self.way != 0)).any():
+            raise CannotAnswer(
+                Message("when {contact} {event} has no closed form", contact=watch.connection, event=occurs(watch))
+            )
+
+    def _tests(self, candidates: Sequence[PossibleEnd]) -> list[Test]:
+        """That a place is real and is reached; which way it goes first, and which place is nearer."""
+        found: list[Test] = []
+
+        def add(x: Ratio, relation: str = ">", purpose: str = "", against: str = "") -> None:
+            found.append(as_test(x, relation, self.sets.evaluate(self.model, x), purpose, against))
+
+        for c in candidates:
+            for x in c.exists:
+                add(x, ">", Message("it happens"), Message("no event ends it"))
+        for place, _at in self.turns:
+            for x in self.course.real(place):
+                add(x)
+        add(self.push if self.speed.is_zero() else self.speed)
+        places = [c.zero.at for c in candidates if c.zero.at is not None]
+        listed = [*dict.fromkeys(places), *(place for place, _at in self.turns)]
+        for j, place in enumerate(listed):
+            add(place - self.start)
+            for other in listed[:j]:
+                add(place - other)
+        return found
