@@ -36,6 +36,7 @@ from freebody.language.expression import (
     power,
     whole_exponent,
 )
+from freebody.language.sentences import Message
 
 MAX_CHARACTERS = 10_000
 MAX_TOKENS = 2_000
@@ -72,16 +73,16 @@ _TOKEN = re.compile(
 _SAME = {"**": "^", "·": "*", "⋅": "*", "×": "*", "−": "-"}
 
 _HINTS = {
-    "'\"`": "text in quotes is not mathematics",
-    "[]{}": "only round brackets ( ) group",
-    ",": "functions take one argument, and decimals are written with a point",
-    ".": "a point stands only in a decimal number, as in 0.5",
-    "=<>≤≥≠": "an expression has no comparison or assignment",
-    "_": "names begin with a letter",
-    "!": "write the factorial out as a number",
-    "∞": "numbers must be finite",
-    "–—": "write - for minus",
-    "%": "write 0.01* for percent",
+    "'\"`": Message("text in quotes is not mathematics"),
+    "[]{}": Message("only round brackets ( ) group"),
+    ",": Message("functions take one argument, and decimals are written with a point"),
+    ".": Message("a point stands only in a decimal number, as in 0.5"),
+    "=<>≤≥≠": Message("an expression has no comparison or assignment"),
+    "_": Message("names begin with a letter"),
+    "!": Message("write the factorial out as a number"),
+    "∞": Message("numbers must be finite"),
+    "–—": Message("write - for minus"),
+    "%": Message("write 0.01* for percent"),
 }
 
 
@@ -101,7 +102,7 @@ def parse(text: str) -> Expr:
 def _tokens(text: str) -> list[_Token]:
     if len(text) > MAX_CHARACTERS:
         raise ExpressionError(
-            f"the expression has {len(text)} characters, at most {MAX_CHARACTERS} are read",
+            Message("the expression has {n} characters, at most {most} are read", n=len(text), most=MAX_CHARACTERS),
             MAX_CHARACTERS + 1,
         )
     tokens: list[_Token] = []
@@ -123,9 +124,11 @@ def _tokens(text: str) -> list[_Token]:
         elif kind == "prime" and (not tokens or tokens[-1].kind != "name" or after_space):
             raise ExpressionError(_hint_for("'"), column)
         if nesting > MAX_NESTING:
-            raise ExpressionError(f"brackets nest more than {MAX_NESTING} deep", column)
+            raise ExpressionError(Message("brackets nest more than {most} deep", most=MAX_NESTING), column)
         if len(tokens) >= MAX_TOKENS:
-            raise ExpressionError(f"the expression has more than {MAX_TOKENS} parts; split it up", column)
+            raise ExpressionError(
+                Message("the expression has more than {most} parts; split it up", most=MAX_TOKENS), column
+            )
         tokens.append(_Token(kind, word, column, after_space))
         after_space = False
     tokens.append(_Token("end", "", len(text) + 1, after_space))
@@ -136,20 +139,21 @@ def _checked_name(word: str, column: int, before_bracket: bool) -> str:
     name = "sqrt" if word == "√" else word.translate(_TO_ASCII)
     if name in FUNCTIONS:
         if not before_bracket:
-            message = f"'{name}' is a function: write {name}(...), and {name}(...)^2 for its square"
+            message = Message("'{name}' is a function: write {name}(...), and {name}(...)^2 for its square", name=name)
             raise ExpressionError(message, column)
     elif problem := name_problem(name):
         raise ExpressionError(problem, column)
     return name
 
 
-def _hint_for(character: str) -> str:
+def _hint_for(character: str) -> Message:
+    shown = repr(character)
     for characters, hint in _HINTS.items():
         if character in characters:
-            return f"{character!r} cannot be used here: {hint}"
+            return Message("{x} cannot be used here: {hint}", x=shown, hint=hint)
     if character.isalpha():
-        return f"{character!r} cannot be used: names have letters a-z or Greek ones, digits and underscores"
-    return f"{character!r} cannot be used in an expression"
+        return Message("{x} cannot be used: names have letters a-z or Greek ones, digits and underscores", x=shown)
+    return Message("{x} cannot be used in an expression", x=shown)
 
 
 class _Parser:
@@ -171,12 +175,12 @@ class _Parser:
 
     def expression(self) -> Expr:
         if self._now.kind == "end":
-            raise ExpressionError("the expression is empty")
+            raise ExpressionError(Message("the expression is empty"))
         result = self._sum()
         if self._now.kind == ")":
-            raise ExpressionError("')' closes no bracket", self._now.column)
+            raise ExpressionError(Message("')' closes no bracket"), self._now.column)
         if depth(result) > MAX_NESTING:
-            raise ExpressionError(f"the expression nests more than {MAX_NESTING} deep")
+            raise ExpressionError(Message("the expression nests more than {most} deep", most=MAX_NESTING))
         return result
 
     def _sum(self) -> Expr:
@@ -205,7 +209,7 @@ class _Parser:
                 self._check_side_by_side(token, divided)
                 factors.append(self._power())
             elif token.kind in ("superscript", "prime"):
-                raise ExpressionError(f"'{token.text}' has nothing to stand on", token.column)
+                raise ExpressionError(Message("'{text}' has nothing to stand on", text=token.text), token.column)
             else:
                 break
         self._refuse_huge(factors, start)
@@ -215,19 +219,26 @@ class _Parser:
         before = self._tokens[self._at - 1]
         if token.kind == "number":
             raise ExpressionError(
-                f"'{before.text} {token.text}': write * or an operator before the number", token.column
+                Message(
+                    "'{text} {following}': write * or an operator before the number",
+                    text=before.text,
+                    following=token.text,
+                ),
+                token.column,
             )
         if not token.after_space and before.kind == "prime":
-            raise ExpressionError("write * after the prime for a product", token.column)
+            raise ExpressionError(Message("write * after the prime for a product"), token.column)
         if not token.after_space and re.match("0[xXoObB]", before.text + token.text):
-            raise ExpressionError("numbers are decimal", before.column)
+            raise ExpressionError(Message("numbers are decimal"), before.column)
         if divided:
-            raise ExpressionError("a/2 b can be read in two ways: write a/(2*b) or (a/2)*b", token.column)
+            raise ExpressionError(Message("a/2 b can be read in two ways: write a/(2*b) or (a/2)*b"), token.column)
 
     def _signed(self) -> Expr:
         self._nesting += 1
         if self._nesting > MAX_NESTING + 1:
-            raise ExpressionError(f"the expression nests more than {MAX_NESTING} deep", self._now.column)
+            raise ExpressionError(
+                Message("the expression nests more than {most} deep", most=MAX_NESTING), self._now.column
+            )
         if self._now.kind in ("+", "-"):
             minus = self._take().kind == "-"
             operand = self._signed()
@@ -264,14 +275,16 @@ class _Parser:
             case "(":
                 return self._inside(token)
             case "end":
-                raise ExpressionError("the expression ends where a number, name or bracket is needed", column)
+                raise ExpressionError(Message("the expression ends where a number, name or bracket is needed"), column)
             case _:
-                raise ExpressionError(f"a number, name or bracket is needed before '{token.text}'", column)
+                raise ExpressionError(
+                    Message("a number, name or bracket is needed before '{text}'", text=token.text), column
+                )
 
     def _inside(self, opening: _Token) -> Expr:
         inner = self._sum()
         if self._now.kind != ")":
-            raise ExpressionError("this bracket is never closed", opening.column)
+            raise ExpressionError(Message("this bracket is never closed"), opening.column)
         self._take()
         return inner
 
@@ -294,7 +307,7 @@ class _Parser:
     def _refuse_huge(self, parts: list[Expr], column: int) -> None:
         # The bits of a product, and of a sum over its common denominator, are at most those of its parts.
         if sum(map(_bits, parts)) > _MAX_BITS:
-            raise ExpressionError("the numbers here make one with too many digits", column)
+            raise ExpressionError(Message("the numbers here make one with too many digits"), column)
 
 
 def _power(base: Expr, exponent: Expr, column: int) -> Expr:
@@ -305,15 +318,15 @@ def _power(base: Expr, exponent: Expr, column: int) -> Expr:
         if size > MAX_EXPONENT:
             raise _exponent_too_large(column)
         if isinstance(base, Number) and size * _bits(base) > _MAX_BITS:
-            raise ExpressionError("this power has too many digits", column)
+            raise ExpressionError(Message("this power has too many digits"), column)
     try:
         return power(base, exponent)
     except ZeroDivisionError:
-        raise ExpressionError("division by zero", column) from None
+        raise ExpressionError(Message("division by zero"), column) from None
 
 
 def _exponent_too_large(column: int) -> ExpressionError:
-    return ExpressionError(f"an exponent may be at most {MAX_EXPONENT} in magnitude", column)
+    return ExpressionError(Message("an exponent may be at most {most} in magnitude", most=MAX_EXPONENT), column)
 
 
 def _bits(expr: Expr) -> int:
@@ -329,21 +342,32 @@ def _bits(expr: Expr) -> int:
 def _exact(token: _Token) -> Fraction:
     mantissa, _, exponent = token.text.lower().partition("e")
     if len(mantissa.replace(".", "")) > MAX_DIGITS:
-        raise ExpressionError(f"a number may have at most {MAX_DIGITS} digits", token.column)
+        raise ExpressionError(Message("a number may have at most {most} digits", most=MAX_DIGITS), token.column)
     if len(exponent) > 6 or abs(int(exponent or 0)) > MAX_DECIMAL_EXPONENT:
-        limit = f"the exponent of ten is at most {MAX_DECIMAL_EXPONENT}"
-        raise ExpressionError(f"{token.text[:40]} is too large or too small: {limit}", token.column)
+        limit = Message("the exponent of ten is at most {most}", most=MAX_DECIMAL_EXPONENT)
+        raise ExpressionError(
+            Message("{text} is too large or too small: {limit}", text=token.text[:40], limit=limit), token.column
+        )
     return Fraction(token.text)
 
 
 def _rate(argument: Expr, column: int) -> Expr:
     is_rate = isinstance(argument, Call) and argument.function == "rate"
     if not (is_rate or isinstance(argument, Symbol)) or argument == PI:
-        raise ExpressionError("rate(...) takes the name of one measure, as in rate(x)", column)
+        raise ExpressionError(Message("rate(...) takes the name of one measure, as in rate(x)"), column)
     return Call("rate", argument)
 
 
-def _not_a_function(name: str) -> str:
+def _not_a_function(name: str) -> Message:
     close = get_close_matches(name.lower(), FUNCTIONS, n=1)
-    guess = f"did you mean {close[0]}? Otherwise" if close else f"there are {', '.join(sorted(FUNCTIONS))};"
-    return f"'{name[:40]}' is not a function: {guess} write {name[:40]}*( ... ) for a product"
+    if close:
+        return Message(
+            "'{name}' is not a function: did you mean {other}? Otherwise write {name}*( ... ) for a product",
+            name=name[:40],
+            other=close[0],
+        )
+    return Message(
+        "'{name}' is not a function: there are {names}; write {name}*( ... ) for a product",
+        name=name[:40],
+        names=", ".join(sorted(FUNCTIONS)),
+    )

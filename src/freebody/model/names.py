@@ -17,6 +17,7 @@ from typing import Any, Protocol, cast
 from freebody.errors import ExpressionError, InputError, Problem, UnitError
 from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, negate, number
 from freebody.language.parser import parse
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
@@ -39,11 +40,11 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     options = sorted(set(known))
     close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
     if close:
-        return f" Did you mean {close[0]}?"
+        return Message(" Did you mean {x}?", x=close[0])
     if not options:
         return ""
     shown = ", ".join(options[:12]) + (" ..." if len(options) > 12 else "")
-    return f" There is: {shown}."
+    return Message(" There is: {names}.", names=shown)
 
 
 class Joining(Protocol):
@@ -142,14 +143,20 @@ class Names:
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
         known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-            self.problem(f"expected a number or an expression, found {value!r}", None, *path)
+            self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), None, *path)
             return ZERO
         if isinstance(value, (int, float)):
             if not math.isfinite(value):
-                self.problem(f"{value} is not a finite number", None, *path)
+                self.problem(Message("{value} is not a finite number", value=value), None, *path)
                 return ZERO
             if abs(value) > LARGEST:
-                self.problem(f"{value} is too large to calculate with: sizes go up to {LARGEST:.0e}", None, *path)
+                self.problem(
+                    Message(
+                        "{value} is too large to calculate with: sizes go up to {most:.0e}", value=value, most=LARGEST
+                    ),
+                    None,
+                    *path,
+                )
                 return ZERO
             return number(value)
         try:
@@ -160,12 +167,16 @@ class Names:
             return ZERO
         unknown = sorted(free_symbols(expr) - set(known))
         if unknown and unknown[0] in self.parameters:
-            message = f"{unknown[0]} is a function of time; it may stand in drivers and in the laws of loads only"
+            message = Message(
+                "{name} is a function of time; it may stand in drivers and in the laws of loads only", name=unknown[0]
+            )
             return self._quantity(value, dimension, path, message)
         if unknown:
-            message = (
-                f"{unknown[0]} in '{value}' is not a parameter.{did_you_mean(unknown[0], known)}"
-                f" Add it under parameters, e.g. {unknown[0]}: 1"
+            message = Message(
+                "{name} in '{value}' is not a parameter.{hint} Add it under parameters, e.g. {name}: 1",
+                name=unknown[0],
+                value=value,
+                hint=did_you_mean(unknown[0], known),
             )
             return self._quantity(value, dimension, path, message)
         try:
@@ -188,7 +199,16 @@ class Names:
             self.problem(str(error) if "unit" in str(error) else why_not, None, *path)
             return ZERO
         if quantity.dimension != dimension:
-            self.problem(f"'{text}' has the unit {quantity.dimension}, expected {_unit(dimension)}", None, *path)
+            self.problem(
+                Message(
+                    "'{text}' has the unit {dimension}, expected {unit}",
+                    text=text,
+                    dimension=quantity.dimension,
+                    unit=_unit(dimension),
+                ),
+                None,
+                *path,
+            )
             return ZERO
         return quantity_expression(quantity)
 
@@ -197,7 +217,16 @@ class Names:
         expr = self.formula(getattr(spec, field), dimension, field)
         value = self.numeric(expr)
         if value is not None and value < 0:
-            self.problem(f"{field} is negative ({value:g} {dimension}); give a positive one", spec, field)
+            self.problem(
+                Message(
+                    "{field} is negative ({value:g} {dimension}); give a positive one",
+                    field=field,
+                    value=value,
+                    dimension=dimension,
+                ),
+                spec,
+                field,
+            )
         return expr
 
     def optional(self, spec: Spec, field: str, dimension: Dimension) -> Expr | None:
@@ -222,9 +251,13 @@ class Names:
         if self.space and len(items) == 2:
             items = [*items, 0]
         if len(items) != len(self.origin):
-            wanted = "three components [x, y, z]" if self.space else "two components [x, y]"
-            hint = ". For a model in space write space: true" if len(items) == 3 else ""
-            self.problem(f"expected {wanted}, found {value!r}{hint}", None, *path)
+            wanted = Message("three components [x, y, z]" if self.space else "two components [x, y]")
+            hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
+            self.problem(
+                Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=f"{value!r}", hint=hint),
+                None,
+                *path,
+            )
             return self.origin
         return tuple(self.formula(item, dimension, *path, k) for k, item in enumerate(items))
 
@@ -236,7 +269,7 @@ class Names:
         found = self.bodies.get(name)
         if found is None:
             hint = did_you_mean(name, self.bodies)
-            self.problem(f"there is no body {name}.{hint}", None, *path)
+            self.problem(Message("there is no body {name}.{hint}", name=name, hint=hint), None, *path)
             return placeholder(name)
         return found
 
@@ -247,7 +280,7 @@ class Names:
     def point(self, text: Any, *path: str | int) -> Point:
         """`body.point`, or `body` for its reference point. A ground point that is not declared is the origin."""
         if not isinstance(text, str):
-            self.problem(f"expected a point such as rod.end, found {text!r}", None, *path)
+            self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), None, *path)
             return self.bodies[GROUND].point("origin")
         body_name, _, point_name = text.strip().partition(".")
         body = self.body(body_name, *path)
@@ -255,7 +288,9 @@ class Names:
             return body.point()
         if not point_name:
             if body_name == GROUND:
-                self.problem("a place on the ground needs a name, e.g. ground.A, or ground.origin", None, *path)
+                self.problem(
+                    Message("a place on the ground needs a name, e.g. ground.A, or ground.origin"), None, *path
+                )
             return body.point()
         if point_name in body.points:
             return body.point(point_name)
@@ -263,8 +298,14 @@ class Names:
             self.free_ground_points.setdefault(point_name, (*self._path, *path))
             return Point(GROUND, self.origin, text.strip())
         self.problem(
-            f"{body_name} has no point {point_name}.{did_you_mean(point_name, body.points)}"
-            f" Points of your own: {body_name}: {{points: {{{point_name}: {self._example}}}}}",
+            Message(
+                "{body_name} has no point {point_name}.{hint} Points of your own: {body_name}: {{points: "
+                "{{{point_name}: {example}}}}}",
+                body_name=body_name,
+                point_name=point_name,
+                hint=did_you_mean(point_name, body.points),
+                example=self._example,
+            ),
             None,
             *path,
         )
@@ -328,8 +369,12 @@ class Names:
                 known = [*compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in b.lines]
                 self.problem(
-                    f"{text} is no direction.{did_you_mean(text, known)} Write right, left, up, down, "
-                    "an angle such as 30 deg, components [1, 2], a line, or body.x",
+                    Message(
+                        "{text} is no direction.{hint} Write right, left, up, down, an angle such as 30 deg, "
+                        "components [1, 2], a line, or body.x",
+                        text=text,
+                        hint=did_you_mean(text, known),
+                    ),
                     None,
                     *path,
                 )
@@ -353,7 +398,7 @@ class Names:
     def unit_direction(self, body: str, along: Components, *path: str | int) -> Direction:
         numbers = [self.numeric(c) for c in along]
         if all(n is not None and abs(n) < 1e-300 for n in numbers):
-            self.problem(f"a direction must not be {[0] * len(along)}; it needs a length", None, *path)
+            self.problem(Message("a direction must not be {x}; it needs a length", x=[0] * len(along)), None, *path)
             return self.compass["right"]
         square: Expr = ZERO
         for c in along:
@@ -367,7 +412,7 @@ class Names:
         body = self.body(name, *path)
         if body.radius is None:
             self.problem(
-                f"{name} has no radius; make it a disk, ring or sphere, or give its body a radius",
+                Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name),
                 None,
                 *path,
             )
@@ -389,7 +434,7 @@ def quantity_expression(quantity: Any) -> Expr:
 
 
 def _unit(dimension: Dimension) -> str:
-    return "a pure number or an angle" if dimension == DIMENSIONLESS else str(dimension)
+    return Message("a pure number or an angle") if dimension == DIMENSIONLESS else str(dimension)
 
 
 __all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]

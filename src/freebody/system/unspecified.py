@@ -13,6 +13,7 @@ from typing import Any, TypeVar, cast
 
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter, Sign
@@ -66,8 +67,11 @@ class Unspecified:
         if entries is None:
             example = "points: {A: [0, 0], B: [1 m, 0]}"
             self.names.problem(
-                f"points is a mapping, e.g. {example}, or a list of names, e.g. points: [A, B], where positions are "
-                "not given",
+                Message(
+                    "points is a mapping, e.g. {example}, or a list of names, e.g. points: [A, B], where "
+                    "positions are not given",
+                    example=example,
+                ),
                 None,
                 "points",
             )

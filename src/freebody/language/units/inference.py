@@ -61,7 +61,13 @@ def _dimension_of_sum(terms: tuple[Expr, ...], dimensions: Mapping[str, Dimensio
         if first is None:
             first = (term, dimension)
         elif dimension != first[1]:
-            raise UnitError(f"{_labelled(*first)} {_added(term, dimension)}: unlike units cannot be added")
+            raise UnitError(
+                Message(
+                    "{labelled} {added}: unlike units cannot be added",
+                    labelled=_labelled(*first),
+                    added=_added(term, dimension),
+                )
+            )
     return first[1] if first else None
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from freebody.errors import UnitError
+from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS, Dimension
 from freebody.language.units.reader import MAX_CHARACTERS, parse_unit
 from freebody.language.units.table import Unit
@@ -44,22 +45,28 @@ def parse_quantity(given: str | int | float | Fraction) -> Quantity:
     if isinstance(given, str):
         return _quantity_of_text(given)
     if isinstance(given, bool):
-        raise UnitError(f"'{str(given).lower()}' is not a number")
+        raise UnitError(Message("'{text}' is not a number", text=str(given).lower()))
     if isinstance(given, float) and not math.isfinite(given):
-        raise UnitError(f"{given} is not a number that can be calculated with")
+        raise UnitError(Message("{given} is not a number that can be calculated with", given=given))
     exact = Fraction(repr(float(given))) if isinstance(given, float) else Fraction(given)
     return _quantity(exact, Unit(DIMENSIONLESS), str(given))
 
 
 def _quantity_of_text(text: str) -> Quantity:
     if len(text) > MAX_CHARACTERS:
-        raise UnitError(f"a quantity has at most {MAX_CHARACTERS} characters, this one has {len(text)}")
+        raise UnitError(
+            Message("a quantity has at most {most} characters, this one has {n}", most=MAX_CHARACTERS, n=len(text))
+        )
     found = _NUMBER.fullmatch(text)
     if found is None:
-        raise UnitError(f"'{text.strip()}' is not a quantity: write a number and a unit, as 9.81 m/s^2")
+        raise UnitError(
+            Message("'{text}' is not a quantity: write a number and a unit, as 9.81 m/s^2", text=text.strip())
+        )
     digits = found["digits"].replace("−", "-").lower()
     if abs(int(digits.partition("e")[2][:6] or 0)) > 300:
-        raise UnitError(f"{digits} is too large or too small: the exponent of ten is at most 300")
+        raise UnitError(
+            Message("{digits} is too large or too small: the exponent of ten is at most 300", digits=digits)
+        )
     exact = Fraction(digits) * (-1 if found["sign"] in ("-", "−") and found["sign"] else 1)
     return _quantity(exact, parse_unit(found["unit"]), text.strip())
 
@@ -72,8 +79,13 @@ def _quantity(number: Fraction, unit: Unit, text: str) -> Quantity:
         value = math.inf
     if exact != 0 and not 1 / LARGEST <= abs(value) <= LARGEST:
         raise UnitError(
-            f"{text[:60]} is too large or too small to calculate with: sizes go from {1 / LARGEST:.0e} to "
-            f"{LARGEST:.0e} in SI units"
+            Message(
+                "{text} is too large or too small to calculate with: sizes go from {least:.0e} to {most:.0e} "
+                "in SI units",
+                text=text[:60],
+                least=1 / LARGEST,
+                most=LARGEST,
+            )
         )
     is_exact = unit.is_exact and unit.pi_power == 0
     is_in_degrees = unit.is_exact and unit.is_angle and unit.pi_power == 1

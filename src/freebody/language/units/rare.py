@@ -12,6 +12,7 @@ from importlib import import_module
 from typing import Any
 
 from freebody.errors import UnitError
+from freebody.language.sentences import Message
 from freebody.language.units.dimension import Dimension
 from freebody.language.units.table import UNITS, Unit
 
@@ -21,7 +22,7 @@ _registry: Any = None
 def unit_of_pint(name: str) -> Unit:
     global _registry
     if name.lower() in ("nan", "inf", "infinity"):
-        raise UnitError(f"'{name}' is not a unit, and quantities must be finite")
+        raise UnitError(Message("'{name}' is not a unit, and quantities must be finite", name=name))
     pint: Any = import_module("pint")
     if _registry is None:
         _registry = pint.UnitRegistry()
@@ -30,15 +31,21 @@ def unit_of_pint(name: str) -> Unit:
     except pint.UndefinedUnitError:
         raise _unknown(name) from None
     except (pint.PintError, ValueError, TypeError, AttributeError, AssertionError) as error:
-        raise UnitError(f"the unit '{name}' cannot be used here") from error
+        raise UnitError(Message("the unit '{name}' cannot be used here", name=name)) from error
     exponents: dict[str, float] = dict(quantity.dimensionality)
     known = [Fraction(exponents.pop(f"[{base}]", 0)).limit_denominator(12) for base in ("mass", "length", "time")]
     if exponents:
         others = ", ".join(sorted(base.strip("[]") for base in exponents))
-        raise UnitError(f"the unit '{name}' measures {others}; mechanics has only mass, length and time")
+        raise UnitError(
+            Message(
+                "the unit '{name}' measures {others}; mechanics has only mass, length and time",
+                name=name,
+                others=others,
+            )
+        )
     factor = float(quantity.magnitude)
     if not (math.isfinite(factor) and factor > 0):
-        raise UnitError(f"the unit '{name}' cannot be used here")
+        raise UnitError(Message("the unit '{name}' cannot be used here", name=name))
     is_angle = "radian" in str(quantity.units) and known == [0, 0, 0]
     return Unit(Dimension(*known), Fraction(factor), is_angle=is_angle, is_exact=False)
 
@@ -47,4 +54,4 @@ def _unknown(name: str) -> UnitError:
     usual = [*UNITS, *(prefix + unit for prefix in ("k", "c", "m") for unit in ("g", "m", "s", "N"))]
     close = get_close_matches(name, usual, n=1) or get_close_matches(name.lower(), usual, n=1)
     guess = f": did you mean {close[0]}?" if close else ""
-    return UnitError(f"the unit '{name[:40]}' is not known{guess}")
+    return UnitError(Message("the unit '{name}' is not known{guess}", name=name[:40], guess=guess))

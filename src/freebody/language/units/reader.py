@@ -13,6 +13,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from freebody.errors import UnitError
+from freebody.language.sentences import Message
 from freebody.language.units.dimension import DIMENSIONLESS
 from freebody.language.units.table import PREFIXED, PREFIXES, UNITS, Unit
 
@@ -31,7 +32,9 @@ _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 def parse_unit(text: str) -> Unit:
     """The unit a text stands for; the empty text is the dimensionless 1. Raises UnitError."""
     if len(text) > MAX_CHARACTERS:
-        raise UnitError(f"the unit has {len(text)} characters, at most {MAX_CHARACTERS} are read")
+        raise UnitError(
+            Message("the unit has {n} characters, at most {most} are read", n=len(text), most=MAX_CHARACTERS)
+        )
     return _UnitReader(text).unit() if text.strip() else Unit(DIMENSIONLESS)
 
 
@@ -64,7 +67,7 @@ class _UnitReader:
         return word
 
     def _fault(self, reason: str) -> UnitError:
-        return UnitError(f"the unit '{self._text}' cannot be read: {reason}")
+        return UnitError(Message("the unit '{text}' cannot be read: {reason}", text=self._text, reason=reason))
 
     def unit(self) -> Unit:
         result = self._product()
@@ -125,7 +128,11 @@ def _named_unit(name: str) -> Unit:
         if prefix is not None and rest is not None:
             return replace(rest, factor=rest.factor * Fraction(10) ** prefix)
     if parts := _RUN_TOGETHER.fullmatch(name):
-        raise UnitError(f"the unit '{name}' is not known: write {' '.join(filter(None, parts.groups()))}")
+        raise UnitError(
+            Message(
+                "the unit '{name}' is not known: write {names}", name=name, names=" ".join(filter(None, parts.groups()))
+            )
+        )
     from freebody.language.units.rare import unit_of_pint
 
     return unit_of_pint(name)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, cast
 
 from freebody.language.expression import ZERO, negate
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
 from freebody.model.chains import read_chain
@@ -35,7 +36,7 @@ class BodySections:
         read_frames(self.source, first=True)
         for name, value in self.source.named("bodies").items():
             if name == GROUND:
-                names.problem("ground is always there; declare its points under ground", None, "bodies", name)
+                names.problem(Message("ground is always there; declare its points under ground"), None, "bodies", name)
                 continue
             with names.at("bodies", name):
                 # a body that cannot be read still counts as known, so that its mistake is told once
@@ -79,7 +80,7 @@ class BodySections:
         if isinstance(value, str) and value in Shape.kinds:
             value = {value: None}
         if not isinstance(value, dict):
-            names.problem(f"say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}")
+            names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
             return None
         entry = cast("dict[str, Any]", value)
         shape = self._shape(name, entry)
@@ -95,7 +96,9 @@ class BodySections:
         start = start_of_body(names, entry, build.default_point, offsets)
         if fixed and start.moves:
             names.problem(
-                f"{name} is fixed, so it has no velocity at the start: leave out one of the two", None, "fixed"
+                Message("{name} is fixed, so it has no velocity at the start: leave out one of the two", name=name),
+                None,
+                "fixed",
             )
         return RigidBody(
             name,
@@ -128,13 +131,19 @@ class BodySections:
                 known = [*Shape.kinds, *options]
                 hint = did_you_mean(key, known)
                 if key in SPATIAL_OPTIONS:
-                    hint = " It is for models in space: write space: true."
+                    hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
-                    hint = " In space write how it is turned, e.g. turned: 30 deg about z."
-                names.problem(f"a body has no {key}.{hint}", None, key)
+                    hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
+                names.problem(
+                    Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), None, key
+                )
         if len(kinds) != 1:
-            what = "one of " + ", ".join(Shape.kinds)
-            names.problem(f"{name} needs a shape: {what}" if not kinds else f"{name} has two shapes: {kinds}")
+            what = Message("one of {names}", names=", ".join(Shape.kinds))
+            names.problem(
+                Message("{name} needs a shape: {what}", name=name, what=what)
+                if not kinds
+                else Message("{name} has two shapes: {kinds}", name=name, kinds=kinds)
+            )
             return None
         return self.source.spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
 
@@ -167,15 +176,23 @@ class BodySections:
         frame = str(entry.get("frame", GROUND))
         if frame not in self.source.mapping("bodies") and frame != GROUND:
             names.problem(
-                f"there is no body {frame}.{did_you_mean(frame, self.source.mapping('bodies'))}", None, "frame"
+                Message(
+                    "there is no body {name}.{hint}",
+                    name=frame,
+                    hint=did_you_mean(frame, self.source.mapping("bodies")),
+                ),
+                None,
+                "frame",
             )
             return (), GROUND
         chain = read_chain(names, entry.get("turned", []), "turned", named=not fixed)
         if not any(turn.name for turn in chain):
             if frame != GROUND:
                 names.problem(
-                    "a known rotation at the start counts from the ground; name the angles to count from frame, "
-                    "e.g. turned: [psi about y], frame: shaft",
+                    Message(
+                        "a known rotation at the start counts from the ground; name the angles to count from "
+                        "frame, e.g. turned: [psi about y], frame: shaft"
+                    ),
                     None,
                     "frame",
                 )
@@ -188,10 +205,17 @@ class BodySections:
         if given is None:
             return ()
         if not isinstance(given, list) or len(cast("list[Any]", given)) < 2:
-            self.names.problem("outline is a list of points of the body, e.g. outline: [P, Q, R]", None, "outline")
+            self.names.problem(
+                Message("outline is a list of points of the body, e.g. outline: [P, Q, R]"), None, "outline"
+            )
             return ()
         corners = [str(name) for name in cast("list[Any]", given)]
         for k, name in enumerate(corners):
             if name not in points:
-                self.names.problem(f"there is no point {name}.{did_you_mean(name, points)}", None, "outline", k)
+                self.names.problem(
+                    Message("there is no point {name}.{hint}", name=name, hint=did_you_mean(name, points)),
+                    None,
+                    "outline",
+                    k,
+                )
         return tuple(corners) if all(name in points for name in corners) else ()

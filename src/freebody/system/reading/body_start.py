@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, cast
 
+from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, VELOCITY
 from freebody.measures.geometry import Components
 from freebody.model.chains import read_chain
@@ -41,11 +42,16 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
         ((point, pair),) = cast("dict[str, Any]", at).items()
         if point in points:
             return point, names.components(pair, LENGTH, "at", point)
-        names.problem(f"there is no point {point}.{did_you_mean(point, points)}", None, "at", point)
+        names.problem(
+            Message("there is no point {name}.{hint}", name=point, hint=did_you_mean(point, points)),
+            None,
+            "at",
+            point,
+        )
     elif isinstance(at, list):
         return default, names.components(cast("list[Any]", at), LENGTH, "at")
     elif at is not None:
-        names.problem("at is a position [x, y], or {point: [x, y]}", None, "at")
+        names.problem(Message("at is a position [x, y], or {{point: [x, y]}}"), None, "at")
     return None
 
 
@@ -58,7 +64,7 @@ def _guess(names: Names, entry: dict[str, Any], default: str, points: Mapping[st
         with names.at("near"):
             return start_of_body(names, {k: guess[k] for k in known if k in guess}, default, points)
     if "near" in entry:
-        names.problem("near is a guess, e.g. near: {angle: 30 deg}", None, "near")
+        names.problem(Message("near is a guess, e.g. near: {{angle: 30 deg}}"), None, "near")
     return None
 
 
@@ -78,7 +84,9 @@ def _in_space(names: Names, start: Start, entry: dict[str, Any], spin: Any) -> S
     if isinstance(spin, dict):
         given = cast("dict[str, Any]", spin)
         if set(given) - {"body", "ground"} or len(given) != 1:
-            message = "angular_velocity is [wx, wy, wz] along the ground's axes, or {body: [...]} along the body's"
+            message = Message(
+                "angular_velocity is [wx, wy, wz] along the ground's axes, or {{body: [...]}} along the body's"
+            )
             names.problem(message, None, "angular_velocity")
         in_body = "body" in given
         spin = next(iter(given.values()), None)

@@ -9,6 +9,7 @@ from freebody.connections.base import Connection
 from freebody.connections.contact import Contact, OutlinePair
 from freebody.connections.planar import Planar
 from freebody.language.expression import free_symbols, substitute
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.carriers import is_distance_kept
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
@@ -57,9 +58,13 @@ def _check_plane(names: Names, connection: Connection, connections: Mapping[str,
     free = sorted(b for b in connection.mentions(names) - flat if not names.bodies[b].fixed)
     if free:
         names.problem(
-            f"{connection.kind} is a connection of the plane; in space it joins bodies that stay in the plane of x "
-            f"and y: hold {', '.join(free)} there by a planar joint, or use a joint of space (revolute, spherical, "
-            "prismatic, cylindrical, universal ...)"
+            Message(
+                "{kind} is a connection of the plane; in space it joins bodies that stay in the plane of "
+                "x and y: hold {names} there by a planar joint, or use a joint of space (revolute, "
+                "spherical, prismatic, cylindrical, universal ...)",
+                kind=connection.kind,
+                names=", ".join(free),
+            )
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 
 from freebody.errors import Problem
+from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.names import Names
 
@@ -20,11 +21,13 @@ def place_ground_points(names: Names) -> None:
         listed = [p for p in declared if p != "origin"] + list(free)
         for name, path in free.items():
             close = difflib.get_close_matches(name, [p for p in declared if p != "origin"], n=1)
-            hint = f" Did you mean ground.{close[0]}?" if close else ""
-            names.problems.append(
-                Problem(
-                    path,
-                    f"ground.{name} has no position.{hint} Declare it: ground: {{points: {{{name}: [x, y]}}}}, "
-                    f"or, with positions left open, list all of them: ground: {{points: [{', '.join(listed)}]}}",
-                )
+            hint = Message(" Did you mean ground.{close}?", close=close[0]) if close else ""
+            told = Message(
+                "ground.{name} has no position.{hint} Declare it: {one}, or, with positions left open, list all of "
+                "them: {all}",
+                name=name,
+                hint=hint,
+                one=f"ground: {{points: {{{name}: [x, y]}}}}",
+                all=f"ground: {{points: [{', '.join(listed)}]}}",
             )
+            names.problems.append(Problem(path, told))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, cast
 
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.elements import BodyPlane, Line, RigidBody
@@ -14,9 +15,9 @@ from freebody.system.reading.source import known_keys
 
 def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
     entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"along": spec}
-    known_keys(names, entry, ("through", "along", "angle"), "a line")
+    known_keys(names, entry, ("through", "along", "angle"), Message("a line"))
     if "along" not in entry and "angle" not in entry:
-        names.problem("a line needs a direction, e.g. {along: right} or {angle: -alpha}")
+        names.problem(Message("a line needs a direction, e.g. {{along: right}} or {{angle: -alpha}}"))
     along = names.direction(entry.get("along", entry.get("angle", 0)), "along", body=body.name)
     label = _label(body, name)
     return Line(_through(names, body, entry.get("through")), replace(along, name=label), label)
@@ -24,7 +25,7 @@ def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
 
 def read_plane(names: Names, body: RigidBody, name: str, spec: Any) -> BodyPlane:
     entry = cast("dict[str, Any]", spec) if isinstance(spec, dict) else {"normal": spec}
-    known_keys(names, entry, ("through", "normal"), "a plane")
+    known_keys(names, entry, ("through", "normal"), Message("a plane"))
     label = _label(body, name)
     normal = names.direction(entry.get("normal", "up"), "normal", body=body.name)
     through = entry.get("through")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.named_angles import angles_of
 from freebody.model.phrases import read_measure
@@ -13,7 +14,9 @@ def read_measures(source: Source) -> dict[str, Measure]:
     _named_angles(source)
     for name, value in source.named("measures").items():
         if name in names.parameters:
-            names.problem(f"{name} is a parameter already; choose another name", None, "measures", name)
+            names.problem(
+                Message("{name} is a parameter already; choose another name", name=name), None, "measures", name
+            )
             continue
         with names.at("measures", name):
             measure = read_measure(names, value)
@@ -31,5 +34,11 @@ def _named_angles(source: Source) -> None:
         with names.at("bodies", body.name, "turned"):
             for name, measure in angles_of(names, body.chain, body.name, body.frame).items():
                 if name in names.measures or name in source.mapping("measures"):
-                    names.problem(f"{name} is named twice; choose another name for the angle of {body.name}")
+                    names.problem(
+                        Message(
+                            "{name} is named twice; choose another name for the angle of {body}",
+                            name=name,
+                            body=body.name,
+                        )
+                    )
                 names.measures[name] = measure

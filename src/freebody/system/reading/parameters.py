@@ -7,6 +7,7 @@ from typing import Any, cast
 
 from freebody.errors import InputError
 from freebody.language.expression import Expr, free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, parse_quantity, parse_unit
 from freebody.model.elements import Parameter, Sign
 from freebody.model.names import Names
@@ -31,7 +32,7 @@ def read_parameters(source: Source) -> None:
 
 def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
     """`x0: {function: v*t, unit: m}`: a function of time. Formulas keep it general; numbers need its form."""
-    known_keys(names, entry, ("function", "unit", "about"), "a function of time")
+    known_keys(names, entry, ("function", "unit", "about"), Message("a function of time"))
     unit = str(entry.get("unit") or "")
     try:
         quantity = parse_unit(unit) if unit else None
@@ -43,7 +44,9 @@ def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
     form = names.formula(entry["function"], dimension, "function", extra={"t": TIME})
     used = sorted(p for p in free_symbols(form) if p in names.parameters and names.parameters[p].form)
     if used:
-        names.problem(f"{used[0]} is a function of time itself; write {name} in t and parameters")
+        names.problem(
+            Message("{other} is a function of time itself; write {name} in t and parameters", other=used[0], name=name)
+        )
     is_angle = quantity is not None and quantity.is_angle
     return Parameter(name, dimension, None, "any", unit=unit, is_angle=is_angle, form=form)
 
@@ -53,9 +56,11 @@ def _parameter(names: Names, name: str, value: Any) -> Parameter:
     unit: str | None = None
     if isinstance(value, dict):
         entry = cast("dict[str, Any]", value)
-        known_keys(names, entry, ("value", "unit", "sign", "about"), "a parameter")
+        known_keys(names, entry, ("value", "unit", "sign", "about"), Message("a parameter"))
         if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
-            names.problem(f"sign is positive, nonnegative or any, not {entry['sign']!r}", None, "sign")
+            names.problem(
+                Message("sign is positive, nonnegative or any, not {value}", value=repr(entry["sign"])), None, "sign"
+            )
         else:
             sign = entry.get("sign", "positive")
         unit, value = entry.get("unit"), entry.get("value")
@@ -69,11 +74,17 @@ def _parameter(names: Names, name: str, value: Any) -> Parameter:
         return _without_number(names, name, value, sign, error)
     if sign == "positive" and quantity.value <= 0:
         names.problem(
-            f"{name} = {value} is not positive; parameters are positive unless the model says "
-            f"otherwise: {name}: {{value: {value}, sign: any}}"
+            Message(
+                "{name} = {value} is not positive; parameters are positive unless the model says otherwise: {example}",
+                name=name,
+                value=value,
+                example=f"{name}: {{value: {value}, sign: any}}",
+            )
         )
     if sign == "nonnegative" and quantity.value < 0:
-        names.problem(f"{name} = {value} is negative, but its sign is given as nonnegative")
+        names.problem(
+            Message("{name} = {value} is negative, but its sign is given as nonnegative", name=name, value=value)
+        )
     acute = quantity.is_angle and sign == "positive" and 0 < quantity.value < _RIGHT_ANGLE
     shown = str(text).split(maxsplit=1)[1] if " " in str(text).strip() else ""
     return Parameter(name, quantity.dimension, quantity.value, sign, acute, shown, quantity.is_angle)
@@ -96,7 +107,11 @@ def _without_number(names: Names, name: str, value: Any, sign: Sign, error: Exce
                 value,
                 unit.is_angle,
             )
-    names.problem(f"{error}. Write for example {name}: 3 kg, {name}: 0.5, or {name}: kg for a symbol")
+    names.problem(
+        Message(
+            "{error}. Write for example {name}: 3 kg, {name}: 0.5, or {name}: kg for a symbol", error=error, name=name
+        )
+    )
     names.broken.add(name)
     return Parameter(name, DIMENSIONLESS, None, sign)
 

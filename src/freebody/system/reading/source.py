@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.expression import name_problem
+from freebody.language.sentences import Message
 from freebody.model.names import Names, did_you_mean
 from freebody.model.spec import Spec
 from freebody.system.kinds import register_kinds
@@ -22,7 +23,12 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
     """Notes a problem for every key of an entry that means nothing there."""
     for key in entry:
         if key not in known:
-            names.problem(f"{what} has no {key}.{did_you_mean(key, known)}", None, *path, key)
+            names.problem(
+                Message("{what} has no {key}.{hint}", what=what, key=key, hint=did_you_mean(key, known)),
+                None,
+                *path,
+                key,
+            )
 
 
 class Source:
@@ -48,7 +54,11 @@ class Source:
         if value is None:
             return {}
         if not isinstance(value, dict):
-            self.names.problem(f"{section} must be a mapping of names, e.g. {section}: {{a: ...}}", None, section)
+            self.names.problem(
+                Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section),
+                None,
+                section,
+            )
             return {}
         return cast("dict[str, Any]", value)
 
@@ -73,12 +83,21 @@ class Source:
                 where = fault["loc"][:2]
                 what = str(where[0]) if where else ""
                 if fault["type"] == "extra_forbidden":
-                    message = f"{kind.kind} has no {what}.{did_you_mean(what, known)}"
+                    message = Message(
+                        "{what} has no {key}.{hint}", what=kind.kind, key=what, hint=did_you_mean(what, known)
+                    )
                 elif fault["type"] == "missing":
-                    message = f"{kind.kind} needs {what}; it takes {', '.join(known)}"
+                    message = Message(
+                        "{kind} needs {what}; it takes {names}", kind=kind.kind, what=what, names=", ".join(known)
+                    )
                     where = ()
                 else:
-                    message = f"{what}: {fault['msg'][0].lower()}{fault['msg'][1:]}, found {fault['input']!r}"
+                    message = Message(
+                        "{what}: {fault}, found {value}",
+                        what=what,
+                        fault=fault["msg"][0].lower() + fault["msg"][1:],
+                        value=repr(fault["input"]),
+                    )
                 self.names.problem(message, None, *path, *where)
             return None
 
@@ -91,13 +110,24 @@ class Source:
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:
                     hint = next(iter(kinds))
                     self.names.problem(
-                        f"give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {', '.join(sorted(kinds))}"
+                        Message(
+                            "give one kind, e.g. {name}: {{{hint}: ...}}; kinds: {names}",
+                            name=name,
+                            hint=hint,
+                            names=", ".join(sorted(kinds)),
+                        )
                     )
                     continue
                 ((kind, fields),) = cast("dict[str, Any]", value).items()
                 if kind not in kinds:
-                    what = section.removesuffix("s")
-                    self.names.problem(f"{kind} is no kind of {what}.{did_you_mean(kind, kinds)}", None, kind)
+                    what = Message("connection" if section == "connections" else "load")
+                    self.names.problem(
+                        Message(
+                            "{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=did_you_mean(kind, kinds)
+                        ),
+                        None,
+                        kind,
+                    )
                     continue
                 spec = self.spec(kinds[kind], fields, kind)
                 if spec is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
@@ -21,7 +22,7 @@ def read_mode(source: Source) -> str | None:
     if "mode" not in start or not _is_mode(source, "mode"):
         return None
     if not isinstance(start["mode"], str):
-        source.names.problem("mode is the name of an assembly mode, e.g. mode: crossed", None, "start", "mode")
+        source.names.problem(Message("mode is the name of an assembly mode, e.g. mode: crossed"), None, "start", "mode")
     return str(start["mode"])
 
 
@@ -47,7 +48,10 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
         if name not in measures:
             known = [*measures, *(f"rate({m})" for m in measures)]
             source.names.problem(
-                f"{key} is no named measure or rate of one.{did_you_mean(key, known)}", None, "start", key
+                Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known)),
+                None,
+                "start",
+                key,
             )
             continue
         dimension = measures[name].dimension
