@@ -58,7 +58,8 @@ def test_every_result_is_a_report_in_every_format(study: str, tmp_path: Path) ->
     n_tables = html.count("<table>")
     assert markdown.count("<table>") == n_tables
     latex = (tmp_path / "a.tex").read_text(encoding="utf-8")
-    assert latex.count(r"\begin{tabular}") == n_tables == latex.count(r"\bottomrule")
+    assert latex.count(r"\begin{tabular}") == latex.count(r"\bottomrule")
+    assert latex.count(r"\begin{tabular}") + latex.count(r"\begin{description}") == n_tables
     json.dumps(result.to_plain(), default=float)
 
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from freebody.present.report.blocks import (
     Block,
     Emphasis,
+    Entries,
     Equation,
     Equations,
     Figure,
@@ -162,6 +163,15 @@ class _Writer(BlockWriter[str]):
             f"\\begin{{center}}\\renewcommand{{\\arraystretch}}{{1.3}}\n\\begin{{tabular}}{{{kinds}@{{}}}}\n\\toprule\n"
             f"{head}{body} \\\\\n\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
         )
+
+    def entries(self, entries: Entries) -> str:
+        """A list, which goes on over pages where a table would not."""
+        items = [
+            rf"\item[{{{latex_words(entry.label)}}}] " + "\\par\n".join(map(self.cell, entry.texts))
+            for entry in entries.entries
+        ]
+        inner = "\n".join(items)
+        return f"\\begin{{description}}\n{inner}\n\\end{{description}}"
 
     def cell(self, text: Text) -> str:
         return r"{\everymath{\displaystyle}" + self.text(text) + "}"
