@@ -9,9 +9,7 @@ import numpy as np
 from freebody.numeric.jets import Array
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.forces import Force
-from freebody.present.picture.motion import add_vectors
 from freebody.present.picture.picture import Picture
-from freebody.present.picture.shapes import Ink
 from freebody.present.picture.space import SpaceSketch, free_body_in_space, whole_in_space
 from freebody.present.picture.whole import described
 from freebody.present.places import Places
@@ -19,7 +17,7 @@ from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
 from freebody.study.pictures.instant import Instant
 from freebody.study.pictures.points import points_of
-from freebody.study.pictures.shown import forces_in_numbers, vector_of
+from freebody.study.pictures.shown import add_motion, forces_in_numbers, lengths_of
 
 View = tuple[float, float]
 
@@ -62,23 +60,18 @@ def free_body(
 
 def _add_shown(sketch: SpaceSketch, found: Instant, show: Sequence[str]) -> None:
     """Velocities, accelerations and forces over a drawing."""
-    system, drawing = found.snapshot.reference.system, sketch.drawing
+    drawing = sketch.drawing
     index = {form.name: form.index for form in drawing.scene.figures}
     feet = {body: sketch.seen(drawing.poses.centers[0, k]) for body, k in index.items()}
-    for word, letter, unit in (("velocity", "v", "m/s"), ("acceleration", "a", "m/s²")):
-        if word in show:
-            vectors = {body.name: vector_of(found, body, word) for body in system.moving}
-            add_vectors(sketch, feet, vectors, Ink(word), letter, unit, sketch.vector)
+    add_motion(sketch, feet, found, show, sketch.vector)
     if "force" in show:
         forces = forces_in_numbers(found)
-        largest = max((f.size for f in forces if not f.is_couple), default=0.0) or 1.0
 
         def where(force: Force) -> tuple[Array, Array]:
             center = drawing.poses.centers[0, index[force.body]]
             return sketch.seen(center + np.array(force.at)), sketch.seen(center)
 
-        lengths = {f.name: 16.0 + 40.0 * f.size / largest if not f.is_couple else 30.0 for f in forces}
-        Arrows(sketch, where, lambda force: lengths[force.name], sketch.vector).draw(forces)
+        Arrows(sketch, where, lengths_of(forces), sketch.vector).draw(forces)
 
 
 def poses_of(found: Instant) -> tuple[Array, Array]:
