@@ -68,3 +68,25 @@ def test_freedoms_are_told_by_cases_where_contact_may_open_at_once() -> None:
     cases = {str(case.expression): case.conditions for case in answer.cases}
     assert [len(c) for c in cases.values()] == [1, 1]
     assert answer.conditions == ("R·g ≥ v₀²",)
+
+
+def test_a_wheel_on_a_spring_swings_while_friction_holds_its_torque(agrees: Agree) -> None:
+    """3/2 M x'' = -k (x - x_e): at rest friction is Q/r, which mu M g cos(theta) must carry."""
+    text = """
+parameters: {M: 2 kg, k: 60 N/m, r: 0.2 m, theta: 10 deg, mu: 0.4, Q: 0.2 N m, g: 9.81 m/s^2}
+ground: {lines: {incline: {along: -theta}}}
+bodies: {wheel: {disk: {mass: M, radius: r}}}
+connections: {touch: {contact: {between: [wheel, incline], friction: mu}}}
+loads:
+  weight: {gravity: g}
+  spring: {force: {at: wheel.center, along: [cos(theta), -sin(theta)], magnitude: -k*x}}
+  motor: {torque: {on: wheel, magnitude: Q}}
+measures: {x: {travel of wheel along incline}}
+start: {x: 0.02 m, rate(x): 0}
+questions: [natural frequency, equilibrium of x]
+"""
+    solution = fb.System.from_text(text).solve()
+    agrees(solution, "q1", "sqrt(2*k/(3*M))")
+    agrees(solution, "q2", "(M*g*sin(theta) - Q/r)/k")
+    for id in ("q1", "q2"):
+        assert solution[id].conditions == ("M·r·μ·g·cos(θ) ≥ Q (touch does not slip)",)

@@ -19,7 +19,7 @@ from freebody.symbolic.conditions import Condition, relation_text, require, with
 from freebody.symbolic.decide import decide, possible, sign_given
 from freebody.symbolic.existence import FORMAL
 from freebody.symbolic.field import Field, Ratio
-from freebody.symbolic.phases.relations import readable, solved_for
+from freebody.symbolic.relations import readable, solved_for
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.waves import square_variants

@@ -31,7 +31,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.phases.quantities import only_friction_takes_energy, plain, value_in_mode
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System

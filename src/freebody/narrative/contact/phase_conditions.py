@@ -13,7 +13,7 @@ from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
-from freebody.symbolic.phases.relations import SolvedRelation, readable
+from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.tidy import tidy
 
 _SIGNS: dict[str, Sign] = {">": ">", ">=": "≥", "<": "<", "<=": "≤", "!=": "≠"}

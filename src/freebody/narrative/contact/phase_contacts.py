@@ -10,7 +10,7 @@ from freebody.narrative.lines.script import Legend, Listing, Script, Sentence
 from freebody.narrative.principles.sides import ZERO
 from freebody.study.phases.words import label, rolls
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
 

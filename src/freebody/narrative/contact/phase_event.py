@@ -15,7 +15,7 @@ from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import label
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion, UniformMotion
-from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 
 

@@ -25,7 +25,7 @@ from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.tree import tree_of
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import readable
+from freebody.symbolic.relations import readable
 from freebody.system.system import System
 
 

@@ -28,7 +28,7 @@ from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, in_phase, summary
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import SolvedRelation, readable
+from freebody.symbolic.relations import SolvedRelation, readable
 
 _ROUND_OFF = 1e-12
 

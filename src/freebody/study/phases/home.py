@@ -25,7 +25,7 @@ from freebody.study.phases.phase import Phase, Placed
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.relations import parted
+from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode, sticking_row
 from freebody.system.system import System

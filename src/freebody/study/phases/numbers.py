@@ -21,7 +21,7 @@ from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.relations import SolvedRelation
+from freebody.symbolic.relations import SolvedRelation
 from freebody.system.system import System
 
 Chosen = NDArray[np.intp]  # indices of parameter sets

@@ -15,7 +15,7 @@ from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import coefficients_of_friction, holds
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.phases.relations import SolvedRelation
+from freebody.symbolic.relations import SolvedRelation
 from freebody.system.system import System
 
 _MOST_FRICTION = 1.0

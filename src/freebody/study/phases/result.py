@@ -27,7 +27,7 @@ from freebody.symbolic.conditions import Condition, relation_text, require, with
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, EnergyMotion, LawMotion, UniformMotion
-from freebody.symbolic.phases.relations import SolvedRelation, generators_of, readable, simplified
+from freebody.symbolic.relations import SolvedRelation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 
