@@ -25,6 +25,10 @@ STUDIES: dict[str, tuple[str, Callable[[fb.System], Result]]] = {
     "equilibria": ("simple_pendulum", fb.System.equilibria),
     "modes": ("two_masses_three_springs", fb.System.modes),
     "statics": ("ladder_against_wall", fb.System.statics),
+    "inverse dynamics": (
+        "simple_pendulum",
+        lambda system: system.inverse_dynamics({"theta": lambda t: (0.3 + t, 1.0, 0.0)}, [0.1 * k for k in range(41)]),
+    ),
     "simulate": ("bouncing_ball", lambda system: system.simulate(1.0)),
 }
 found: dict[str, Result] = {}

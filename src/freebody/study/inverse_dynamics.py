@@ -32,6 +32,9 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.rest import CountedPose
 from freebody.numeric.snapshot import UNIQUE, Snapshot
 from freebody.numeric.split import Split, stack
+from freebody.present.lines import number_text
+from freebody.present.report.blocks import Block, Report, Section
+from freebody.present.report.results import Result, entries, entry, summary, table
 from freebody.study.given import formula, named_measure
 from freebody.study.settled import settled
 from freebody.study.small_motion.equilibrium import moved_most
@@ -46,10 +49,11 @@ Course = str | float | Callable[[float], Sequence[float]] | Sequence[ArrayLike]
 _CONNECTION = "motion"
 _STRIDE = 0.2  # in sizes or radians: further than this from one pose to the next the way is divided
 _N_STRIDES = 10_000
+_MOST_SHOWN = 12  # times in a report
 
 
 @dataclass(frozen=True)
-class InverseDynamics:
+class InverseDynamics(Result):
     """A prescribed motion and what drives it; every array has one entry for each time.
 
     forces: by prescribed measure and by driver of the model [N], [N m] for angles; powers: force times rate [W];
@@ -95,6 +99,24 @@ class InverseDynamics:
                 for n, x in self.values.items()
             },
         }
+
+    @property
+    def report(self) -> Report:
+        """The driving forces and the measures, at some of the times."""
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        n_times = len(self.times)
+        share = (n_times - 1) / (_MOST_SHOWN - 1)
+        shown = sorted({round(k * share) for k in range(_MOST_SHOWN)}) if n_times else []
+        kinds = {"N": "force", "N m": "torque"}
+        columns = {f"{kinds[self.unit(n)]} of {n} [{self.unit(n)}]": x for n, x in self.forces.items()}
+        columns |= {f"{name} [{unit_of(self.system.measures[name])}]": x for name, x in self.values.items()}
+        rows = [[number_text(float(x[k])) for x in (self.times, *columns.values())] for k in shown]
+        some = f", at {len(shown)} of {n_times} times" if len(shown) < n_times else ""
+        yield Section((f"Driving forces and measures{some}",), tuple(table(rows, ("t [s]", *columns))))
+        if self.non_unique:
+            yield from entries(entry("not unique", f"the reactions {', '.join(self.non_unique)}"))
 
 
 def _plain(x: Array) -> list[float | None]:
