@@ -156,3 +156,25 @@ questions: [rate(x), how fast is it, what is up]
     assert rate == "cannot read 'rate(x)'. Did you mean: velocity of x"
     assert "One can ask for\n" in first
     assert second == "cannot read 'what is up'"
+
+
+@pytest.mark.parametrize(
+    ("question", "told"),
+    [
+        ("tension of pull", "pull is a load; ask for: force in pull"),
+        ("torque of motor", "motor is a connection; ask for: driving torque of motor"),
+        ("force in pul", "there is no load pul. Did you mean pull?"),
+    ],
+)
+def test_who_asks_a_load_for_a_reaction_or_a_connection_for_its_force_is_told_how(question: str, told: str) -> None:
+    text = f"""
+bodies: {{rod: {{rod: {{mass: 1 kg, length: 1 m}}}}}}
+connections:
+  axle: {{pin: [ground.O, rod.start]}}
+  motor: {{driver: {{measure: angle of rod, follows: 2*t}}}}
+loads: {{pull: {{spring: {{first: ground.O, second: rod.end, stiffness: 1 N/m}}}}}}
+questions: ['{question}']
+"""
+    with pytest.raises(fb.ModelError) as error:
+        fb.System.from_text(text)
+    assert told in str(error.value)

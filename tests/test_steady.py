@@ -439,3 +439,57 @@ def test_the_weaker_of_two_conditions_is_left_out() -> None:
     f = SignedField()
     w, k = f.parameter("w"), f.parameter("k", positive=True)
     assert without_implied([w * w - 2 * k, w * w - 4 * k]) == [w * w - 4 * k]
+
+
+ON_A_TURNING_ROD = """
+parameters: {m: 1 kg, k: 100 N/m, w: {w} rad/s, r0: 0.2 m}
+bodies: {rod: {rod: {length: 2 m}}, collar: {particle: {mass: m}, near: {at: [r0, 0]}}}
+connections:
+  axle: {pin: [ground.O, rod.center]}
+  slot: {slot: {pin: collar, along: rod.x, on: rod}}
+  motor: {driver: {measure: angle of rod, follows: w*t}}
+loads: {s: {spring: {first: ground.O, second: collar, stiffness: k, length: 0}}}
+measures: {r: {travel of collar along rod.x from rod.center}}
+start: {r: r0, rate(r): 0}
+questions: [natural frequency, velocity of r when r = {r}, time when r = {r}]
+"""
+
+
+def test_a_collar_on_a_turning_rod_swings_by_the_stiffness_that_turning_leaves(agrees: Agree) -> None:
+    """m r'' = (m w^2 - k) r: r = r0 cos(sqrt(k/m - w^2) t), the numeric linearisation taken with the rod turning."""
+    solution = fb.System.from_text(ON_A_TURNING_ROD.replace("{w}", "5").replace("{r}", "0")).solve()
+    agrees(solution, "q1", "sqrt(k/m - w**2)")
+    agrees(solution, "q2", "-r0*sqrt(k/m - w**2)")
+    agrees(solution, "q3", "pi/(2*sqrt(k/m - w**2))")
+    for answer in solution.answers:
+        assert any(c.startswith("k > m·w²") for c in answer.conditions)
+
+
+def test_a_collar_on_a_fast_rod_runs_away(agrees: Agree) -> None:
+    """r = r0 cosh(sqrt(w^2 - k/m) t)."""
+    solution = fb.System.from_text(ON_A_TURNING_ROD.replace("{w}", "12").replace("{r}", "1 m")).solve()
+    assert solution["q1"].reason == "it does not oscillate at the model's own values: that needs k > m·w²"
+    agrees(solution, "q2", "sqrt((w**2 - k/m)*(1 - r0**2))")
+    agrees(solution, "q3", "log((1 + sqrt(1 - r0**2))/r0)/sqrt(w**2 - k/m)")
+
+
+def test_small_motions_on_a_turning_table_are_gyroscopic() -> None:
+    """x'' - 2 w y' + (k/m - w^2) x = 0 and the same for y: sqrt(k/m) -+ w, which M and K alone do not give."""
+    system = fb.System.from_text("""
+parameters: {m: 1 kg, k: 100 N/m, w: 5 rad/s}
+bodies: {table: {disk: {radius: 1 m}}, a: {particle: {mass: m}, near: {at: [0.1 m, 0]}}}
+connections:
+  axle: {pin: [ground.O, table.center]}
+  motor: {driver: {measure: angle of table, follows: w*t}}
+loads: {s: {spring: {first: table.center, second: a, stiffness: k, length: 0}}}
+measures:
+  x: {travel of a along table.x from table.center}
+  y: {travel of a along table.y from table.center}
+start: {x: 0, y: 0, rate(x): 0, rate(y): 0}
+questions: [natural frequencies]
+""")
+    answer = system.solve()["q1"]
+    assert answer.expression is None
+    assert answer.value is None
+    assert "gyroscopic" in answer.reason
+    assert [mode.frequency for mode in system.modes("start")] == pytest.approx([5.0, 15.0])

@@ -107,8 +107,12 @@ questions: {it: work of weight until y = -5 m}
 def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     if of not in names.loads:
-        known = [*names.loads, *names.connections]
-        names.problem(f"there is no load {of}.{did_you_mean(of, known)}", None, *path)
+        reactions = dict.fromkeys(row.reaction for row in names.held if row.connection == of)
+        if of in names.connections and reactions:
+            ways = "; ".join(f"{reaction} of {of}" for reaction in reactions)
+            names.problem(f"{of} is a connection; ask for: {ways}", None, *path)
+        else:
+            names.problem(f"there is no load {of}.{did_you_mean(of, names.loads)}", None, *path)
         return None
     return LoadForce(of, names.loads[of])
 

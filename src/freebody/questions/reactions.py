@@ -308,6 +308,8 @@ def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, StringStretch]]:
 def _has_connection(names: Names, name: str, path: Path) -> bool:
     if name in names.connections:
         return True
-    known = [*names.connections, *names.loads]
-    names.problem(f"there is no connection {name}.{did_you_mean(name, known)}", None, *path)
+    if name in names.loads:
+        names.problem(f"{name} is a load; ask for: force in {name}", None, *path)
+        return False
+    names.problem(f"there is no connection {name}.{did_you_mean(name, names.connections)}", None, *path)
     return False

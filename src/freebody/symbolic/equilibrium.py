@@ -33,6 +33,12 @@ from freebody.tolerances import ROUND_OFF
 _MOST_DERIVATIVES = 6  # of a force that vanishes to a high order
 
 
+GYROSCOPIC = Message(
+    "what is driven couples the small motions by forces that are linear in the speeds (gyroscopic ones): freebody "
+    "modes has their frequencies in numbers, about the start"
+)
+
+
 @dataclass(frozen=True)
 class ClosedFormRest:
     """An equilibrium: coordinates by generator, where it exists, and where it is stable.
@@ -78,6 +84,8 @@ def small_oscillations(model: SymbolicModel, start: StartState) -> ClosedFormOsc
         notes.append(reworded(Message("about the equilibrium {place}", place=shown), shown))
     M, K = linearised(model, rest.values)
     n = len(M)
+    if _is_gyroscopic(model, rest.values):
+        raise CannotAnswer(GYROSCOPIC)
     s = model.field.parameter("@s")
     determinant = _determinant([[K[j][k] - s * M[j][k] for k in range(n)] for j in range(n)])
     roots: list[Ratio] = []

@@ -138,8 +138,9 @@ class SmoothMotion:
         k = self.model.coordinates.index(c)
         return self.field.lowest_terms(self.model.dynamics.solved_accelerations[self.model.accelerations[k]])
 
-    def law_of(self, c: Coordinate) -> MotionLaw | None:
-        """How a coordinate moves by itself, where that is one of the laws that have closed forms."""
+    def law_of(self, c: Coordinate, *, takes_side: bool = False) -> MotionLaw | None:
+        """How a coordinate moves by itself, where that is one of the laws that have closed forms. takes_side: whether
+        it swings or runs away may be as it is at the first sample, where parameters decide; that is then assumed."""
         q0, u0 = self.start.of(c.index), self.start.of(c.speed)
         a = self._acceleration(c)
         if a.is_constant():
@@ -151,6 +152,8 @@ class SmoothMotion:
         if beta.is_zero():
             return Decay(self.model, q0, u0, self.field.lowest_terms(-alpha / gamma), gamma)
         sign = sign_of(beta)
+        if takes_side and not sign.is_strict and not beta.is_zero():
+            sign = Sign.NEGATIVE if self.model.samples.is_negative(beta) else Sign.POSITIVE
         if not gamma.is_zero() or not sign.is_strict:
             return None
         center = self.field.lowest_terms(-alpha / beta)
@@ -203,7 +206,7 @@ class SmoothMotion:
                 )
             )
         at = self.field.lowest_terms(at)
-        law = self.law_of(c)
+        law = self.law_of(c, takes_side=is_driven(self.model))  # what is driven has no energy integral
         if law is not None and law.is_still:
             holds = (at - law.q0).is_zero()
             raise NeverHappens(
@@ -316,7 +319,7 @@ class SmoothMotion:
         wanted = solve_linear(rate - target, c.speed)
         if wanted is None:
             raise CannotAnswer(Message("the rate is not linear in the rate of {x}", x=c.name))
-        law = self.law_of(c)
+        law = self.law_of(c, takes_side=is_driven(self.model))
         if law is not None and law.is_still:
             raise NeverHappens(
                 _HOLDS_ALWAYS if wanted.is_zero() else Message("{x} stays at rest: nothing accelerates it", x=c.name)

@@ -43,6 +43,13 @@ class SmallMotions:
                     Message("{x} is no measure of the model, so small motions along it cannot be checked", x=c.name)
                 )
             self.measures.append(measure)
+        draw = setup.draws[0]
+        if draw.reference.velocities(draw.q, [(m, 0.0) for m in self.measures], with_start=False).any():
+            raise CannotAnswer(
+                Message(
+                    "a driver keeps the system moving; small motions beside a driven one are not derived step by step"
+                )
+            )
 
     # -- readers ------------------------------------------------------------------------------
     def value(self, k: int) -> Callable[[World], float]:

@@ -192,8 +192,7 @@ class QuestionSolver:
     def _small(self, q: SmallOscillations) -> Finding:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
-        resting = self._at_rest(found.rest)
-        conditions = [*resting]
+        conditions = self._at_rest(found.rest)
         for square in found.squares:
             if square.is_zero() and q.what == "frequencies":
                 continue  # it moves on evenly
@@ -213,7 +212,7 @@ class QuestionSolver:
             roots = [f.sqrt(s, self.model.samples.is_negative) for s in found.squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
         evidence = proof.small_oscillations(
-            self.setup, self.question.text, element, found.equilibrium, resting, period=is_period
+            self.setup, self.question.text, element, found.equilibrium, conditions, period=is_period
         )
         return Finding(element, evidence, conditions, list(found.notes))
 

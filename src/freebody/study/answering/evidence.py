@@ -26,7 +26,7 @@ from freebody.study.answering.crosscheck import (
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NotHere
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.numbers import at_event, places_at
+from freebody.study.answering.numbers import at_event, frequencies_about, places_at, resting
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition, merged
@@ -132,19 +132,25 @@ def small_oscillations(
     *,
     period: bool,
 ) -> Evidence:
-    """Compares angular frequencies, or the period, with a numerical linearisation of the full system. conditions: of
-    the equilibrium."""
+    """Compares angular frequencies, or the period, with a numerical linearisation of the full system. conditions: for
+    the equilibrium and for oscillations about it."""
     check = CrossCheck(question, Message("numerical linearisation about the same equilibrium"), 1e-5)
 
     def compare(draw: Draw) -> None:
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
         exact = np.sort(element_at(setup, x, draw, draw.start()))
-        found = draw.reference.frequencies(draw.reference.pose_near(draw.q, places_at(setup, equilibrium, draw)))
+        q, v = resting(draw, places_at(setup, equilibrium, draw))
+        found = frequencies_about(draw, q, v) if v.any() else draw.reference.frequencies(q)
         numeric = 2 * np.pi / found if period else np.sort(found)
         check.compare(draw, tuple(map(float, exact)), tuple(map(float, numeric)))
 
-    return check.gather(setup.draw_stream(), compare).evidence()
+    check.gather(setup.draw_stream(), compare)
+    if len(check.pairs) < MIN_DRAWS and setup.has_values and (broken := _broken(setup, conditions)):
+        raise CannotAnswer(
+            Message("it does not oscillate at the model's own values: that needs {needs}", needs=", ".join(broken))
+        )
+    return check.evidence()
 
 
 def at_rest(
@@ -158,8 +164,7 @@ def at_rest(
         if not all(holds(setup, c, draw, draw.start()) for c in conditions):
             return
         wanted = places_at(setup, equilibrium, draw)
-        q = draw.reference.pose_near(draw.q, wanted)
-        v = draw.reference.velocities(q, [(measure, 0.0) for measure, _value in wanted], with_start=False)
+        q, v = resting(draw, wanted)
         still = draw.seen(draw.reference.snapshot(q, v))
         gap = float(np.abs(still.accelerations).max(initial=0.0))
         if v.any():  # what is driven goes on; the rest is at rest relative to it

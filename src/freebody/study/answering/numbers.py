@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import partial, singledispatch
 
 import numpy as np
@@ -14,6 +15,7 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point
 from freebody.numeric.engine.course import Status
+from freebody.numeric.jets import Array
 from freebody.numeric.linearised import frequencies
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Snapshot
@@ -33,10 +35,11 @@ from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
 from freebody.study.simulation.simulator import Simulator
 from freebody.study.small_motion.equilibrium import nearest_equilibrium
-from freebody.symbolic.equilibrium import find_equilibrium
+from freebody.symbolic.equilibrium import GYROSCOPIC, find_equilibrium
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 N_PANELS = 16
 LONGEST = 60.0  # [s] that an event is waited for
@@ -89,14 +92,11 @@ def _small_number(
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
     try:
-        equilibrium = find_equilibrium(setup.model, setup.start).values
-        q = draw.reference.pose_near(draw.q, places_at(setup, equilibrium, draw))
+        q, v = resting(draw, places_at(setup, find_equilibrium(setup.model, setup.start).values, draw))
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
-    small = SmallMotion(
-        draw.reference, LinearisationPoint(q, np.zeros_like(q), 0.0, draw.start().branches, frozen=True)
-    )
-    found = [float(w) for w in frequencies(small.M, small.K)]
+        v = np.zeros_like(q)
+    found = [float(w) for w in frequencies_about(draw, q, v)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))
     if quantity.what == "frequencies":
@@ -106,6 +106,21 @@ def _small_number(
     if not found[0] > 0.0:
         raise CannotAnswer(Message("it does not oscillate: nothing drives it back"))
     return 2.0 * math.pi / found[0] if quantity.what == "period" else found[0]
+
+
+def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array, Array]:
+    """The pose in which measures have values, and the velocities of what is driven, all else at rest beside it."""
+    q = draw.reference.pose_near(draw.q, places)
+    return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], with_start=False)
+
+
+def frequencies_about(draw: Draw, q: Array, v: Array) -> Array:
+    """Natural angular frequencies [rad/s] of the undamped system at rest, or at rest beside what is driven. Raises
+    CannotAnswer where forces that are linear in the speeds, and do no work, mix the motions."""
+    small = SmallMotion(draw.reference, LinearisationPoint(q, v, 0.0, draw.start().branches, frozen=not v.any()))
+    if float(np.abs(small.C - small.C.T).max(initial=0.0)) > ROUND_OFF * float(np.abs(small.C).max(initial=1.0)):
+        raise CannotAnswer(GYROSCOPIC)
+    return frequencies(small.M, small.K)
 
 
 def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[tuple[Measure, float]]:
