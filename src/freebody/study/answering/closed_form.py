@@ -7,9 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatchmethod
-from typing import Any
 
-from freebody.assess.options import judge
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import ZERO, Expr, number
@@ -23,7 +21,7 @@ from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
 from freebody.study.answering.crosscheck import element_at, holds
-from freebody.study.answering.finding import Elements, Finding, Otherwise, answered
+from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
@@ -120,7 +118,7 @@ class QuestionSolver:
         evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start)
         remark = q.remark(self.system)
         notes = [remark] if remark else []
-        return Finding(x, evidence, notes=notes, up_to_constant=q.is_up_to_constant)
+        return Finding(x, evidence, notes=notes)
 
     @_found.register(DegreesOfFreedom)
     def _freedom(self, q: DegreesOfFreedom) -> Finding:
@@ -271,7 +269,7 @@ class QuestionSolver:
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
             conditions = found.says + texts(needed) or [for_all(self.system, parts)]
-        judgement = self._judge(found) if q.options else None
+        judgement = self._judge(found.element) if q.options else None
         return made(
             q,
             expression,
@@ -343,15 +341,13 @@ class QuestionSolver:
                     broken.append(c)
         return [reworded(Message("Not valid for the given numbers: {text}", text=text), text) for text in texts(broken)]
 
-    def _judge(self, found: Finding) -> Judgement:
-        element: Any = found.element
-        if self.question.quantity.scope == "structure":
+    def _judge(self, element: Elements | Fraction) -> Judgement | None:
+        if isinstance(element, Fraction) and self.question.quantity.scope == "structure":
             with suppress(CannotAnswer):
-                from freebody.study.mobility.mobility import judged
+                from freebody.study.mobility.mobility import judged as judged_by_count
 
-                return judged(self.system, self.question, int(element))
-        dimension = self.question.quantity.dimension
-        return judge(self.question, element, dimension, self.model, self.system, up_to_constant=found.up_to_constant)
+                return judged_by_count(self.system, self.question, int(element))
+        return judged(self.question, element, self.model, self.system)
 
     def _value(self, element: Elements) -> Value:
         if not self.setup.has_values:

@@ -6,10 +6,13 @@ numeric route confirms it, options are judged (`find -> conditions -> evidence -
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
+from freebody.assess.options import judge
+from freebody.assess.verdict import Judgement
 from freebody.errors import BudgetExhausted, CannotAnswer, ExpressionError, NeverHappens, RoutesDisagree
 from freebody.language.sentences import Message, further
 from freebody.progress import busy_with
@@ -18,6 +21,7 @@ from freebody.study.answering.answer import Answer, Evidence, Value, refused
 from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 
@@ -41,7 +45,6 @@ class Finding:
     conditions: list[Condition] = field(default_factory=list[Condition])
     notes: list[str] = field(default_factory=list[str])
     says: list[str] = field(default_factory=list[str])
-    up_to_constant: bool = False
     may_be_complex: bool = False  # roots in it need not be real
     unit: str | None = None  # where it is not that of the quantity
     has_value: bool = True  # at the model's own numbers and start
@@ -78,6 +81,22 @@ def _number(instead: Instead) -> tuple[Value, tuple[str, ...]]:
         return None, (str(error),)
     except (CannotAnswer, ArithmeticError, ValueError):
         return None, ()
+
+
+def judged(
+    question: Question,
+    element: Elements | Fraction,
+    model: SymbolicModel,
+    system: System,
+    region: Sequence[Ratio] = (),
+) -> Judgement | None:
+    """The options of a question against its answer. region: what is positive where the answer is one."""
+    if not question.options:
+        return None
+    answer: Any = element
+    quantity = question.quantity
+    constant = quantity.is_up_to_constant
+    return judge(question, answer, quantity.dimension, model, system, up_to_constant=constant, region=region)
 
 
 def why(system: System, error: Exception) -> str:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache, singledispatchmethod
 
-from freebody.assess.options import Judgement, judge
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
@@ -18,7 +17,7 @@ from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, made
 from freebody.study.answering.crosscheck import CrossCheck
-from freebody.study.answering.finding import answered
+from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.scope import for_all
 from freebody.study.friction.cases import Compared, Ends, FailureCase, HoldingLimit
 from freebody.study.friction.ends import ParameterEnds, ReactionEnds
@@ -232,8 +231,7 @@ class _Answerer:
                 )
             )
         evidence = _evidence(self.question.text, limits)
-        element = elements[0] if len(elements) == 1 else (elements[0], elements[1])
-        judgement = self._judge(element)
+        element = elements[0] if len(elements) == 1 else elements
         value = None if not exact else exact[0] if len(exact) == 1 else tuple(exact)
         shown = tuple(map(tidy, elements))
         return made(
@@ -243,14 +241,9 @@ class _Answerer:
             conditions=tuple(conditions) or (for_all(self.system),),
             notes=notes,
             evidence=evidence,
-            judgement=judgement,
+            judgement=judged(self.question, element, self.setup.model, self.setup.system),
             cases=_cases(limits),
         )
-
-    def _judge(self, element: Ratio | tuple[Ratio, Ratio]) -> Judgement | None:
-        if not self.question.options:
-            return None
-        return judge(self.question, element, self.question.quantity.dimension, self.setup.model, self.setup.system)
 
     # -- which comes first --------------------------------------------------------------------
     def _first(self, ends: ParameterEnds, name: str) -> Answer:

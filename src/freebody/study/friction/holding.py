@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.assess.options import judge
 from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
@@ -21,6 +20,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck
 from freebody.study.answering.draws import Draw
+from freebody.study.answering.finding import judged
 from freebody.study.friction.cases import Ends
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
@@ -179,9 +179,6 @@ def _answer(
     main = next((b for b in kept if b.words == first.seen.words), kept[0] if kept else None)
     element: Ratio = study.field.one if main is None or main.condition is None else main.condition.element
     value = study.number(element, first.draw) if study.setup.has_values else None
-    judgement = None
-    if question.options:
-        judgement = judge(question, element, question.quantity.dimension, study.setup.model, study.setup.system)
     if main is not None:
         notes.append(Message("the shown reserve is not negative where it holds"))
     return made(
@@ -191,7 +188,7 @@ def _answer(
         unit="1" if main is None else "(SI)",
         conditions=tuple(b.text() for b in kept) or (Message("it always holds"),),
         notes=notes,
-        judgement=judgement,
+        judgement=judged(question, element, study.setup.model, study.setup.system),
         evidence=witness.evidence(),
     )
 

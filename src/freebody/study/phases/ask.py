@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freebody.assess.options import judge
-from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.notation import joined, reworded
@@ -16,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.crosscheck import TooLittleCompared
-from freebody.study.answering.finding import answered
+from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.numbers import number_with_changes
 from freebody.study.answering.scope import for_all
 from freebody.study.phases.decide import NOTHING, as_test, cells
@@ -27,7 +25,6 @@ from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, in_phase, summary
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 
 _ROUND_OFF = 1e-12
@@ -94,21 +91,11 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
-    judgement: Judgement | None = None
-    if question.options:
-        is_home = main.is_home
-        model = tree.home.model if is_home else main.phase.model
-        system = tree.system if is_home else main.phase.system
-        region = [c.element for c in main.conditions if c.relation != "!="] if is_home else []
-        judgement = judge(
-            question,
-            main.value if isinstance(main.value, Ratio) else (main.value[0], main.value[1]),
-            question.quantity.dimension,
-            model,
-            system,
-            up_to_constant=question.quantity.is_up_to_constant,
-            region=region,
-        )
+    if main.is_home:
+        region = [c.element for c in main.conditions if c.relation != "!="]
+        judgement = judged(question, main.value, tree.home.model, tree.system, region)
+    else:
+        judgement = judged(question, main.value, main.phase.model, main.phase.system)
     return made(
         question,
         _shown(main),
