@@ -12,9 +12,9 @@ from freebody.language.units import TIME, dimension_of
 from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.glossary import TrueWhen
+from freebody.narrative.lines.naming import asked_symbol, side_of
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, Sentence, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
-from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.telling.telling import raised
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import singledispatchmethod
@@ -21,8 +21,8 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
+from freebody.narrative.lines.naming import names_of, side_of, written
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
-from freebody.narrative.questions.instant import names_of, side_of
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Revolutions, When
 from freebody.questions.energy import Energy as EnergyOf
@@ -33,7 +33,6 @@ from freebody.study.phases.quantities import only_friction_takes_energy, plain, 
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
-from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 
 
@@ -251,12 +250,6 @@ def _difference(
     script.line(*sides, why=key, args={"lines": lines, "body": body}, uses=lines, when="event")
 
 
-def shown_parts(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
-    """A scalar, or the components of a vector."""
-    shown = tuple(map(tidy, parts))
-    return shown if len(shown) != 1 else next(iter(shown))
-
-
 def _instant(
     script: Script,
     way: PhaseSequence,
@@ -279,7 +272,7 @@ def _instant(
         raise RoutesDisagree(
             Message("the derivation ends in another formula than the solver. This is a defect of freebody")
         )
-    shown = shown_parts(general)
+    shown = written(general)
     asked = {g for part in parts for g in f.ingredients(part)}
     used = tuple(dict.fromkeys((*(line for unknown, (_v, line) in forces.items() if unknown in asked), *lines)))
     assert answer.expression is not None

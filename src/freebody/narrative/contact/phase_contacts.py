@@ -6,7 +6,7 @@ from freebody.language.expression import Call, Expr, Symbol
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Meaning
-from freebody.narrative.lines.script import Legend, Listing, Script, Sentence
+from freebody.narrative.lines.script import Listing, Script, Sentence
 from freebody.narrative.principles.sides import ZERO
 from freebody.study.phases.words import label, rolls
 from freebody.symbolic.field import Ratio
@@ -63,8 +63,7 @@ def _slip(
     line = 0
     if isinstance(symbol, Symbol):
         what = Sentence("symbol.slip", {"connection": label(rub.of or rub.name)})
-        leg.glossary.introduce(Meaning(symbol, what, lambda world: world.snapshot.rate(rub.row.measure), "m/s"))
-        script.add(Legend(((symbol, what, "m/s"),)))
+        script.introduce(Meaning(symbol, what, lambda world: world.snapshot.rate(rub.row.measure), "m/s"))
         line = script.line(symbol, tidy(rate), why="slip.velocity")
     begin = way.home(leg, phase.start_instant.here(rate))
     if begin.is_zero():

@@ -74,8 +74,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
             if not name:
                 name = leg.free_name("q")
                 what = Sentence("symbol.watched", {"event": f"@{event.text}"})
-                leg.glossary.introduce(Meaning(Symbol(name), what, lambda w: w.snapshot.value(event.measure), ""))
-                script.add(Legend(((Symbol(name), what, ""),)))
+                script.introduce(Meaning(Symbol(name), what, lambda w: w.snapshot.value(event.measure), ""))
             value = phase.state.rate(event.measure) if event.order else phase.state.value(event.measure)
             symbol: Expr = Symbol(name)
             shown = Call("rate", symbol) if event.order else symbol

@@ -135,8 +135,7 @@ def tell_energies(script: Script, leg: PhaseSegment) -> tuple[int, int]:
     found: list[int] = []
     for symbol, value, what in zip((KINETIC, POTENTIAL), shown, PARTS, strict=True):
         words = Sentence(f"symbol.phase_{what}")
-        leg.glossary.introduce(Meaning(symbol, words, _reads_energy(leg, what), "J"))
-        script.add(Legend(((symbol, words, "J"),)))
+        script.introduce(Meaning(symbol, words, _reads_energy(leg, what), "J"))
         uses = tuple(parts) if what == "kinetic" else ()
         in_coordinates = tidy(leg.phase.course.plain(value))
         found.append(script.line(symbol, in_coordinates, why=f"motion.{what}", args={"lines": uses}, uses=uses))

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.narrative.contact.phase_answer import asked_side, shown_parts, tell_answer
+from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
 from freebody.narrative.contact.phase_event import tell_event
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence
 from freebody.narrative.context import Context, Method, refuse
+from freebody.narrative.lines.naming import written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -191,7 +192,7 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
         if not parts:
             script.line(left, answer.expression, why="answer.at_once", when="start")
             return script.stages
-        shown = shown_parts(general)
+        shown = written(general)
         key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")
         sides = (left, answer.expression) if shown == answer.expression else (left, shown, answer.expression)
         script.line(*sides, why=key, args={"lines": lines}, uses=lines, when="start" if when == "start" else "always")

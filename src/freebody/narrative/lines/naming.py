@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
-from freebody.language.expression import Symbol, rate_key
+from freebody.language.expression import Expr, Symbol, rate_key
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
-from freebody.narrative.questions.instant import asked_symbol, names_of
 from freebody.questions.reading import Question
+from freebody.study.answering.numbers import work_until
+from freebody.study.answering.passage import NumericPassage
+from freebody.symbolic.field import Ratio
+from freebody.symbolic.tidy import tidy
+from freebody.system.symbols import reaction_symbols
 
 
 def fresh(context: Context, *names: str) -> str:
@@ -44,3 +50,46 @@ def component_names(name: str) -> tuple[Symbol, Symbol, Symbol]:
     """name_x, name_y, name_z"""
     x, y, z = (Symbol(f"{name}_{axis}") for axis in "xyz")
     return x, y, z
+
+
+def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
+    """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
+    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
+    reactions = {r.name for r in reaction_symbols(context.system).values()}
+    if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
+        own = f"{own}_asked"
+    symbol = context.symbol(own, f"{own}_asked")
+    what = Sentence("symbol.asked", {"question": question.text})
+    quantity, system = question.quantity, context.system
+
+    def part(k: int) -> Callable[[World], float]:
+        return lambda world: float(quantity.value(system, world.snapshot)[k])
+
+    def counted(world: World) -> float:
+        assert question.event is not None
+        setup, end = context.setup, world.snapshot.t
+        work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
+        return float(quantity.counted(NumericPassage(setup, world.draw.start(), world.snapshot, end, work)))
+
+    if symbol.name not in context.glossary.meanings:
+        read = counted if quantity.scope == "course" else quantity
+        context.glossary.introduce(Meaning(symbol, what, read))
+    for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
+        context.glossary.introduce(Meaning(name, what, part(k)))
+    return symbol
+
+
+def written(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
+    """A scalar as it is written, or the components of a vector."""
+    shown = tuple(map(tidy, parts))
+    return shown[0] if len(shown) == 1 else shown
+
+
+def names_of(name: Symbol, n: int) -> tuple[Symbol, ...]:
+    """The names of the components of a vector."""
+    return tuple(Symbol(f"{name.name}_{axis}") for axis in "xyz"[:n])
+
+
+def side_of(name: Symbol, n: int) -> Expr | tuple[Expr, ...]:
+    """The name of a scalar, or of the components of a vector."""
+    return name if n == 1 else names_of(name, n)

@@ -18,7 +18,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
-from freebody.narrative.lines.glossary import Glossary, TrueWhen
+from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
 from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
@@ -125,6 +125,12 @@ class Script:
 
     def add(self, item: Item) -> None:
         self._items.append(item)
+
+    def introduce(self, *meanings: Meaning) -> None:
+        """Symbols with what they mean; one that is known keeps its meaning."""
+        for meaning in meanings:
+            self.glossary.introduce(meaning)
+        self.add(Legend(tuple((m.symbol, m.what, m.unit) for m in meanings)))
 
     def add_all(self, items: Sequence[Item]) -> None:
         self._items += items

@@ -15,7 +15,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
@@ -90,8 +90,7 @@ def _power_symbol(context: Context, script: Script) -> Symbol:
         return float(sum(Power(load).value(context.system, world.snapshot) for load in loads))
 
     what, symbol = Sentence("symbol.power", {"loads": tuple(loads)}), context.symbol("P", "P_loads")
-    context.glossary.introduce(Meaning(symbol, what, read, "W"))
-    script.add(Legend(((symbol, what, "W"),)))
+    script.introduce(Meaning(symbol, what, read, "W"))
     return symbol
 
 
@@ -104,8 +103,7 @@ def energy_terms(context: Context, script: Script) -> list[int]:
         V = f.element(value) if not isinstance(value, Ratio) else f.lowest_terms(value)
         what = Sentence("symbol.potential")
         symbol = context.symbol("V", "E_pot")
-        context.glossary.introduce(Meaning(symbol, what, Energy("potential"), "J"))
-        script.add(Legend(((symbol, what, "J"),)))
+        script.introduce(Meaning(symbol, what, Energy("potential"), "J"))
         v_line = script.line(symbol, tidy(V), why="energy.potential")
         script.say("energy.no_work")
     return [t_line, v_line]
@@ -157,8 +155,7 @@ def _check(model: SymbolicModel, asked: Sequence[int], what: str) -> None:
 def _kinetic_line(context: Context, script: Script, T: Ratio) -> int:
     """T as a sum over the bodies, then collected."""
     what, symbol = Sentence("symbol.kinetic"), kinetic_symbol(context)
-    context.glossary.introduce(Meaning(symbol, what, Energy("kinetic"), "J"))
-    script.add(Legend(((symbol, what, "J"),)))
+    script.introduce(Meaning(symbol, what, Energy("kinetic"), "J"))
     f = context.setup.model.field
     parts: list[Expr] = []
     for body in context.system.moving:
@@ -187,8 +184,7 @@ def _equation(context: Context, script: Script, c: Coordinate, T: Ratio, t_line:
     force = generalized_force(model, c)
     symbol = context.symbol(f"Q_{c.name}", f"Q_gen_{c.name}")
     what = Sentence("symbol.generalized_force", {"name": c.name})
-    context.glossary.introduce(Meaning(symbol, what, _force_reader(context, c)))
-    script.add(Legend(((symbol, what, ""),)))
+    script.introduce(Meaning(symbol, what, _force_reader(context, c)))
     q_line = script.line(symbol, tidy(force), why="lagrange.force", args={"name": c.name})
     number = script.line(
         Difference(Derivative(of_speed, Symbol("t")), of_place),

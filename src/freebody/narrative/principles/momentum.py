@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.narrative.context import Context
+from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import Script
+from freebody.narrative.principles.analytic import by_energy, by_lagrange
 from freebody.narrative.principles.formal import formal_parts, unknowns_in
 from freebody.narrative.principles.newton import Newton, Solved
 from freebody.narrative.principles.symmetry import Symmetry
@@ -30,6 +31,21 @@ def by_momentum(
         newton_in_space(context, kinematics or spatial(context, script)) if context.system.space else context.newton
     )
     return newton.write(script, newton.plan(unknowns), unknowns)
+
+
+def by_method(
+    context: Context,
+    script: Script,
+    unknowns: Sequence[int],
+    method: Method,
+    kinematics: SpatialKinematics | None = None,
+) -> Solved:
+    """The same by Lagrange's equations or by the rate of energy, where these are asked for."""
+    if method == "lagrange":
+        return by_lagrange(context, script, unknowns)
+    if method == "energy":
+        return by_energy(context, script, unknowns)
+    return by_momentum(context, script, unknowns, kinematics)
 
 
 def spatial(context: Context, script: Script) -> SpatialKinematics:

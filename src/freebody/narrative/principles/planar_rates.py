@@ -216,8 +216,7 @@ class PlanarRates:
             return (self.told[symbol],) if symbol in self.told else ()
         center = self.system.bodies[body].mass_center
         what = Sentence("symbol.place", {"body": body, "axis": f"@axis.{axis}"})
-        self.glossary.introduce(Meaning(symbol, what, OfPoint(center, 0, RIGHT if axis == "x" else UP), "m"))
-        script.add(Legend(((symbol, what, "m"),)))
+        script.introduce(Meaning(symbol, what, OfPoint(center, 0, RIGHT if axis == "x" else UP), "m"))
         self._introduced.add(symbol.name)
         self.told[symbol] = script.line(symbol, tidy(place), why="kinematics.place", args={"body": body})
         return (self.told[symbol],)

@@ -14,12 +14,12 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
+from freebody.narrative.lines.naming import asked_entry, asked_symbol
+from freebody.narrative.lines.script import Argument, DerivationStage, Script, ready
 from freebody.narrative.principles.analytic import energy_terms
-from freebody.narrative.principles.momentum import by_momentum, parts_of
+from freebody.narrative.principles.momentum import by_method, by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.narrative.principles.sides import positive_first
-from freebody.narrative.questions.instant import asked_symbol
 from freebody.questions.base import Quantity
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
@@ -69,20 +69,12 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         raise CannotAnswer(Message("energy tells the speed, not the time; there is: auto, newton, lagrange"))
     line = 0
     if not by_energy:
-        line = _acceleration(context, script, setup.model.accelerations[k], method)
+        unknown = setup.model.accelerations[k]
+        line = by_method(context, script, [unknown], method)[unknown][1]
     way = _EventWay(context, script, question, reached, c, acceleration, line)
     lines = _energy(way) if by_energy else _motion(way)
     _asked(way, lines)
     return script.stages
-
-
-def _acceleration(context: Context, script: Script, unknown: int, method: Method) -> int:
-    """The line in which the acceleration of the coordinate stands."""
-    if method == "lagrange":
-        from freebody.narrative.principles.analytic import by_lagrange
-
-        return by_lagrange(context, script, [unknown])[unknown][1]
-    return by_momentum(context, script, [unknown])[unknown][1]
 
 
 def _start(way: _EventWay) -> tuple[Ratio, Ratio]:
@@ -308,7 +300,7 @@ def _tell_asked(q: Quantity, way: _EventWay, lines: Sequence[int]) -> None:
             symbol: Expr = rates_of(c.name, 1) if general[0] == f.variable(c.speed) else Symbol(c.name)
         else:
             symbol = asked_symbol(context, question)
-            script.add(Legend(((symbol, Sentence("symbol.asked", {"question": question.text}), ""),)))
+            script.add(asked_entry(symbol, question))
             before = tidy(f.lowest_terms(general[0]))
             if before != shown:
                 last = script.line(symbol, before, why="course.general", args={"lines": uses}, uses=uses, when="event")
@@ -327,7 +319,7 @@ def _work(quantity: Work, way: _EventWay, lines: Sequence[int]) -> None:
     before, after = (f.lowest_terms(sum((s.potential(p) for p in pushes), f.zero)) for s in states)
     with script.stage("stage.value", "hint.value"):
         symbol = asked_symbol(context, way.question)
-        script.add(Legend(((symbol, Sentence("symbol.asked", {"question": way.question.text}), ""),)))
+        script.add(asked_entry(symbol, way.question))
         right = add(tidy(before), multiply(number(-1), tidy(after)))
         args: dict[str, Argument] = {"load": quantity.of, "lines": uses}
         last = script.line(symbol, right, why="course.work", args=args, uses=uses, when="event")

@@ -2,43 +2,34 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Mapping, Sequence
 
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import DerivationStage, Legend, Script, Sentence
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import loop_lines
-from freebody.narrative.principles.newton import same_answer
+from freebody.narrative.principles.momentum import by_method, parts_of
+from freebody.narrative.principles.newton import Solved, same_answer
 from freebody.narrative.questions.state import AnswerParts, parts_of_state
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.numbers import work_until
-from freebody.study.answering.passage import NumericPassage
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
-from freebody.system.symbols import reaction_symbols
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation of a quantity at an instant. Raises CannotAnswer where there is none by this method."""
-    newton = context.newton
-    parts = newton.asked(question.quantity)
-    unknowns = newton.unknowns_in(parts)
+    parts, unknowns = parts_of(context, question.quantity)
     script = context.script()
-    found: dict[int, tuple[Ratio, int]] = {}
+    found: Solved = {}
     before = AnswerParts(())
-    if unknowns and method in ("lagrange", "energy"):
-        from freebody.narrative.principles.analytic import by_energy, by_lagrange
-
-        found = (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
-    elif unknowns:
-        loop_lines(context, script)
-        found = newton.write(script, newton.plan(unknowns), unknowns)
+    if unknowns:
+        if method in ("auto", "newton"):
+            loop_lines(context, script)
+        found = by_method(context, script, unknowns, method)
     else:
         refuse(method, (), Message("what follows from the state alone"))
         before = parts_of_state(context, script, question)
@@ -65,8 +56,7 @@ def finish(
     last = lines[-1] if lines else 0
     if not is_there:
         with script.stage("stage.value", "hint.value"):
-            names = (name,) if len(parts) == 1 else names_of(name, len(parts))
-            script.add(Legend(tuple((n, Sentence("symbol.asked", {"question": question.text}), "") for n in names)))
+            script.add(asked_entry(name, question, n=len(parts)))
             shown = written(general)
             sides: list[Expr | tuple[Expr, ...]] = [side_of(name, len(general))]
             unsolved = written(parts)
@@ -94,46 +84,3 @@ def _ends_in_answer(context: Context, question: Question, found: Sequence[Ratio]
     wanted = elements(setup.model.field, question.quantity.value(setup.system, state))
     if any(not setup.model.samples.vanishes(a - b) for a, b in zip(found, wanted, strict=True)):
         same_answer(found, wanted)
-
-
-def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
-    """A symbol for what is asked, and one for each of n components: the question's id where that is a good name."""
-    own = question.id if re.fullmatch(r"[A-Za-z]\w*", question.id) else "result"
-    reactions = {r.name for r in reaction_symbols(context.system).values()}
-    if n > 1 and any(name.name in reactions for name in names_of(Symbol(own), n)):
-        own = f"{own}_asked"
-    symbol = context.symbol(own, f"{own}_asked")
-    what = Sentence("symbol.asked", {"question": question.text})
-    quantity, system = question.quantity, context.system
-
-    def part(k: int) -> Callable[[World], float]:
-        return lambda world: float(quantity.value(system, world.snapshot)[k])
-
-    def counted(world: World) -> float:
-        assert question.event is not None
-        setup, end = context.setup, world.snapshot.t
-        work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
-        return float(quantity.counted(NumericPassage(setup, world.draw.start(), world.snapshot, end, work)))
-
-    if symbol.name not in context.glossary.meanings:
-        read = counted if quantity.scope == "course" else quantity
-        context.glossary.introduce(Meaning(symbol, what, read))
-    for k, name in enumerate(names_of(symbol, n) if n > 1 else ()):
-        context.glossary.introduce(Meaning(name, what, part(k)))
-    return symbol
-
-
-def written(parts: Sequence[Ratio]) -> Expr | tuple[Expr, ...]:
-    """A scalar as it is written, or the components of a vector."""
-    shown = tuple(map(tidy, parts))
-    return shown[0] if len(shown) == 1 else shown
-
-
-def names_of(name: Symbol, n: int) -> tuple[Symbol, ...]:
-    """The names of the components of a vector."""
-    return tuple(Symbol(f"{name.name}_{axis}") for axis in "xyz"[:n])
-
-
-def side_of(name: Symbol, n: int) -> Expr | tuple[Expr, ...]:
-    """The name of a scalar, or of the components of a vector."""
-    return name if n == 1 else names_of(name, n)

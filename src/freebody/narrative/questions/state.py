@@ -10,7 +10,7 @@ from freebody.measures.geometry import Point
 from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.sides import positive_first, scaled
@@ -114,8 +114,7 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
         return []
     symbol = _name(context, "T", body)
     what = Sentence("symbol.kinetic_of", {"body": body})
-    context.glossary.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
-    script.add(Legend(((symbol, what, "J"),)))
+    script.introduce(Meaning(symbol, what, Energy("kinetic", body), "J"))
     context.rates.announce(script, terms)
     own = script.line(symbol, add(*parts), why="energy.of_body", args={"body": body})
     return [own, *context.rates.explain_velocities(script, terms)]
@@ -134,8 +133,7 @@ def _potential_of(context: Context, script: Script, load: str, body: str | None)
         return float(sum(world.snapshot.potential(push) for push in pushes))
 
     what = Sentence("symbol.potential_of", {"load": load})
-    context.glossary.introduce(Meaning(symbol, what, read, "J"))
-    script.add(Legend(((symbol, what, "J"),)))
+    script.introduce(Meaning(symbol, what, read, "J"))
     return script.line(symbol, tidy(f.lowest_terms(total)), why="energy.of_load", args={"load": load})
 
 
@@ -186,8 +184,7 @@ def _spin_of(context: Context, script: Script, q: AngularMomentum, body: RigidBo
         return []
     point = q.about if isinstance(q.about, Point) else body.mass_center if isinstance(q.body, str) else None
     symbol, what = _name(context, "H", body.name), Sentence("symbol.spin_of", {"body": body.name})
-    context.glossary.introduce(Meaning(symbol, what, AngularMomentum(body.name, point or ORIGIN), "kg m^2/s"))
-    script.add(Legend(((symbol, what, "kg m^2/s"),)))
+    script.introduce(Meaning(symbol, what, AngularMomentum(body.name, point or ORIGIN), "kg m^2/s"))
     moving = [*x, *y, *([turning] if turning is not None else [])]
     context.rates.announce(script, moving)
     own = script.line(symbol, positive_first(shown), why="momentum.of_body", args={"body": body.name})
@@ -215,7 +212,6 @@ def _of_body(context: Context, script: Script, body: str, k: int, name: str) -> 
 
     f = context.setup.model.field
     what = Sentence("symbol.turning_1" if k == 2 else "symbol.at_origin", {"body": body, "axis": f"@axis.{'xyz'[k]}"})
-    context.glossary.introduce(Meaning(Symbol(name), what, read, "rad/s" if k == 2 else "m/s"))
-    script.add(Legend(((Symbol(name), what, ""),)))
+    script.introduce(Meaning(Symbol(name), what, read, "rad/s" if k == 2 else "m/s"))
     value = motion_at_origin(context.system, context.setup.state, body)[k]
     return script.line(Symbol(name), tidy(f.lowest_terms(f.element(value))), why="kinematics.seen")

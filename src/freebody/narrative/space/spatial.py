@@ -11,14 +11,13 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.naming import asked_entry
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
 from freebody.narrative.lines.script import Argument, DerivationStage, Script
-from freebody.narrative.principles.momentum import by_momentum, parts_of, spatial
-from freebody.narrative.questions.instant import asked_symbol, finish, side_of
+from freebody.narrative.principles.momentum import by_method, parts_of, spatial
+from freebody.narrative.questions.instant import finish
 from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_euler import by_euler, free_bodies, kinetic_energy_of_free, turns_freely
 from freebody.narrative.space.spatial_frames import axes_of
-from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.questions.momentum import AngularMomentum, Momentum
@@ -27,7 +26,6 @@ from freebody.questions.ratio import RatioOf
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.tidy import tidy
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
@@ -44,7 +42,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if unknowns:
         if question.quantity.kinematic_order is not None and question.quantity.watched is None:
             before = telling.parts(question.quantity)
-        found = _unknowns(context, script, telling.kinematics, unknowns, method)
+        found = by_method(context, script, unknowns, method, telling.kinematics)
     else:
         refuse(method, (), Message("what follows from the state alone"))
         before = telling.parts(question.quantity)
@@ -61,29 +59,14 @@ def finish_at_start(
     """What is asked at the start, from symbols whose values there are told."""
     here, f = context.setup.start_instant, context.setup.model.field
     name = asked_symbol(context, question, len(parts))
-    values = tuple(tidy(f.lowest_terms(here.here(part))) for part in parts)
+    values = tuple(f.lowest_terms(here.here(part)) for part in parts)
     total = before.total
     assert total is not None
     with script.stage("stage.value", "hint.value"):
         script.add(asked_entry(name, question, n=len(parts)))
         left = side_of(name, len(parts))
-        shown: Expr | tuple[Expr, ...] = values if len(values) > 1 else next(iter(values))
         args: dict[str, Argument] = {"lines": before.lines}
-        script.line(left, total, shown, why="value.follows", args=args, uses=before.lines, when="start")
-
-
-def _unknowns(
-    context: Context,
-    script: Script,
-    kinematics: SpatialKinematics,
-    unknowns: Sequence[int],
-    method: Method,
-) -> dict[int, tuple[Ratio, int]]:
-    if method in ("lagrange", "energy"):
-        from freebody.narrative.principles.analytic import by_energy, by_lagrange
-
-        return (by_energy if method == "energy" else by_lagrange)(context, script, unknowns)
-    return by_momentum(context, script, unknowns, kinematics)
+        script.line(left, total, written(values), why="value.follows", args=args, uses=before.lines, when="start")
 
 
 class SpatialTelling:

@@ -14,10 +14,9 @@ from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.naming import asked_entry, fresh, named
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, fresh, named, side_of
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, Script, Sentence
-from freebody.narrative.questions.instant import asked_symbol, side_of
 from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics

@@ -18,11 +18,10 @@ from freebody.language.expression import Call, Expr, Symbol, rate_key
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
-from freebody.narrative.lines.naming import asked_as, asked_entry
+from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, names_of, side_of
 from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.sides import balanced
-from freebody.narrative.questions.instant import asked_symbol, names_of, side_of
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyValue
