@@ -1,44 +1,69 @@
-"""Closed loops in a derivation: the equations that bind coordinates, their rates, and the bound speeds."""
+"""What binds coordinates and velocities: closed loops, rolling, and the speeds that follow."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Sequence
 
-from freebody.language.expression import number
-from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Script
+from freebody.language.expression import Symbol
+from freebody.model.elements import NonholonomicForm
+from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.principles.sides import balanced, readable
 from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
+from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
+Limit = Callable[[Ratio], Ratio]  # refuses what is too long to be shown
 
-def loop_lines(context: Context, script: Script, needed: Iterable[Ratio] | None = None) -> tuple[int, ...]:
-    """The loops of a system as lines, differentiated and solved for the bound speeds; nothing without loops, or where
-    what is needed does not contain what they bind. Written once in a derivation."""
-    model = context.setup.model
-    if not model.dependent:
-        return ()
-    bound = {c.index for c in model.dependent} | {c.speed for c in model.dependent}
-    if needed is not None and not any(model.field.ingredients(x) & bound for x in needed):
-        return ()
-    if context.newton.loop_lines is not None:
-        return context.newton.loop_lines
-    zero = number(0)
+
+def however_long(x: Ratio) -> Ratio:
+    """No limit."""
+    return x
+
+
+def closed_loops(setup: Setup, script: Script, *, in_rates: bool = False, limit: Limit = readable) -> list[int]:
+    """The equation of every loop, differentiated where rates are wanted; the last line of each."""
     found: list[int] = []
-    with script.stage("stage.loops", "hint.loops"):
-        for loop in model.loops:
-            place = script.line(
-                zero, tidy(primitive_part(loop.value)), why="loops.equation", args={"row": f"@{loop.name}"}
-            )
-            rate = primitive_part(model.field.rate(loop.value))
-            found.append(script.line(zero, tidy(rate), why="loops.rate", args={"line": place}, uses=(place,)))
-        lines = tuple(found)
-        speeds: list[int] = []
-        for c in model.dependent:
-            value = model.field.lowest_terms(model.dependent_speed(c))
-            speeds.append(
-                script.line(rates_of(c.name, 1), tidy(value), why="loops.speed", args={"lines": lines}, uses=lines)
-            )
-    context.newton.loop_lines = tuple(speeds)
-    return context.newton.loop_lines
+    for loop in setup.model.loops:
+        args: dict[str, Argument] = {"row": f"@{loop.name}"}
+        line = script.line(*balanced(tidy(limit(primitive_part(loop.value)))), why="loops.equation", args=args)
+        if in_rates:
+            rate = limit(primitive_part(setup.model.field.rate(loop.value)))
+            line = script.line(*balanced(tidy(rate)), why="loops.rate", args={"line": line}, uses=(line,))
+        found.append(line)
+    return found
+
+
+def velocity_constraints(setup: Setup, script: Script, connections: Sequence[str] | None = None) -> list[int]:
+    """What connections say of velocities, row by row; all connections, or some."""
+    found: list[int] = []
+    for row in setup.system.held:
+        wanted = connections is None or row.connection in connections
+        if isinstance(row.measure, NonholonomicForm) and row.target is None and wanted:
+            rate = setup.model.field.lowest_terms(setup.state.raw_rate(row.measure))
+            if not rate.is_zero():
+                args: dict[str, Argument] = {"connection": row.connection, "component": f"@{row.component}"}
+                sides = balanced(tidy(readable(primitive_part(rate))))
+                found.append(script.line(*sides, why="loops.velocity", args=args))
+    return found
+
+
+def bound_speeds(setup: Setup, script: Script, lines: Sequence[int], limit: Limit = readable) -> list[int]:
+    """The rates that are not free but change, solved for."""
+    found: list[int] = []
+    for c in setup.model.dependent:
+        value = limit(setup.model.field.lowest_terms(setup.model.dependent_speed(c)))
+        if value.is_zero():
+            continue
+        args: dict[str, Argument] = {"lines": tuple(lines), "name": Symbol(c.name)}
+        why = "loops.speed" if lines else "loops.follows"
+        found.append(script.line(rates_of(c.name, 1), tidy(value), why=why, args=args, uses=tuple(lines)))
+    return found
+
+
+def all_bound(setup: Setup, script: Script) -> list[int]:
+    """Closed loops, constraints on velocities and the speeds that follow; the lines of the former."""
+    found = [*closed_loops(setup, script), *velocity_constraints(setup, script)]
+    bound_speeds(setup, script, found)
+    return found

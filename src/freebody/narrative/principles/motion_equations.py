@@ -10,13 +10,10 @@ in which ideal reactions do not appear. Source: Kane & Levinson, Dynamics: Theor
 from __future__ import annotations
 
 from freebody.language.expression import Expr, Symbol, add, number
-from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import EliminationRow
-from freebody.narrative.principles.sides import balanced, readable, scaled
-from freebody.questions.motion import rates_of
-from freebody.study.eom import primitive_part
+from freebody.narrative.principles.sides import readable, scaled
 from freebody.symbolic.tidy import tidy
 
 
@@ -43,24 +40,3 @@ def motion_equations(context: Context, script: Script, *, why: str = "unclosed.k
         )
         rows.append(EliminationRow(entries, rest, script_line))
     return rows
-
-
-def loop_lines(context: Context, script: Script) -> list[int]:
-    """Closed loops and constraints on velocities, and the bound speeds."""
-    model, f = context.setup.model, context.setup.model.field
-    found: list[int] = []
-    for loop in model.loops:
-        value = readable(primitive_part(loop.value))
-        args = {"connection": loop.name.split(".")[0]}
-        found.append(script.line(*balanced(tidy(value)), why="unclosed.loop", args=args))
-    for row in context.system.held:
-        if isinstance(row.measure, NonholonomicForm):
-            rate = readable(f.lowest_terms(context.setup.state.raw_rate(row.measure)))
-            if not rate.is_zero() and row.target is None:
-                args = {"connection": row.connection, "component": row.component}
-                found.append(script.line(*balanced(tidy(rate)), why="unclosed.velocity", args=args))
-    for c in model.dependent:
-        speed = readable(f.lowest_terms(model.dependent_speed(c)))
-        args = {"name": Symbol(c.name), "lines": tuple(found)}
-        script.line(rates_of(c.name, 1), tidy(speed), why="unclosed.bound", args=args, uses=tuple(found))
-    return found

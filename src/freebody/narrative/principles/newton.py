@@ -86,14 +86,12 @@ class Newton:
         self.words = words or (IN_SPACE_WORDS if in_space else IN_PLANE_WORDS)
         self._value_of, self._numbers = value_of, numbers
         self._named: set[str] = set()
-        self.loop_lines: tuple[int, ...] | None = None
         self.is_drawn = True  # diagrams show the start: not what touches only later
 
     def begin(self) -> None:
         """A derivation begins: nothing has been explained in it yet."""
         self.rates.begin()
         self._named.clear()
-        self.loop_lines = None
 
     # -- what is asked ------------------------------------------------------------------------
     def asked(self, quantity: Quantity) -> tuple[Ratio, ...]:

@@ -13,6 +13,7 @@ from freebody.narrative.lines.glossary import Glossary, Meaning
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.kinematics import Kinematics, Term, total
+from freebody.narrative.principles.loops import bound_speeds, closed_loops, however_long
 from freebody.narrative.principles.places import place_in_plane
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.rates import MomentumRate
@@ -20,6 +21,7 @@ from freebody.narrative.principles.sides import balanced, positive_first, scaled
 from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.questions.motion import OfPoint
+from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 
@@ -34,15 +36,25 @@ class PlanarRates:
         self.told: dict[Expr, int] = {}  # symbols of motion that have been explained, and the line
         self.constraint_lines: dict[str, int] = {}
         self._introduced: set[str] = set()
+        self._loop_lines: tuple[int, ...] | None = None
 
     def begin(self) -> None:
         """A derivation begins: nothing has been explained in it yet."""
         self.told.clear()
         self.constraint_lines.clear()
         self._introduced.clear()
+        self._loop_lines = None
 
     def prepare(self, script: Script, plan: Plan) -> None:
         """The symbols are explained where they stand."""
+
+    def loops(self, setup: Setup, script: Script) -> tuple[int, ...]:
+        """The loops differentiated and solved for the bound speeds, once in a derivation."""
+        if self._loop_lines is None and self.model.dependent:
+            with script.stage("stage.loops", "hint.loops"):
+                rates = closed_loops(setup, script, in_rates=True, limit=however_long)
+                self._loop_lines = tuple(bound_speeds(setup, script, rates, however_long))
+        return self._loop_lines or ()
 
     # -- rates of momentum --------------------------------------------------------------------
     def rate(self, p: WritablePrinciple) -> MomentumRate:

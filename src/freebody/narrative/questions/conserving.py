@@ -19,7 +19,8 @@ from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.narrative.principles.formal import FormalState
-from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
+from freebody.narrative.principles.loops import all_bound
+from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.reactions import name_reactions
 from freebody.numeric.jets import Array
 from freebody.numeric.start import start_velocities
@@ -256,7 +257,7 @@ class _ConservingTelling:
         lines: list[int] = []
         with self.script.stage("conserved.motion", "conserved.motion_hint"):
             try:
-                lines += loop_lines(self.context, self.script)
+                lines += all_bound(self.context.setup, self.script)
                 lines += [row.number for row in motion_equations(self.context, self.script)]
             except CannotAnswer as error:
                 self.script.say("conserved.no_equations", reason=ready(str(error)))

@@ -10,7 +10,6 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
 from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
-from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.principles.newton import Solved, same_answer
 from freebody.narrative.questions.state import AnswerParts, parts_of_state
@@ -28,7 +27,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     before = AnswerParts(())
     if unknowns:
         if method in ("auto", "newton"):
-            loop_lines(context, script)
+            context.rates.loops(context.setup, script)
         found = by_method(context, script, unknowns, method)
     else:
         refuse(method, (), Message("what follows from the state alone"))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Derive, Method
 from freebody.narrative.lines.script import DerivationStage, Script, ready
-from freebody.narrative.principles.motion_equations import loop_lines, motion_equations
+from freebody.narrative.principles.loops import all_bound
+from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
@@ -35,7 +36,7 @@ def in_numbers(context: Context, answer: Answer) -> list[DerivationStage]:
     script = context.script()
     try:
         with script.stage("unclosed.equations", "unclosed.equations_hint"):
-            loop_lines(context, script)
+            all_bound(context.setup, script)
             motion_equations(context, script)
     except CannotAnswer as error:
         with script.stage("unclosed.equations"):

@@ -12,7 +12,6 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Script, Sentence
 from freebody.narrative.principles.kinematics import Term
-from freebody.narrative.principles.loops import loop_lines
 from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.questions.base import Quantity
 from freebody.questions.centres import InstantCentre, motion_at_origin
@@ -33,7 +32,7 @@ class AnswerParts:
 
 def parts_of_state(context: Context, script: Script, question: Question) -> AnswerParts:
     """What a quantity is made of."""
-    uses = loop_lines(context, script)
+    uses = context.rates.loops(context.setup, script)
     lines, symbols = _told(question.quantity, context, script)
     return AnswerParts(tuple(dict.fromkeys((*uses, *lines))), add(*symbols) if symbols else None)
 

@@ -17,13 +17,13 @@ from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.rates import rate_of
 from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.principles.loops import bound_speeds, closed_loops, velocity_constraints
 from freebody.narrative.principles.rolling import contact_arm, rolling_body
-from freebody.narrative.principles.sides import balanced, readable, scaled
+from freebody.narrative.principles.sides import scaled
 from freebody.narrative.space.spatial_angles import Angles
 from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_of
 from freebody.questions.motion import AngularVelocity, OfPoint, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
-from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
@@ -129,34 +129,16 @@ class SpatialKinematics(Frames):
         return self.velocity_lines
 
     def _bind(self) -> tuple[int, ...]:
-        lines: list[int] = []
-        for loop in self.model.loops:
-            value = readable(primitive_part(loop.value))
-            closed: dict[str, Argument] = {"connection": loop.name.split(".")[0]}
-            place = self.script.line(*balanced(tidy(value)), why="unclosed.loop", args=closed)
-            rate = readable(primitive_part(self.field.rate(loop.value)))
-            args: dict[str, Argument] = {"line": place}
-            lines.append(self.script.line(*balanced(tidy(rate)), why="space.loop_rate", args=args, uses=(place,)))
-        rolling: dict[str, None] = {}
-        for row in self.system.held:
-            if isinstance(row.measure, NonholonomicForm):
-                rolling[row.connection] = None
-        for connection in rolling:
+        lines = closed_loops(self.setup, self.script, in_rates=True)
+        rolling = [row.connection for row in self.system.held if isinstance(row.measure, NonholonomicForm)]
+        for connection in dict.fromkeys(rolling):
             lines += self._rolling(connection)
-        found: list[int] = []
-        for c in self.model.dependent:
-            value = readable(self.field.lowest_terms(self.model.dependent_speed(c)))
-            if value.is_zero():
-                continue
-            given: dict[str, Argument] = {"lines": tuple(lines)}
-            left = rates_of(c.name, 1)
-            found.append(self.script.line(left, tidy(value), why="space.bound_rate", args=given, uses=tuple(lines)))
-        return tuple(found)
+        return tuple(bound_speeds(self.setup, self.script, lines))
 
     def _rolling(self, connection: str) -> list[int]:
         found = rolling_body(self.system, connection)
         if found is None:
-            return self._rate_rows(connection)
+            return velocity_constraints(self.setup, self.script, [connection])
         body, plane = found
         axes = axes_of(None) if self.model.coordinates else self._handy_axes(body)
         r_symbols, r_line = self.arm_to_contact(body, plane, axes)
@@ -183,18 +165,6 @@ class SpatialKinematics(Frames):
             return axes_of(None)
         x, y, z = (Direction(link.parent, e.components) for e in AXES)
         return Axes((x, y, z), link.parent)
-
-    def _rate_rows(self, connection: str) -> list[int]:
-        """What a connection says of velocities, row by row."""
-        found: list[int] = []
-        for row in self.system.held:
-            if row.connection == connection and isinstance(row.measure, NonholonomicForm):
-                rate = self.field.lowest_terms(self.state.raw_rate(row.measure))
-                if not rate.is_zero():
-                    args: dict[str, Argument] = {"connection": connection, "component": f"@{row.component}"}
-                    sides = balanced(tidy(primitive_part(rate)))
-                    found.append(self.script.line(*sides, why="space.velocity_row", args=args))
-        return found
 
     # -- vectors ------------------------------------------------------------------------------
     def arm_to_contact(self, body: RigidBody, plane: BodyPlane, axes: Axes) -> tuple[tuple[Expr, ...], int]:
