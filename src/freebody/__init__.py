@@ -39,7 +39,7 @@ _HOMES = {
     "solve": "freebody.study.answering.solve",
     "Solution": "freebody.study.answering.solve",
     "Answer": "freebody.study.answering.answer",
-    "Conservation": "freebody.study.conservation.verdicts",
+    "Conservation": "freebody.study.conservation.conservation",
     "conserved": "freebody.study.conservation.conserved",
     "Mobility": "freebody.study.mobility.mobility",
     "mobility": "freebody.study.mobility.mobility",
