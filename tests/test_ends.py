@@ -369,11 +369,11 @@ def test_a_million_sheets_are_refused(model: Path) -> None:
 
 
 def test_a_simulation_shows_no_bar_where_there_is_no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
-    from freebody.present import simulation
+    from freebody.present import progress_bar
 
     stream = io.StringIO()
     monkeypatch.setattr(sys, "stderr", stream)
-    monkeypatch.setattr(simulation, "PATIENCE", -1.0)
-    with simulation.progress_bar(1.0) as update:
+    monkeypatch.setattr(progress_bar, "PATIENCE", -1.0)
+    with progress_bar.progress_bar(1.0) as update:
         update(0.5, 10)
     assert stream.getvalue() == ""
