@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import freebody as fb
 from examples_told import explained
 from freebody import System
 from freebody.errors import InputError, RoutesDisagree
@@ -212,3 +214,22 @@ def test_freedoms_are_confirmed_by_the_rank_and_not_by_the_formulas_alone(monkey
     monkeypatch.setattr("freebody.narrative.opening.rank_freedom", lambda _setup: 2)
     with pytest.raises(RoutesDisagree, match="rank leaves 2"):
         explain(load("atwood_machine"), "acceleration")
+
+
+def test_an_equilibrium_that_exists_for_some_parameters_only_is_derived() -> None:
+    """cos(theta) = (L + sqrt(L^2 + 128 R^2))/(16 R) for a rod over the rim of a bowl: no angle where L > 4 R."""
+    text = """
+parameters: {m: 2 kg, L: 1.2 m, R: 0.5 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}, near: {at: {start: [-0.4, -0.3]}}}}
+ground: {points: {O: [0, 0], rim: [R, 0]}}
+connections:
+  bowl: {link: {first: ground.O, second: rod.start, length: R}}
+  edge: {slot: {pin: ground.rim, along: rod.x, on: rod}}
+loads: {w: {gravity: g}}
+measures: {th: angle of rod}
+start: {th: 20 deg}
+questions: [equilibrium of th]
+"""
+    (derivation,) = fb.System.from_text(text).explain().derivations
+    assert not derivation.reason
+    assert derivation.answer.value == pytest.approx(math.acos((1.2 + math.sqrt(1.44 + 32)) / 8))

@@ -108,7 +108,7 @@ class World(SymbolValues):
             return False
         try:
             _ = self[name]
-        except (KeyError, CannotAnswer):
+        except KeyError:  # a symbol that has a meaning, but no value at this draw, raises CannotAnswer
             return False
         return True
 
