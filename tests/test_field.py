@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freebody.language.expression import Call, Symbol, evaluate
+from freebody.symbolic.angle_factors import factors_of
 from freebody.symbolic.field import Generator, Ratio
 from freebody.symbolic.functions import cos_sin, functions
 from freebody.symbolic.signed_field import SignedField
@@ -252,3 +253,14 @@ def test_a_term_with_a_sine_of_zero_is_small_beside_its_size_and_a_product_of_sm
     assert abs(value) < 1e-13 * size
     value, size = f.numerator_and_size(length * pairs[1][1] * pairs[2][1], values)
     assert value == pytest.approx(size, rel=1e-12)
+
+
+def test_factors_hidden_by_the_normal_form_are_found_in_the_homogeneous_one() -> None:
+    f = SignedField()
+    mu = f.parameter("mu", positive=True)
+    c, s = cos_sin(f, f.generator(Generator(Symbol("theta"), "coordinate")))
+    product = c * (mu * c + s) * (mu * c + 2 * s)
+    unit, factors = factors_of(f, product.num)
+    assert unit == 1
+    assert {base for base, _exponent in factors} == {c, mu * c + s, mu * c + 2 * s}
+    assert factors_of(f, (4 - 4 * c * c).num) == (4, [(s, 2)])

@@ -33,31 +33,12 @@ def open_parts(x: Ratio) -> list[Ratio]:
 
 def factors_of(field: Field, poly: Poly) -> tuple[int, list[tuple[Ratio, int]]]:
     """As `Field.factor`, of the homogeneous form where there is one."""
-    poly = field.current(poly)
     pairs = field.pairs(field.used(poly))
-    whole = None if len(pairs) != 1 else _homogeneous(field, poly, pairs[0])
-    unit, factors = field.factor(poly if whole is None else whole)
+    whole = field.homogeneous(poly, pairs[0]) if len(pairs) == 1 else None
     if whole is None:
-        return unit, factors
-    return unit, [(field.quotient(base.num, None), exponent) for base, exponent in factors]
-
-
-def _homogeneous(field: Field, poly: Poly, pair: tuple[int, int]) -> Poly | None:
-    """The polynomial with all terms of one degree in cosine and sine; None where odd and even degrees mix."""
-    parts = {
-        (i, j): rest
-        for i, by_cos in enumerate(field.split(poly, pair[0]))
-        for j, rest in enumerate(field.split(by_cos, pair[1]))
-        if rest != 0
-    }
-    if not parts or len({(i + j) % 2 for i, j in parts}) != 1:
-        return None
-    degree = max(i + j for i, j in parts)
-    c, s = (field.current(field.variable(k).num) for k in pair)
-    total: Poly = 0
-    for (i, j), rest in parts.items():
-        total = total + rest * c**i * s**j * (c * c + s * s) ** ((degree - i - j) // 2)
-    return total
+        return field.factor(poly)
+    unit, factors = field.irreducible(whole)
+    return unit, [(field.quotient(base, None), exponent) for base, exponent in factors]
 
 
 def _sign(base: Ratio) -> Sign:
