@@ -208,3 +208,17 @@ def test_follower_force_has_no_potential_energy() -> None:
 def test_relaxed_spring_stores_no_energy(agrees: Agree) -> None:
     system = fb.System.from_text(CLOSED["spring on a rail"][1])
     agrees(fb.solve(system, "potential energy"), "q1", "k*(x - l)**2/2")
+
+
+def test_a_spring_of_no_length_has_a_force_over_time() -> None:
+    """k r, the size of both components, through the anchor and back: from rest at r0, k r0 |cos(sqrt(k/m) t)|."""
+    text = """
+bodies: {ball: {particle: {mass: 1 kg}}}
+connections: {rail: {slider: {body: ball, along: 30 deg, through: ground.O}}}
+ground: {points: {O: [0, 0]}}
+loads: {it: {spring: {first: ground.O, second: ball, stiffness: 4 N/m, length: 0}}}
+measures: {r: {travel of ball along 30 deg from ground.O}}
+start: {r: 0.5 m, rate(r): 0}
+"""
+    dataset = fb.System.from_text(text).simulate(2.0).dataset
+    assert dataset["it.force"].values == pytest.approx(2.0 * np.abs(np.cos(2.0 * dataset["time"].values)), abs=1e-6)

@@ -9,7 +9,7 @@ none.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
@@ -39,8 +39,11 @@ S_co = TypeVar("S_co", covariant=True)
 class Loaded(Protocol):
     """A load, as far as quantities read it."""
 
-    pulling_sign: ClassVar[int]
     stores_energy: ClassVar[bool]
+
+    def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+        """The force or torque that people ask for; None where there is no single one."""
+        ...
 
 
 class Described(Protocol):

@@ -149,13 +149,16 @@ def reaction_names(rows: Sequence[ConstraintRow]) -> list[str]:
 def series_names(system: System) -> list[str]:
     """What a dataset of the system has over time alone: measures, reactions, loads and energies."""
     of_measures = [f"{name}{suffix}" for name in system.measures for suffix in ("", "_rate", "_acceleration")]
-    of_loads = [f"{push.load}.force" for push in _single(system)]
+    of_loads = [f"{load}.force" for load in _with_force(system)]
     return [*of_measures, *reaction_names(system.rows), *of_loads, "kinetic_energy", "potential_energy", "work"]
 
 
-def _single(system: System) -> list[AppliedLoad]:
-    """Loads that act along one measure."""
-    return [p for p in system.pushes if sum(p.load == other.load for other in system.pushes) == 1]
+def _with_force(system: System) -> dict[str, list[AppliedLoad]]:
+    """Loads that have one force, whatever it acts along, and what they push; a weight on several bodies has none."""
+    own: dict[str, list[AppliedLoad]] = {}
+    for push in system.pushes:
+        own.setdefault(push.load, []).append(push)
+    return {load: p for load, p in own.items() if system.loads[load].pulls_with([0.0] * len(p), float) is not None}
 
 
 def _reactions(result: MeasuredMotion) -> dict[str, Any]:
@@ -175,17 +178,18 @@ def _reactions(result: MeasuredMotion) -> dict[str, Any]:
 
 
 def _loads(result: MeasuredMotion) -> dict[str, Any]:
-    """Loads that act along one measure, by their laws."""
+    """Loads that have one force, by their laws."""
     system = result.system
-    single = _single(system)
-    measures = {f"{p.name}@": p.measure for p in single}
-    measures |= {name: m for p in single for name, m in p.measures}
+    with_force = _with_force(system)
+    pushes = [p for own in with_force.values() for p in own]
+    measures = {f"{p.name}@": p.measure for p in pushes}
+    measures |= {name: m for p in pushes for name, m in p.measures}
     found = observed(result, measures)
     data: dict[str, Any] = {}
-    for push in single:
-        law = system.loads[push.load].pulling_sign * _law(result, push, found)
-        unit = "N m" if push.measure.dimension == DIMENSIONLESS else "N"
-        data[f"{push.load}.force"] = ("time", law, _named(unit, f"force of {push.load}"))
+    for load, own in with_force.items():
+        force = system.loads[load].pulls_with([_law(result, p, found) for p in own], np.sqrt)
+        unit = "N m" if own[0].measure.dimension == DIMENSIONLESS else "N"
+        data[f"{load}.force"] = ("time", force, _named(unit, f"force of {load}"))
     return data
 
 
