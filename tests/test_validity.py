@@ -226,3 +226,27 @@ def test_an_equilibrium_holds_where_the_springs_are_on_the_sides_that_it_takes()
             held = [eval(c.expression, {}, numbers) for c in answer.conditions if isinstance(c, Stated)]
             assert held
             assert all(held) is inside, conditions
+
+
+def test_an_equilibrium_beyond_a_sign_that_was_taken_is_none_and_has_no_frequency() -> None:
+    """Spring k (x + 2 m) against M g: y = M g/k - 1/2 m, above the edge for a light weight, where the string pulls
+    the other way: then nothing is at rest, and no number stands for a frequency."""
+    text = """
+parameters: {m: 2 kg, M: 3 kg, k: 80 N/m, g: 9.81 m/s^2}
+ground: {points: {edge: [0, 0], W: [-2 m, 0]}}
+bodies: {block: {particle: {mass: m}, at: [-1 m, 0]}, hanger: {particle: {mass: M}, at: [0, -0.5 m]}}
+connections:
+  table: {slider: {body: block, along: right, through: ground.edge}}
+  shaft: {slider: {body: hanger, along: down, through: ground.edge}}
+  cord: {string: {from: block, over: [ground.edge], to: hanger}}
+loads: {weight: {gravity: g}, pull: {spring: {first: ground.W, second: block, stiffness: k, length: 0}}}
+measures: {y: drop of hanger below ground.edge}
+questions: [equilibrium of y, natural frequency]
+"""
+    for answer in fb.System.from_text(text).solve().answers:
+        assert answer.expression is None
+        assert answer.value is None
+        assert "none at the model's own values: that needs 2·M·g > k" in answer.reason
+    rest, frequency = fb.System.from_text(text.replace("M: 3 kg", "M: 6 kg")).solve().answers
+    assert rest.value == pytest.approx(6 * 9.81 / 80 - 0.5)
+    assert frequency.value == pytest.approx(math.sqrt(80 / 8))

@@ -190,7 +190,7 @@ class QuestionSolver:
     def _small(self, q: SmallOscillations) -> Finding:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
-        conditions = self._at_rest(found.rest)
+        resting, swings = self._at_rest(found.rest), list[Condition]()
         for square in found.squares:
             if square.is_zero() and q.what == "frequencies":
                 continue  # it moves on evenly
@@ -198,7 +198,7 @@ class QuestionSolver:
             if not possible:
                 raise CannotAnswer(further(*found.notes, Message("there is no oscillation about it: it is unstable")))
             if condition is not None:
-                conditions.append(condition)
+                swings.append(condition)
         if q.what != "frequencies" and len(found.squares) != 1:
             raise CannotAnswer(
                 Message("there are {n} natural frequencies; ask for natural frequencies", n=len(found.squares))
@@ -210,9 +210,9 @@ class QuestionSolver:
             roots = [f.sqrt(s, self.model.samples.is_negative) for s in found.squares]
             element = roots[0] if len(roots) == 1 else tuple(roots)
         evidence = proof.small_oscillations(
-            self.setup, self.question.text, element, found.equilibrium, conditions, period=is_period
+            self.setup, self.question.text, element, found.equilibrium, resting, swings, period=is_period
         )
-        return Finding(element, evidence, conditions, list(found.notes))
+        return Finding(element, evidence, [*resting, *swings], list(found.notes))
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:

@@ -41,6 +41,7 @@ from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 
+AT_REST = 1e-7  # [SI] that an acceleration may differ from zero at an equilibrium
 N_PANELS = 16
 LONGEST = 60.0  # [s] that an event is waited for
 _STEPS = 20_000  # of a motion in which contacts change
@@ -92,7 +93,10 @@ def _small_number(
     """Natural frequencies, or the one period, about the equilibrium that formulas give, else the one nearest to the
     start. Raises CannotAnswer where there is none, where it is not stable, or where there are several periods."""
     try:
-        q, v = resting(draw, places_at(setup, find_equilibrium(setup.model, setup.start).values, draw))
+        places = places_at(setup, find_equilibrium(setup.model, setup.start).values, draw)
+        q, v = resting(draw, places)
+        if unrest(draw, places, q, v) > AT_REST:  # the formula takes something to be positive that is not so there
+            raise CannotAnswer(Message("this is no equilibrium"))
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
         v = np.zeros_like(q)
@@ -112,6 +116,14 @@ def resting(draw: Draw, places: Sequence[tuple[Measure, float]]) -> tuple[Array,
     """The pose in which measures have values, and the velocities of what is driven, all else at rest beside it."""
     q = draw.reference.pose_near(draw.q, places)
     return q, draw.reference.velocities(q, [(measure, 0.0) for measure, _value in places], with_start=False)
+
+
+def unrest(draw: Draw, places: Sequence[tuple[Measure, float]], q: Array, v: Array) -> float:
+    """The largest acceleration of the full system at rest; beside what is driven, that of the measures alone."""
+    still = draw.seen(draw.reference.snapshot(q, v))
+    if v.any():
+        return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
+    return float(np.abs(still.accelerations).max(initial=0.0))
 
 
 def frequencies_about(draw: Draw, q: Array, v: Array) -> Array:
