@@ -23,6 +23,7 @@ from freebody.numeric.engine import search
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.numeric.engine.integrators import integrators
 from freebody.numeric.options import SimulationOptions
 from freebody.study.simulation.simulator import Simulator
 
@@ -60,7 +61,7 @@ measures:
 start: {theta: 0.1 rad, rate(theta): 1 rad/s}
 """
 EXAMPLES = Path(__file__).parents[1] / "examples"
-METHODS = ["dop853", "dopri5", "radau5", "rk4"]
+METHODS = integrators()
 
 
 @cache

@@ -6,6 +6,7 @@ import itertools
 import json
 import math
 import re
+import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +16,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import freebody as fb
+from command import freebody
+from freebody.numeric.engine import integrators as folder_of_integrators
 from freebody.numeric.engine.course import Status
+from freebody.numeric.engine.integrators import integrator, integrators
 from freebody.numeric.spatial import gyroscopic
 from freebody.testing.conformance import order_of
 from mechanisms import ladder
@@ -112,14 +116,50 @@ def test_the_run_that_verifies_follows_the_same_laws_more_finely() -> None:
 
 
 # -- accuracy ---------------------------------------------------------------------------------
-@pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("dopri5", 5), ("dop853", 8), ("radau5", 5)])
-def test_a_method_converges_with_its_order(method: str, order: int) -> None:
-    if method == "radau5":  # its equations are solved as exactly as the tolerance says, so that is what varies
+@pytest.mark.parametrize("method", integrators())
+def test_a_method_converges_with_its_order(method: str) -> None:
+    chosen = integrator(method)
+    if chosen.steps is not None:  # its equations are solved as exactly as the tolerance says, so that is what varies
         found = order_of(method, A01, (1e-5, 1e-9), by_tolerance=True)
     else:
-        h = {"rk4": 0.02, "dopri5": 0.05, "dop853": 0.125}[method]
+        h = {8: 0.125, 5: 0.05}.get(chosen.order, 0.02)
         found = order_of(method, A01, (h, h / 2))
-    assert found > order - 0.6
+    assert found > chosen.order - 0.6
+
+
+BOGACKI_SHAMPINE = '''"""Order 3 with an embedded formula of order 2. Source: Bogacki & Shampine 1989."""
+
+from freebody.numeric.engine.integrators.base import explicit
+
+INTEGRATOR = explicit(
+    3,
+    [{0: 1 / 2}, {1: 3 / 4}],
+    {0: 2 / 9, 1: 1 / 3, 2: 4 / 9},
+    error=[{0: -5 / 72, 1: 1 / 12, 2: 1 / 9, 3: -1 / 8}],
+)
+'''
+
+
+def test_a_new_method_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "bs23.py").write_text(BOGACKI_SHAMPINE, encoding="utf-8")
+    with pytest.raises(fb.InputError, match="there is no method bs23; take auto, dop853, dopri5, radau5, rk4, moreau"):
+        fb.SimulationOptions(method="bs23")
+    monkeypatch.setattr(folder_of_integrators, "__path__", [*folder_of_integrators.__path__, str(tmp_path)])
+    try:
+        assert "bs23" in integrators()
+        test_a_method_converges_with_its_order("bs23")
+        # free fall from 1 m: 2 h/g = t^2; three stages make a parabola exact
+        ball = "bodies: {b: {particle: {mass: 1 kg}, at: [0, 1 m]}}\nloads: {w: {gravity: 10 m/s^2}}\n"
+        fall = model(ball).simulate(1.0, events=["y of b = 0"], method="bs23")
+        assert fall.events[-1].time == pytest.approx(math.sqrt(0.2), rel=1e-12)
+        assert "bs23" in fall.to_html()
+        with pytest.raises(fb.InputError, match="is for the methods rk4 and moreau; bs23 chooses its steps"):
+            fb.SimulationOptions(method="bs23", step=0.1)
+        pendulum = str(ROOT / "examples" / "simple_pendulum.yaml")
+        done = freebody("simulate", pendulum, "--until", "0.1", "--method", "bs23", "--json")
+        assert json.loads(done.stdout)["method"] == "bs23"
+    finally:
+        sys.modules.pop(f"{folder_of_integrators.__name__}.bs23", None)
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -27,7 +27,7 @@ from freebody.numeric.engine import stepping
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import Observer
-from freebody.numeric.engine.implicit import Slopes
+from freebody.numeric.engine.integrators.radau5 import Slopes
 from freebody.numeric.numbers import Numbers
 from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference

@@ -7,13 +7,22 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from freebody.errors import InputError
-from freebody.numeric.engine.tableaus import METHODS
+from freebody.numeric.engine.integrators import integrator, integrators
 
 MOST_STEPS = 10_000_000
 MOST_OUTPUTS = 2_000_000
 STEPPING = "moreau"
 FINEST, COARSEST = 1e-14, 1e-1  # tolerances
-WITH_STEP = ("rk4", STEPPING)  # methods that do not choose their steps
+
+
+def methods() -> tuple[str, ...]:
+    """By which a motion can be followed."""
+    return "auto", *integrators(), STEPPING
+
+
+def has_step(method: str) -> bool:
+    """Whether a method takes the step that it is given, and does not choose its own."""
+    return method == STEPPING or (method != "auto" and not integrator(method).is_adaptive)
 
 
 class Law(Enum):
@@ -29,13 +38,13 @@ class SimulationOptions:
     """How a motion is followed, how often it is looked at, and when it is given up.
 
     tolerance: error allowed in a step, relative to the size of the system. method: "auto" (an explicit method of order
-    8, an implicit one where the motion is stiff), one of `METHODS`, or "moreau": time stepping for many contacts and
-    dry friction, of first order in the `step`, which does not locate events. step: of a method without error control
-    [s]. every: distance of output times [s], a thousandth of the whole if nothing is said. max_step: no step is longer
-    [s]. max_steps: the motion ends after so many steps, on every computer at the same place; max_seconds: after so long
-    by the clock [s], compiling not counted. impact: the law of impact, "newton", "poisson" or "keller". jams: where no
-    contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a hundred
-    times as exact, tells from when on they part.
+    8, an implicit one where the motion is stiff), one of `integrators()`, or "moreau": time stepping for many contacts
+    and dry friction, of first order in the `step`, which does not locate events. step: of a method without error
+    control [s]. every: distance of output times [s], a thousandth of the whole if nothing is said. max_step: no step is
+    longer [s]. max_steps: the motion ends after so many steps, on every computer at the same place; max_seconds: after
+    so long by the clock [s], compiling not counted. impact: the law of impact, "newton", "poisson" or "keller". jams:
+    where no contact force is consistent (Painleve), go on with an impulse that ends the slip. verify: a second run, a
+    hundred times as exact, tells from when on they part.
 
     Raises InputError for values without sense."""
 
@@ -53,8 +62,8 @@ class SimulationOptions:
     def __post_init__(self) -> None:
         if not 0.0 < self.tolerance <= COARSEST:
             raise InputError(f"the tolerance must be between {FINEST:g} and {COARSEST:g}, not {self.tolerance:g}")
-        if self.method not in ("auto", STEPPING, *METHODS):
-            raise InputError(f"there is no method {self.method}; take auto, {', '.join(METHODS)}, {STEPPING}")
+        if self.method not in methods():
+            raise InputError(f"there is no method {self.method}; take {', '.join(methods())}")
         if self.by_steps and self.step is None:
             raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
         if self.max_steps < 1:
@@ -63,10 +72,10 @@ class SimulationOptions:
             value: float | None = getattr(self, name)
             if value is not None and not value > 0.0:
                 raise InputError(f"{name} must be positive, not {value:g} s")
-        if self.step is not None and self.method not in WITH_STEP:
+        if self.step is not None and not has_step(self.method):
             raise InputError(
-                f"a step of {self.step:g} s is for the methods {' and '.join(WITH_STEP)}; {self.method} chooses its "
-                "steps by the tolerance"
+                f"a step of {self.step:g} s is for the methods {' and '.join(filter(has_step, methods()))}; "
+                f"{self.method} chooses its steps by the tolerance"
             )
         if self.impact not in (law.value for law in Law):
             raise InputError(f"there is no law of impact {self.impact}; take {', '.join(law.value for law in Law)}")
@@ -90,9 +99,9 @@ class SimulationOptions:
 
     @property
     def finer(self) -> SimulationOptions:
-        """The same motion a hundred times as exact: by the tolerance, or by the step of rk4, whose error goes with its
-        fourth power. It is not given up early."""
-        step = None if self.step is None else self.step / 100.0**0.25
+        """The same motion a hundred times as exact: by the tolerance, or by the step, with whose power the error of a
+        method goes. It is not given up early."""
+        step = None if self.step is None else self.step / 100.0 ** (1.0 / integrator(self.method).order)
         unlimited = replace(self, max_seconds=math.inf, max_steps=MOST_STEPS, verify=False)
         return replace(unlimited, tolerance=self.tolerance / 100.0, step=step)
 

@@ -22,9 +22,9 @@ import numpy as np
 from freebody.api import System
 from freebody.connections.base import Connection
 from freebody.loads.base import Load
-from freebody.numeric.engine.tableaus import METHODS
+from freebody.numeric.engine.integrators import integrators
 from freebody.numeric.jets import Array
-from freebody.numeric.options import WITH_STEP
+from freebody.numeric.options import has_step
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot, snapshot_of
 from freebody.numeric.trajectory import integrate
@@ -344,7 +344,7 @@ def order_of(
     """The order at which a method converges on a smooth motion: the slope of the logarithm of the error of the poses at
     the end over that of the number of steps, between two lengths of step [s], or two tolerances where a method chooses
     its steps `by_tolerance`."""
-    assert method in METHODS, f"there is no method {method}; there are {', '.join(METHODS)}"
+    assert method in integrators(), f"there is no method {method}; there are {', '.join(integrators())}"
     simulator = Simulator(system)
     exact = simulator.run(until, tolerance=1e-13).poses[-1]
     found: list[tuple[float, int]] = []
@@ -352,7 +352,7 @@ def order_of(
         if by_tolerance:
             course = simulator.run(until, tolerance=size, method=method)
         else:
-            own: dict[str, Any] = {"step": size} if method in WITH_STEP else {"first_step": size}
+            own: dict[str, Any] = {"step": size} if has_step(method) else {"first_step": size}
             course = simulator.run(until, tolerance=1e-2, method=method, max_step=size, **own)
         found.append((float(np.abs(course.poses[-1] - exact).max()), course.n_steps))
     (first, n_first), (second, n_second) = found

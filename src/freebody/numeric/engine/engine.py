@@ -10,10 +10,10 @@ from freebody.numeric.engine import enclosures, stepping
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.evaluator import Evaluator
 from freebody.numeric.engine.following import follow
+from freebody.numeric.engine.integrators import dop853
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.motion import Progress, RunningMotion
 from freebody.numeric.engine.patrol import Guarding
-from freebody.numeric.engine.tableaus import DOP853
 from freebody.numeric.options import SimulationOptions
 
 
@@ -23,7 +23,7 @@ class Engine(Evaluator):
     def compile(self, *, is_guarded: bool = False) -> None:
         """Compiles what a motion needs, if that has not been done before: that is no part of its time."""
         idle = self.idle
-        stepping.advance(self.layout, self.room, DOP853, idle, 0)
+        stepping.advance(self.layout, self.room, dop853.INTEGRATOR.tableau, idle, 0)
         if is_guarded:
             tables = [np.zeros((0, len(self.layout.guard))) for _ in range(3)]
             stepping.patrol(self.layout, self.room, idle, np.zeros(0), 0.0, idle.states[0], *tables)

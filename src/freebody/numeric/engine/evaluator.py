@@ -17,13 +17,14 @@ from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.border import border_of
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.engine.guard_programs import GuardPrograms
+from freebody.numeric.engine.integrators import dop853
 from freebody.numeric.engine.jit import plain
 from freebody.numeric.engine.layout import Floats, ModelArrays, room_for
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.observing import observe
 from freebody.numeric.engine.packing import Packing
 from freebody.numeric.engine.stepping import SteppedRun
-from freebody.numeric.engine.tableaus import DOP853, Tableau
+from freebody.numeric.engine.tableaus import Tableau
 from freebody.numeric.engine.tape import play
 from freebody.numeric.engine.writing import ArrayBuilder, Guard
 from freebody.numeric.numbers import Numbers
@@ -291,7 +292,7 @@ class Evaluator(Packed):
     @property
     def idle(self) -> SteppedRun:
         """A run that is not under way, for looking at single states."""
-        return self.new_run(np.zeros(self.n_y), DOP853, np.zeros(0))
+        return self.new_run(np.zeros(self.n_y), dop853.INTEGRATOR.tableau, np.zeros(0))
 
     def jacobian(self) -> Floats:
         """(n_held, n_bodies + 1, 3), in space (n_held, n_bodies + 1, 6), gradients of the held rows, in the order of

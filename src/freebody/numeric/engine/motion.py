@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,19 +16,16 @@ from freebody.numeric.engine.counting import Counting, bearings_at
 from freebody.numeric.engine.course import NO_TRACKS, Event, Status, Trajectory
 from freebody.numeric.engine.evaluator import Evaluator
 from freebody.numeric.engine.events import found_in_step
-from freebody.numeric.engine.implicit import Implicit
+from freebody.numeric.engine.integrators import integrator
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 from freebody.numeric.engine.patrol import Guarding, GuardMonitor, Violation
-from freebody.numeric.engine.tableaus import METHODS
 from freebody.numeric.engine.trouble import diagnosed
 from freebody.numeric.engine.underway import MotionUnderWay
 from freebody.numeric.options import SimulationOptions
 
-if TYPE_CHECKING:
-    pass
-
 CHUNK = 0.1  # seconds between looks at the clock and the keyboard
+EXPLICIT, STIFF = "dop853", "radau5"  # what "auto" begins with, and goes on with where a motion is stiff
 Progress = Callable[[float, int], None]
 
 
@@ -54,17 +51,17 @@ class RunningMotion(MotionUnderWay):
         outputs: Floats,
     ) -> None:
         is_automatic = options.method == "auto"
-        method = "dop853" if is_automatic else options.method
-        tableau = METHODS[method]
+        method = EXPLICIT if is_automatic else options.method
+        chosen = integrator(method)
+        tableau = chosen.tableau
         super().__init__(engine, tableau, engine.new_run(y, tableau, outputs), until)
-        self.options, self.is_automatic, self.method = options, is_automatic, method
+        self.options, self.is_automatic, self.method, self.integrator = options, is_automatic, method, chosen
         self.start = start
         clock = self.run.clock
         clock[stepping.END], clock[stepping.TOLERANCE] = until, options.tolerance
         clock[stepping.LONGEST], clock[stepping.STEP] = options.longest, options.step or first_step
         self.run.count[stepping.IS_WATCHED] = int(bool(engine.watches) or engine.is_tracked)
         self.counting: Counting | None = None
-        self.implicit: Implicit | None = None
         self.patrol: GuardMonitor | None = None
         self.violation: Violation | None = None
 
@@ -82,8 +79,8 @@ class RunningMotion(MotionUnderWay):
             status, message = Status.UNREACHABLE, Message("the start does not hold what is held")
         else:
             size = 64
-            if self.method == "radau5":
-                self.implicit = self.solver = Implicit(self, float(clock[stepping.STEP]))
+            if self.integrator.steps is not None:
+                self.solver = self.integrator.steps(self, float(clock[stepping.STEP]))
             try:
                 while clock[stepping.NOW] < self.until:
                     is_late = time.perf_counter() - began > max_seconds
@@ -121,12 +118,14 @@ class RunningMotion(MotionUnderWay):
                         break
                     # a step that is looked at ends before stiffness is
                     is_stiff = result == stepping.LOOK and count[stepping.STIFF] >= stepping.STIFF_STEPS
-                    if result == stepping.STIFF_FOUND or (is_stiff and self.implicit is None):
+                    if result == stepping.STIFF_FOUND or (is_stiff and self.solver is None):
                         count[stepping.STIFF] = -1_000_000_000 if not self.is_automatic else 0
                         now = float(clock[stepping.NOW])
                         if self.is_automatic:
-                            self.implicit = self.solver = Implicit(self, 10.0 * float(clock[stepping.DONE_STEP]))
-                            self.method = "dop853, then radau5"
+                            steps = integrator(STIFF).steps
+                            assert steps is not None
+                            self.solver = steps(self, 10.0 * float(clock[stepping.DONE_STEP]))
+                            self.method = f"{EXPLICIT}, then {STIFF}"
                             note = Message("stiff from t = {t:.6g} s, where the method changed to radau5", t=now)
                         else:
                             note = Message("stiff from t = {t:.6g} s: radau5 takes fewer steps", t=now)
@@ -146,9 +145,9 @@ class RunningMotion(MotionUnderWay):
 
     def _advance(self, n: int) -> int:
         e = self.engine
-        if self.implicit is not None:
+        if self.solver is not None:
             for _ in range(min(n, 64)):
-                result = self.implicit.advance()
+                result = self.solver.advance()
                 if result != stepping.PAUSED:
                     return result
             return stepping.PAUSED
@@ -174,7 +173,7 @@ class RunningMotion(MotionUnderWay):
         fastest = float((np.abs(y[n : 2 * n]) / e.unit).max(initial=0.0))
         hardest = float((np.abs(run.slopes[0][n : 2 * n]) / e.unit).max(initial=0.0))
         rate = fastest + math.sqrt(hardest)
-        order, is_adaptive = int(self.tableau.sizes[2]), self.method != "rk4"
+        order, is_adaptive = int(self.tableau.sizes[2]), self.integrator.is_adaptive
         h = self.until - self.start
         if is_adaptive and rate > 0.0:
             h = min(h, 0.1 / rate * (clock[stepping.TOLERANCE] * 1e6) ** (1.0 / order))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Protocol
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from freebody.language.sentences import Message
 from freebody.numeric.engine import dynamics, stepping
 from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.evaluator import EngineWatch, Evaluator
+from freebody.numeric.engine.integrators.base import OwnSteps
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.engine.measures_planar import NEAR
 from freebody.numeric.engine.search import ProgramSearch
@@ -18,20 +18,12 @@ from freebody.numeric.engine.stepping import SteppedRun
 from freebody.numeric.engine.tableaus import Tableau
 
 
-class StepSolver(Protocol):
-    """A method that takes its steps in Python."""
-
-    def state_after(self, h: float) -> Floats | None:
-        """The state a time h after where the last step began; None if there is none."""
-        ...
-
-
 class MotionUnderWay:
     """The steps of one run."""
 
     def __init__(self, engine: Evaluator, tableau: Tableau, run: SteppedRun, until: float) -> None:
         self.engine, self.tableau, self.run, self.until = engine, tableau, run, until
-        self.solver: StepSolver | None = None
+        self.solver: OwnSteps | None = None
         self.searches: list[ProgramSearch] = []  # of what is watched
         self.notes: list[Message] = []
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events

@@ -1,4 +1,4 @@
-"""Implicit steps for stiff motions: Radau IIA of order 5, by SciPy, with projection after each step.
+"""Radau IIA of order 5, implicit, for stiff motions: by SciPy, with projection after each step.
 
 Newton's method needs the derivatives of the accelerations. Those that make a motion stiff, of the loads, are analytic:
 with N = 1 - M^-1 J^T (J M^-1 J^T)^+ J and the slopes of each law,
@@ -19,6 +19,8 @@ import numpy as np
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, differentiate, evaluate
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.engine import dynamics, stepping
+from freebody.numeric.engine.integrators import rk4
+from freebody.numeric.engine.integrators.base import Integrator
 from freebody.numeric.engine.layout import Floats, ModelArrays
 from freebody.numeric.engine.measures_planar import BEARING, NEAR
 
@@ -223,3 +225,6 @@ def _frozen(layout: ModelArrays, laws: list[float]) -> ModelArrays:
     push[:, 1] = -1
     law[:, 0] = laws
     return layout._replace(push=push, push_law=law)
+
+
+INTEGRATOR = Integrator(5, rk4.INTEGRATOR.tableau, Implicit)
