@@ -202,7 +202,11 @@ def sample(language: str = "en") -> Report:
         ),
         Section(text("Names"), (Paragraph(text(HOSTILE, " ", Emphasis(HOSTILE, "code"), " ä ß é μ² 30° √2 − ≥")),)),
     )
-    words = {"hint": "Hinweis", "show the step": "Schritt zeigen", "figure": "Bild"} if language == "de" else {}
+    words = (
+        {"hint": "Hinweis", "show the step": "Schritt zeigen", "figure": "Bild", "babel": "ngerman"}
+        if language == "de"
+        else {}
+    )
     return Report("A disk rolls down a slope", language, "Worked solution of disk.yaml", blocks, words)
 
 

@@ -12,7 +12,9 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from command import freebody
 from examples_told import EXAMPLES, FOLDER, solved
+from freebody.narrative import words
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import ExerciseStatement
 from freebody.narrative.telling.catalogue import Catalogue
@@ -185,3 +187,55 @@ def test_an_exercise_is_set_in_german() -> None:
     text = terminal_text(Report("Aufgabe", "de", "", blocks, {}))
     assert "Tiefe von left unter ground.axle" in text
     assert "drop of" not in text
+
+
+# -- a language of one's own ------------------------------------------------------------------
+FRENCH = """
+[list]
+and = " et "
+
+[report]
+babel = "french"
+worked_solution = "Solution détaillée"
+
+[stage]
+result = "Résultat"
+
+[message]
+"the system has no contact, no stop and no dry friction: its motion has one phase" = "une seule phase"
+
+[phrase]
+"acceleration of {p:name} along {d:along}" = "accélération de {p} {d}"
+
+[phrase.along]
+"down" = "vers le bas"
+"""
+
+
+def test_a_new_language_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "fr.toml").write_text(FRENCH, encoding="utf-8")
+    system = fb.System.load(FOLDER / "atwood_machine.yaml")
+    with pytest.raises(fb.InputError, match="there are no words for the language fr"):
+        system.explain("acceleration", language="fr")
+    monkeypatch.setattr(words, "__path__", [*words.__path__, str(tmp_path)])
+    assert words.languages() == ("de", "en", "fr")
+    explained = system.explain("acceleration", language="fr")
+    assert explained.is_complete
+    text, page = explained.to_text(), explained.to_html()
+    assert "Solution détaillée" in text
+    assert "Résultat" in text
+    assert "Degrees of freedom" in text  # what it lacks is said in English
+    assert 'lang="fr"' in page
+    (latex, *_pictures) = explained.write(tmp_path / "a.tex")
+    assert "french" in latex.read_text(encoding="utf-8").partition(r"\begin{document}")[0]
+    french = Catalogue("fr")
+    assert french.said("acceleration of left along down") == "accélération de left vers le bas"
+    with pytest.raises(fb.CannotAnswer) as refused:
+        fb.System.from_text("bodies: {p: {particle: {mass: 1 kg}}}").phases()
+    assert french.said(refused.value.args[0]) == "une seule phase"
+    done = freebody("sheet", "examples/atwood_machine.yaml", "-o", str(tmp_path / "s.html"), "--language", "fr")
+    assert done.returncode == 0, done.stderr
+    assert 'lang="fr"' in (tmp_path / "s.html").read_text(encoding="utf-8")
+    # what users are told comes from the list of files
+    done = freebody("explain", "examples/atwood_machine.yaml", "--language", "fra")
+    assert "Did you mean fr?" in done.stderr

@@ -7,11 +7,14 @@ from typing import Annotated
 
 import typer
 
+from freebody.narrative.words import languages
+
 ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
 ReportFile = Annotated[
     Path | None, typer.Option("-o", "--out", help="Write a report: .html, .md, .tex, .pdf, .ipynb or .txt.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document.")]
+Language = Annotated[str, typer.Option("--language", help=f"{' or '.join(reversed(languages()))}.")]
 
 
 def _raise_effort(factor: float) -> float:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from freebody.cli.options import Effort, Json, ModelFile, ReportFile, load_engine
+from freebody.cli.options import Effort, Json, Language, ModelFile, ReportFile, load_engine
 from freebody.cli.output import check_out, print_result, print_written
 
 
@@ -47,7 +47,7 @@ def explain(
     compare: Annotated[
         str | None, typer.Option("--compare", metavar="METHOD", help="A second method beside the first.")
     ] = None,
-    language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+    language: Language = "en",
     effort: Effort = 1.0,
 ) -> None:
     """Derive the answers step by step, with pictures."""
@@ -76,7 +76,7 @@ def sheet(
     solutions: Annotated[str, typer.Option("--solutions", help="none, end or inline.")] = "none",
     variants: Annotated[int, typer.Option("--variants", help="How many sheets, each with numbers of its own.")] = 1,
     seed: Annotated[int, typer.Option("--seed", help="The same seed gives the same sheets.")] = 0,
-    language: Annotated[str, typer.Option("--language", help="en or de.")] = "en",
+    language: Language = "en",
     effort: Effort = 1.0,
 ) -> None:
     """Write an exercise sheet of several models, with an answer key."""

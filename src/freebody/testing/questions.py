@@ -20,7 +20,8 @@ from freebody.language.expression import Symbol
 from freebody.language.notation import to_latex
 from freebody.narrative.explain import Explanation
 from freebody.narrative.sheets.asking import asking, headline
-from freebody.narrative.telling.catalogue import Catalogue, languages
+from freebody.narrative.telling.catalogue import Catalogue
+from freebody.narrative.words import languages
 from freebody.questions.base import FORMS, Quantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer

@@ -10,7 +10,7 @@ from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SOLUTIONS, SheetContent, Solutions
-from freebody.narrative.sheets.sheet_report import SheetWriter, report_words
+from freebody.narrative.sheets.sheet_report import SheetWriter
 from freebody.narrative.sheets.variants import Variant, as_given, variant_of
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Block, Report, Section
@@ -36,7 +36,7 @@ class Sheet(SheetContent):
             title = catalogue.tell(Sentence("sheet.variant", {"n": n}))
             blocks.append(Section(title, (table,)) if self.variants > 1 else table)
         title = catalogue.word("sheet.key_title")
-        return Report(title, catalogue.language, catalogue.word("sheet.sheet"), tuple(blocks), report_words(catalogue))
+        return Report(title, catalogue.language, catalogue.word("sheet.sheet"), tuple(blocks), catalogue.report_words)
 
     def write(self, path: str | Path) -> list[Path]:
         """Writes the sheet as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix, and the answer key beside it as

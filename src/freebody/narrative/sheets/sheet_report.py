@@ -26,13 +26,6 @@ from freebody.present.report.blocks import (
     equation_numbers,
 )
 
-_REPORT_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
-
-
-def report_words(catalogue: Catalogue) -> dict[str, str]:
-    """What the writers of reports say themselves, in the language of a catalogue."""
-    return {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _REPORT_WORDS}
-
 
 class SheetWriter:
     """Writes one variant."""
@@ -67,7 +60,7 @@ class SheetWriter:
         if sheet.solutions != "none":
             blocks.append(Section((catalogue.word("sheet.key_title"),), (key_table(catalogue, sheet.key(self.n)),)))
         return Report(
-            catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), report_words(catalogue)
+            catalogue.word("sheet.title"), catalogue.language, self._subtitle(), tuple(blocks), catalogue.report_words
         )
 
     def _subtitle(self) -> str:

@@ -1,17 +1,16 @@
 """What derivations say, in one language: sentences by key, with places for names, formulas and numbers.
 
-One file per language (`words/en.toml`); a key that a language lacks is said in English. A place {name} is filled with
-what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines}, {given}), a
-word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one member.
+One file per language (`words/en.toml`), or several; a key that a language lacks is said in English. A place {name} is
+filled with what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines},
+{given}), a word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one
+member.
 Sentences that the layers below hand over ready-made are looked up among the phrases of the language (`phrases.py`).
 """
 
 from __future__ import annotations
 
 import re
-import tomllib
 from functools import cache
-from importlib.resources import files
 from typing import Any, cast
 
 from freebody.errors import InputError
@@ -21,7 +20,9 @@ from freebody.language.sentences import Message
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
+from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Text
+from freebody.present.report.words import ENGLISH
 
 _REFERENCES = ("line", "lines", "given")
 _KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
@@ -29,14 +30,6 @@ _PLACE = re.compile(r"\{(\w+)\}")
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
 _EXPRESSIONS = (Number, Symbol, Sum, ProductOf, PowerOf, Call)
-
-
-def languages() -> tuple[str, ...]:
-    """The languages for which there is a file."""
-    found = [entry.name for entry in files("freebody.narrative.words").iterdir()]
-    return tuple(
-        sorted(name.removesuffix(".toml") for name in found if name.count(".") == 1 and name.endswith(".toml"))
-    )
 
 
 class Catalogue:
@@ -110,6 +103,11 @@ class Catalogue:
     def word(self, key: str) -> str:
         return self.template(key)
 
+    @property
+    def report_words(self) -> dict[str, str]:
+        """What the writers of reports say themselves."""
+        return {name: self.word(f"report.{name.replace(' ', '_')}") for name in ENGLISH}
+
     def said(self, text: str, place: str = "") -> str:
         """A ready-made sentence in this language; itself where there is no phrase for it. A single word is a name."""
         if place == "title":
@@ -174,11 +172,9 @@ def _is_single(sentence: Sentence) -> bool:
 @cache
 def _read(language: str) -> dict[str, str]:
     """All sentences of a language by dotted key."""
-    folder = files("freebody.narrative.words")
     found: dict[str, str] = {}
-    for entry in folder.iterdir():
-        if entry.name == f"{language}.toml" or (entry.name.startswith(f"{language}.") and entry.name.endswith(".toml")):
-            _flatten(tomllib.loads(entry.read_text("utf-8")), "", found)
+    for tables in tables_of(language):
+        _flatten(tables, "", found)
     return found
 
 

@@ -16,8 +16,6 @@ from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, 
 if TYPE_CHECKING:
     from freebody.system.system import System
 
-_WORDS = ("hint", "show the step", "show next", "show all", "equation", "figure", "contents", "right", "wrong")
-
 
 def report_of(explanation: WorkedSolutions) -> Report:
     """The report of an explanation, in its language."""
@@ -40,9 +38,10 @@ def report_of(explanation: WorkedSolutions) -> Report:
     for stage in explanation.opening:
         blocks.append(Section(catalogue.tell(stage.title), tuple(telling.blocks(stage.items))))
     blocks += [_section(system, catalogue, telling, d) for d in explanation.derivations]
-    words = {name: catalogue.word(f"report.{name.replace(' ', '_')}") for name in _WORDS}
     title = system.title or "freebody"
-    return Report(title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), words)
+    return Report(
+        title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), catalogue.report_words
+    )
 
 
 def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:

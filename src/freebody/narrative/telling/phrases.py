@@ -26,16 +26,15 @@ own is tried first. What no phrase fits stays as it is.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
-from importlib.resources import files
 from itertools import zip_longest
 from typing import Any, cast
 
 from freebody.language.notation import Stated
 from freebody.language.sentences import Message
+from freebody.narrative.words import tables_of
 
 GENERAL = ""
 TABLE = "phrase"  # of a file of words
@@ -177,15 +176,12 @@ class Phrases:
 @cache
 def phrases_of(language: str) -> Phrases:
     """The phrases of a language, from all of its files; none for the language in which they are handed over."""
-    folder = files("freebody.narrative.words")
     found: list[TextPattern] = []
     messages: dict[str, dict[str, str]] = {}
-    for entry in sorted(folder.iterdir(), key=lambda e: e.name):
-        if entry.name.partition(".")[0] == language and entry.name.endswith(".toml"):
-            tables = tomllib.loads(entry.read_text("utf-8"))
-            found += _flat(tables.get(TABLE, {}), GENERAL)
-            for p in _flat(tables.get(MESSAGES, {}), GENERAL):
-                messages.setdefault(p.kind, {})[p.english] = p.text
+    for tables in tables_of(language):
+        found += _flat(tables.get(TABLE, {}), GENERAL)
+        for p in _flat(tables.get(MESSAGES, {}), GENERAL):
+            messages.setdefault(p.kind, {})[p.english] = p.text
     return Phrases(tuple(found), messages)
 
 

@@ -14,6 +14,7 @@ ENGLISH = {
     "contents": "Contents",
     "right": "right",
     "wrong": "wrong",
+    "babel": "english",  # the name by which LaTeX knows the language
 }
 
 

@@ -24,12 +24,11 @@ from freebody.present.report.blocks import (
 from freebody.present.report.formulas.displayed import WRITER, Dialect, aligned_rows
 from freebody.present.report.formulas.rows import formula_width
 from freebody.present.report.latex_text import latex_words, math_words
-from freebody.present.report.words import capital
+from freebody.present.report.words import capital, word
 from freebody.present.report.writer import BlockWriter, ReportFormat
 from freebody.present.theme import PAGES, THEMES
 
 _ROW_WIDTH, _COLUMN_WIDTH = 72, 28  # characters of a displayed formula
-_BABEL = {"de": "ngerman", "en": "english"}
 _HEADINGS = {1: "section", 2: "section", 3: "subsection", 4: "subsubsection"}
 _LOOKS = {"code": r"\texttt{{{}}}", "strong": r"\textbf{{{}}}", "soft": r"{{\color{{frmuted}}{}}}"}
 _MARKS = {"": "", "right": r"\textcolor{frright}{$\checkmark$}", "wrong": r"\textcolor{frwrong}{$\times$}"}
@@ -45,7 +44,7 @@ PACKAGES = "amsmath, amssymb, textcomp, xcolor, graphicx, booktabs, array, tikz,
 
 def latex_document(report: Report) -> str:
     """The text of a .tex file."""
-    language = _BABEL.get(report.language.split("-")[0], "english")
+    language = word(report, "babel")
     light = THEMES["light"]
     named = {"ink": light.ink, "muted": light.muted, "faint": light.faint, "paper": light.paper, **_COLORS}
     defined = _defined("definecolor", named)
