@@ -90,3 +90,39 @@ questions: [natural frequency, equilibrium of x]
     agrees(solution, "q2", "(M*g*sin(theta) - Q/r)/k")
     for id in ("q1", "q2"):
         assert solution[id].conditions == ("M·r·μ·g·cos(θ) ≥ Q (touch does not slip)",)
+
+
+def test_an_equilibrium_beyond_a_stop_is_none(agrees: Agree) -> None:
+    """A pendulum that may not swing below an angle a does not rest at the bottom; a mass on a spring rests at x = 0 if
+    a stop at x = d lets it, and swings there if it has room on both sides."""
+    pendulum = """
+parameters: {m: 1 kg, L: 1 m, phi0: 60 deg, a: 10 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections:
+  rod: {link: {first: ground.origin, second: bob, length: L}}
+  stop: {stop: {measure: phi, min: LEAST}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.origin to bob from down}}
+start: {phi: phi0}
+questions: [equilibrium of phi, natural frequency]
+"""
+    beyond = fb.System.from_text(pendulum.replace("LEAST", "a")).solve()
+    assert [a.is_answered for a in beyond.answers] == [False, False]
+    assert "stop stays open" in beyond["q1"].reason
+    at_the_stop = fb.System.from_text(pendulum.replace("LEAST", "0")).solve()
+    agrees(at_the_stop, "q1", "0")
+    assert not at_the_stop["q2"].is_answered
+    spring = """
+parameters: {m: 2 kg, k: 50 N/m, d: {value: 0.1 m, sign: any}, b: 0.2 m}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}, stop: {stop: {measure: x, max: d}}}
+loads: {spring: {law: {measure: x, force: -k*x}}}
+measures: {x: x of block}
+start: {x: d - b}
+questions: [equilibrium of x, natural frequency]
+"""
+    swings = fb.System.from_text(spring).solve()
+    agrees(swings, "q1", "0")
+    agrees(swings, "q2", "sqrt(k/m)")
+    assert swings["q1"].conditions == ("d ≥ 0 (stop stays open)",)
+    assert swings["q2"].conditions == ("d > 0 (stop stays open)",)

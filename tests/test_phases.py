@@ -614,3 +614,22 @@ start: {x: 0, theta: a, rate(x): 0, rate(theta): 0}
     near = {"a": math.pi / 3, "b": math.pi / 6}
     assert_same_function(to_python(found["q1"].expression), rate, near)
     assert_same_function(to_python(found["q2"].expression), f"-m*L*cos(b)/(M + m)*({rate})", near)
+
+
+def test_the_force_of_a_table_that_is_driven_up_and_down_is_told_at_every_time(agrees_text: Agree) -> None:
+    """m (g + y'') with y = A sin(w t), while it is not negative."""
+    text = """
+parameters: {m: 1 kg, A: 0.05 m, w: 3 rad/s, g: 9.81 m/s^2}
+bodies: {table: {body: {mass: 1 kg, inertia: 1 kg m^2}, lines: {top: {along: right}}}, block: {particle: {mass: m}}}
+connections:
+  guide: {slider: {body: table, along: up}}
+  motor: {driver: {measure: y of table, follows: A*sin(w*t)}}
+  contact: {contact: {between: [block, table.top]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): 1 m/s}
+"""
+    solution = solved(text, "normal force of contact", "normal force of contact at start")
+    agrees_text(shown(solution), "m*(g - A*w**2*sin(w*t))")
+    agrees_text(shown(solution, 2), "m*g")
+    assert solution["q1"].value == pytest.approx(9.81)

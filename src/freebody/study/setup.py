@@ -174,6 +174,10 @@ class Setup:
         """Conditions under which dry friction that sticks does so."""
         return []
 
+    def clearances(self, state: SymbolicState, relation: str) -> list[Condition]:
+        """Conditions under which what is open is so: `>=` where it may touch, `>` where it needs room to move."""
+        return []
+
     @cached_property
     def closure(self) -> Closure:
         """The closed loops, solved for what they bind."""

@@ -163,6 +163,12 @@ class SymbolicModel:
         return len(self.coordinates)
 
     @property
+    def moving(self) -> set[int]:
+        """The generators that change along a motion: coordinates, speeds, the time and given functions of it."""
+        in_time = {g for g, generator in self.field.generators.items() if generator.kind == "time"}
+        return in_time | {g for c in (*self.coordinates, *self.dependent) for g in (c.index, c.speed)}
+
+    @property
     def loops(self) -> tuple[RowEquation, ...]:
         """Equations among the coordinates that remain: the closed loops."""
         return tuple(self._choice.chosen.elimination.loops)

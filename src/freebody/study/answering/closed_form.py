@@ -190,7 +190,7 @@ class QuestionSolver:
     def _small(self, q: SmallOscillations) -> Finding:
         found = small_oscillations(self.model, self.setup.start)
         f = self.model.field
-        resting, swings = self._at_rest(found.rest), list[Condition]()
+        resting, swings = self._at_rest(found.rest, ">"), list[Condition]()
         for square in found.squares:
             if square.is_zero() and q.what == "frequencies":
                 continue  # it moves on evenly
@@ -222,13 +222,15 @@ class QuestionSolver:
         evidence = proof.at_rest(self.setup, self.question.text, rest.values, x, conditions)
         return Finding(x, evidence, conditions, self._stability(rest))
 
-    def _at_rest(self, rest: ClosedFormRest) -> list[Condition]:
+    def _at_rest(self, rest: ClosedFormRest, clear: str = ">=") -> list[Condition]:
         """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
-        is to pull pulls, what is to touch presses."""
+        is to pull pulls, what is to touch presses, what is open does not reach beyond its limit; about an equilibrium
+        that is to swing it has room (clear: >)."""
         f = self.model.field
         still = {c.speed: f.zero for c in (*self.model.coordinates, *self.model.dependent)}
         state = SymbolicState(self.model, {**rest.values, **still})
-        return [*rest.exists, *self.setup.holding(state, with_contacts=bool(self.system.pushes))]
+        holding = self.setup.holding(state, with_contacts=bool(self.system.pushes))
+        return [*rest.exists, *holding, *self.setup.clearances(state, clear)]
 
     def _stability(self, rest: ClosedFormRest) -> list[str]:
         """What is to be said of it, with the condition where there is one."""

@@ -24,7 +24,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.loads import Power
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.small_motion import SmallOscillations
-from freebody.study.answering.crosscheck import as_parts, element_at
+from freebody.study.answering.crosscheck import as_parts, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.witness import TOLERANCE, motion_to
@@ -100,6 +100,9 @@ def _small_number(
     except CannotAnswer:
         q = nearest_equilibrium(setup.system)[0].q
         v = np.zeros_like(q)
+    there = draw.reference.snapshot(q, v)
+    if not all(holds(setup, c, draw, there) for c in setup.clearances(setup.state, ">")):
+        raise CannotAnswer(Message("there is no room to move about the equilibrium"))
     found = [float(w) for w in frequencies_about(draw, q, v)]
     if not found:
         raise CannotAnswer(Message("nothing can move, so nothing oscillates"))

@@ -7,6 +7,7 @@ steady motion, contacts push and friction stays within its limits.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
@@ -44,11 +45,23 @@ class KeptMode(Given):
         return self.is_own
 
     def reserves(self, state: SymbolicState) -> list[Condition]:
+        return self._needs(state, "slips", ">=", lambda name: Message("{contact} does not slip", contact=name))
+
+    def clearances(self, state: SymbolicState, relation: str) -> list[Condition]:
+        return self._needs(state, "touches", relation, lambda name: Message("{contact} stays open", contact=name))
+
+    def _needs(self, state: SymbolicState, kind: str, relation: str, what: Callable[[str], Message]) -> list[Condition]:
+        """What keeps events of a kind from happening; not of places on edges, which need not touch where they are
+        level with what is beyond their ends. Raises CannotAnswer where that is so for no values of the parameters."""
         found: list[Condition] = []
         for watch in self.phase.watches:
-            if watch.kind == "slips":
-                what = Message("{contact} does not slip", contact=watch.connection)
-                condition, _possible = require(state.here(watch.element), ">=", what)
+            if watch.kind == kind and not watch.within:
+                told = what(watch.connection)
+                condition, possible = require(state.here(watch.element), relation, told)
+                if not possible:
+                    raise CannotAnswer(
+                        Message("this needs that {what}, which is so for no values of the parameters", what=told)
+                    )
                 found += [] if condition is None else [condition]
         return found
 

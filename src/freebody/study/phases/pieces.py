@@ -98,8 +98,7 @@ def _at_instant(tree: PhaseTree, question: Question, way: WayToPhase) -> AnswerB
     state = phase.start_instant if question.at_start else phase.state
     value = elements_in(tree, phase, question.quantity, state)
     parts = value if isinstance(value, tuple) else (value,)
-    moving = {c.index for c in phase.model.coordinates} | {c.speed for c in phase.model.coordinates}
-    is_home = not any(phase.model.field.ingredients(p) & moving for p in parts)
+    is_home = not any(phase.model.field.ingredients(p) & phase.model.moving for p in parts)
     if is_home:
         homes = tuple(tree.to_home(phase, p) for p in parts)
         value = homes if isinstance(value, tuple) else homes[0]

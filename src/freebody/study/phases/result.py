@@ -315,9 +315,7 @@ def _course(phase: Phase) -> ClosedFormMotion | None:
 
 def _shown(tree: PhaseTree, phase: Phase, x: Ratio) -> Expr:
     """By the parameters alone where nothing moves in it."""
-    moving = {k for c in phase.model.coordinates for k in (c.index, c.speed)}
-    time = phase.model.field.index(phase.model.field.time)
-    if phase.model.field.ingredients(x) & (moving | {time}):
+    if phase.model.field.ingredients(x) & phase.model.moving:
         return readable(x)
     return readable(tree.to_home(phase, x))
 

@@ -41,7 +41,7 @@ def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
     roots = tuple(_at_start(setup, question, x, solutions) for x in solutions.roots)
     purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
     ranges = [c for x, purpose in zip(roots, purposes, strict=True) for c in _ranges(x, purpose)]
-    conditions = ranges + setup.holding(steady.state)
+    conditions = ranges + setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, conditions, notes)
 
 
@@ -79,7 +79,7 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: Steady) ->
     evidence = during_steady_motion(setup, question.text, steady, steady.any_solution(), q.of, elements)
     notes: list[str] = [] if texts else [Message("every such motion is steady")]
     says: list[str] = [Message("steady while {conditions}", conditions=further(*texts))] if texts else []
-    conditions = setup.holding(steady.state)
+    conditions = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
     shown = tuple(_at_start(setup, question, x, None) for x in elements)
     has_value = all(x.is_constant() for x in shown) or _starts_steadily(setup, steady)
     if not has_value and setup.has_values:
