@@ -633,3 +633,27 @@ start: {x: 0, rate(x): 1 m/s}
     agrees_text(shown(solution), "m*(g - A*w**2*sin(w*t))")
     agrees_text(shown(solution, 2), "m*g")
     assert solution["q1"].value == pytest.approx(9.81)
+
+
+def test_a_mass_on_a_spring_tells_when_it_strikes_a_stop_and_when_it_is_back(agrees_text: Agree) -> None:
+    """Of x = (v0/w) sin(w t) the place d comes at asin(w d/v0)/w; after the impact it swings with another amplitude."""
+    text = """
+parameters: {m: 2 kg, k: 200 N/m, d: 0.1 m, v0: 3 m/s, e: 0.5}
+bodies: {block: {particle: {mass: m}}}
+connections:
+  guide: {slider: {body: block, along: right}}
+  stop: {stop: {measure: x, max: d, restitution: e}}
+loads: {spring: {law: {measure: x, force: -k*x}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v0}
+"""
+    solution = solved(text, "time when x = d", "time when x = 0", "time when x = -d")
+    agrees_text(shown(solution), "asin(sqrt(k/m)*d/v0)/sqrt(k/m)")
+    w, d, v0, e = 10.0, 0.1, 3.0, 0.5
+    first, back = math.asin(w * d / v0) / w, math.atan2(w * d, e * math.sqrt(v0**2 - (w * d) ** 2)) / w
+    assert solution["q1"].value == pytest.approx(first)
+    assert solution["q2"].value == pytest.approx(first + back)
+    amplitude = math.hypot(d, e * math.sqrt((v0 / w) ** 2 - d**2))
+    assert solution["q3"].value == pytest.approx(first + back + math.asin(d / amplitude) / w)
+    assert [case.conditions for case in solution["q2"].cases] == [("m·v₀² > k·d²",), ("k·d² ≥ m·v₀²",)]
+    agrees_text(to_python(solution["q2"].cases[1].expression), "pi*sqrt(m/k)")  # type: ignore[arg-type]

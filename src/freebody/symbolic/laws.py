@@ -93,6 +93,9 @@ class UniformLaw(MotionLaw):
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
         return self.q0 + self.u0 * t + self.a * t * t / 2, self.u0 + self.a * t
 
+    def places(self, value: Ratio) -> Instants:
+        return None  # its roots are told apart where it is asked for (`motion.py`)
+
 
 @dataclass(frozen=True)
 class Oscillation(MotionLaw):
@@ -147,6 +150,8 @@ class Oscillation(MotionLaw):
             tau = -f["asin"](-ratio) if is_below else f["asin"](ratio)
             slope = zero if real.is_zero() else b * f["cos"](tau)
             return [(tau, slope, y / b), (pi - tau, -slope, None)], _unless_zero(1 - (y / b) ** 2, ">=")
+        if (y - a).is_zero():  # back where it started
+            return [(zero, b, zero), (2 * f["atan"](b / a), -b, b / a)], []
         if (y + a).is_zero():
             tangent = -a / b
             slope = (b * (1 - tangent * tangent) - 2 * a * tangent) / (1 + tangent * tangent)

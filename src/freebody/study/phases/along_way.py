@@ -8,6 +8,7 @@ stands in sines and cosines alone goes round for ever.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,11 +24,11 @@ from freebody.study.phases.ends import (
     needed_there,
     no_closed_form,
 )
-from freebody.study.phases.numbers import Chosen, Sets
+from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.phases.course import CourseZero, EnergyMotion
+from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.signs import sign_of
 
 _NOW = 1e-9  # a place at the very end of the way, relative to it
@@ -129,13 +130,27 @@ class EnergyRoad:
                 here = good & (self.way * turned == sign)
                 if here.any():
                     zero = self.course.at(place, sign)
-                    if turned < 0:
-                        zero = CourseZero(None, zero.values, zero.at)
                     there = needed_there(self.model, watch, zero)
                     here &= all_hold(self.model, there, self.sets)
+                    zero = replace(zero, time=self._time(place, sign, here))
                     exists = (*self.course.reachable(zero), *there)
                     found.append(PossibleEnd(watch, zero, np.where(here, length, np.inf), exists))
         return found
+
+    def _time(self, place: Ratio, way: int, here: Mask) -> Ratio | None:
+        """When the coordinate is first at a place on its way up (+1) or down (-1), by the one formula that says so at
+        all of some sets; None where there is none."""
+        instants = self.course.instants(place)
+        if not instants or not here.any():
+            return None
+        times, rates = (
+            np.array([self.sets.evaluate(self.model, x)[here] for x in xs]) for xs in zip(*instants, strict=True)
+        )
+        with np.errstate(invalid="ignore"):
+            good = (times > 0) & (way * rates >= -_NOW * np.nanmax(np.abs(rates), axis=0, initial=0.0))
+        times = np.where(good, times, np.inf)
+        picks = set(times.argmin(axis=0)[np.isfinite(times.min(axis=0))].tolist())
+        return self.model.field.lowest_terms(instants[picks.pop()][0]) if len(picks) == 1 else None
 
     def _require_known(self, watch: PhaseWatch, own: Sequence[PossibleEnd]) -> None:
         """Up to its first zero a watched function must be positive and the speed real: zeros without a closed form

@@ -20,11 +20,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
-from freebody.symbolic.functions import functions
 from freebody.symbolic.laws import MotionLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
-from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import solve_linear, zeros_of
@@ -249,7 +247,7 @@ class EnergyMotion(ClosedFormMotion):
         return found
 
     def at(self, value: Ratio, way: int) -> CourseZero:
-        """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1)."""
+        """The state at a value of the coordinate, on a way on which it grows (+1) or falls (-1); not when."""
         f, c = self.model.field, self.coordinate
         if any(f.arguments[g][0] == "atan" for g in value.generators() if g in f.arguments):
             return CourseZero(
@@ -258,7 +256,7 @@ class EnergyMotion(ClosedFormMotion):
         square = f.lowest_terms(f.follow(self.square, {c.index: value}))
         own = {c.index: value, c.speed: way * f.sqrt(square, self.model.samples.is_negative)}
         others = {k: f.follow(x, own) for k, x in self._others.items()}
-        return CourseZero(self._time_to(value), {**others, **own}, value)
+        return CourseZero(None, {**others, **own}, value)
 
     def reachable(self, zero: CourseZero) -> tuple[Ratio, ...]:
         """What must be positive for the coordinate to get there, as far as it has a short form: the speed squared, and
@@ -280,23 +278,22 @@ class EnergyMotion(ClosedFormMotion):
                 found.append(f.radicand(g))
         return tuple(found)
 
-    def _time_to(self, value: Ratio) -> Ratio | None:
-        """From rest, u^2 = alpha + beta q - w^2 q^2 is harmonic: q - c = (q0 - c) cos(w t) with c = beta/(2 w^2)."""
-        f, c = self.model.field, self.coordinate
-        if not self.start.of(c.speed).is_zero() or c.index in self.square.denominator().generators():
-            return None
-        parts = self.square.numerator().coefficients(c.index)
-        if len(parts) != 3 or any(c.index in f.ingredients(p) for p in parts):
-            return None
-        below = self.square.denominator()
-        beta, gamma = parts[1] / below, parts[2] / below
-        if sign_of(gamma) is not Sign.NEGATIVE:
-            return None
-        center = -beta / (2 * gamma)
-        known = functions(f, self.model.samples.is_negative)
-        return known["acos"](f.lowest_terms((value - center) / (self.start.of(c.index) - center))) / known["sqrt"](
-            -gamma
-        )
+    @cached_property
+    def _law(self) -> MotionLaw | None:
+        return SmoothMotion(self.model, self.start).law_of(self.coordinate)
+
+    def instants(self, place: Ratio) -> list[tuple[Ratio, Ratio]]:
+        """Times at which the coordinate is at a place, with its rate then, as far as its own law tells them: all of
+        them within a period from the start on, and others. Without such a law none."""
+        law, found = self._law, list[tuple[Ratio, Ratio]]()
+        known = None if law is None else law.places(place)
+        for i in () if known is None else known[0]:
+            found.append((i.time, i.rate))
+            if i.period is not None:
+                found.append((i.time + i.period, i.rate))
+            if i.period is not None and law is not None and law.u0.is_zero():  # from rest it is even in the time
+                found.append((i.period - i.time, -i.rate))
+        return found
 
 
 def polynomial_roots(model: SymbolicModel, c: list[Ratio]) -> list[Ratio]:
