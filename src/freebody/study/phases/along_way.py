@@ -149,8 +149,8 @@ class EnergyRoad:
         with np.errstate(invalid="ignore"):
             good = (times > 0) & (way * rates >= -_NOW * np.nanmax(np.abs(rates), axis=0, initial=0.0))
         times = np.where(good, times, np.inf)
-        picks = set(times.argmin(axis=0)[np.isfinite(times.min(axis=0))].tolist())
-        return self.model.field.lowest_terms(instants[picks.pop()][0]) if len(picks) == 1 else None
+        picks: list[int] = np.unique(times.argmin(axis=0)[np.isfinite(times.min(axis=0))]).tolist()
+        return self.model.field.lowest_terms(instants[picks[0]][0]) if len(picks) == 1 else None
 
     def _require_known(self, watch: PhaseWatch, own: Sequence[PossibleEnd]) -> None:
         """Up to its first zero a watched function must be positive and the speed real: zeros without a closed form
