@@ -84,3 +84,27 @@ def test_speed_when_rolling_begins_is_that_of_the_simulation(sphere: fb.System) 
     result = fb.simulate(sphere, time, tolerance=1e-12)
     velocity = result.dataset["body_velocity"].values[-1, 0]
     assert float(np.hypot(*velocity)) == pytest.approx(speed, rel=1e-10)
+
+
+@pytest.mark.parametrize("a", [2.0, 10.0, 17.0, 31.0, 44.0])
+def test_a_value_at_which_a_stop_strikes_is_reached_when_it_strikes(a: float) -> None:
+    """The quarter swing of a pendulum to a stop: t is the integral of dphi/sqrt(2 g/L (cos(phi) - cos(phi0)))."""
+    text = f"""
+parameters: {{m: 1 kg, L: 1 m, phi0: 60 deg, a: {a} deg, g: 9.81 m/s^2}}
+bodies: {{bob: {{particle: {{mass: m}}}}}}
+connections:
+  rod: {{link: {{first: ground.origin, second: bob, length: L}}}}
+  stop: {{stop: {{measure: phi, min: a, restitution: 0.5}}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{phi: {{angle of line from ground.origin to bob from down}}}}
+start: {{phi: phi0}}
+questions: [time when phi = a]
+"""
+    turn, end = math.radians(60.0), math.radians(a)
+    # phi = turn - s^2 takes the root at the turning point out of the integral
+    s = np.polynomial.legendre.leggauss(40)
+    top = math.sqrt(turn - end)
+    nodes, weights = 0.5 * top * (s[0] + 1.0), 0.5 * top * s[1]
+    phi = turn - nodes**2
+    expected = float(weights @ (2.0 * nodes / np.sqrt(2.0 * 9.81 * (np.cos(phi) - math.cos(turn)))))
+    assert fb.System.from_text(text).solve()["q1"].value == pytest.approx(expected, rel=1e-8)

@@ -24,6 +24,7 @@ from freebody.numeric.engine.search import StepZero
 
 if TYPE_CHECKING:
     from freebody.numeric.engine.evaluator import EngineWatch
+    from freebody.numeric.engine.patrol import Violation
     from freebody.numeric.engine.underway import MotionUnderWay
 
 N_MENDED = 4
@@ -31,8 +32,10 @@ OFF = 1e-4  # by the size of what is watched, that the dense output may be off; 
 PLACES = (0.2113, 0.5437, 0.8771)  # of a step, where what is zero at both ends is looked at
 
 
-def found_in_step(motion: MotionUnderWay, until: float | None = None) -> bool:
-    """Adds the events of the last step, up to a time in it; True if a terminal one ends the motion there."""
+def found_in_step(motion: MotionUnderWay, violation: Violation | None = None) -> bool:
+    """Adds the events of the last step, up to the violation of a guard in it; True if a terminal one ends the motion
+    there. What is zero where the guard is violated (a measure at the limit at which a stop strikes) comes just then,
+    whichever of the two searches is ahead of the other by round-off."""
     run = motion.run
     t0, h = float(run.clock[stepping.BEFORE]), float(run.clock[stepping.DONE_STEP])
     found: list[tuple[float, int, StepZero]] = []
@@ -46,20 +49,34 @@ def found_in_step(motion: MotionUnderWay, until: float | None = None) -> bool:
             motion.say_unsearched(watch.name, search.unsearched)
         elif run.clock[stepping.NOW] >= motion.until and (last := search.at_end()) is not None:
             zeros.append(last)
+        if violation is not None:
+            zeros = _up_to(motion, k, zeros, violation, t0, h)
         for zero in zeros:
             if watch.direction == 0 or (zero.kind == "rising") == (watch.direction > 0) or zero.kind == "touch":
                 found.append((round(zero.part, 13), k, zero))
     found.sort(key=lambda item: item[:2])
     for _part, k, zero in found:
-        if until is not None and t0 + zero.part * h > until:
-            break
         watch = motion.engine.watches[k]
         t, state = _mended(motion, watch, k, zero, t0, h)
+        if violation is not None and t > violation.time:
+            t, state = violation.time, violation.state.copy()
         happening = Event(t, watch.name, zero.kind, watch.is_terminal and zero.kind != "touch")
         motion.add(happening, state)
         if happening.is_terminal:
             return True
     return False
+
+
+def _up_to(
+    motion: MotionUnderWay, k: int, zeros: list[StepZero], violation: Violation, t0: float, h: float
+) -> list[StepZero]:
+    """The zeros of a watch that do not come after a violation."""
+    before = [zero for zero in zeros if t0 + zero.part * h <= violation.time]
+    if before or not zeros:
+        return before
+    value = motion.values_at(-1.0, violation.state.copy(), violation.time)[k]
+    is_there = abs(value) <= motion.searches[k].zero
+    return [StepZero((violation.time - t0) / h, zeros[0].kind)] if is_there else []
 
 
 def _is_zero_throughout(motion: MotionUnderWay, k: int, t0: float, h: float) -> bool:

@@ -217,7 +217,7 @@ class RunningMotion(MotionUnderWay):
     def _look(self) -> bool:
         """Finds the events of the last step; True if a terminal one ends the motion there."""
         violation = None if self.patrol is None else self.patrol.violation()
-        if self.engine.watches and found_in_step(self, None if violation is None else violation.time):
+        if self.engine.watches and found_in_step(self, violation):
             return True
         if violation is None:
             return False
