@@ -192,7 +192,8 @@ def test_equations_of_motion_come_as_text_latex_and_json(form: list[str]) -> Non
 
 
 def test_help_loads_nothing_heavy() -> None:
-    code = "import sys; from freebody.cli import app; app(['--help'], standalone_mode=False); print(*sys.modules)"
+    code = "import sys; from freebody.cli import commands; commands()(['--help'], standalone_mode=False)\n"
+    code += "print(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert "solve" in run.stdout
     loaded = {name.partition(".")[0] for name in run.stdout.splitlines()[-1].split()}

@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 import freebody as fb
-from freebody.cli import app
+from freebody.cli import commands
 from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
@@ -357,7 +357,7 @@ def test_another_form_of_a_function_changes_numbers_and_no_formula() -> None:
 
 # -- the command ------------------------------------------------------------------------------
 def test_the_command_prints_the_documented_json() -> None:
-    result = CliRunner().invoke(app, ["conserved", str(FOLDER / "body_on_driven_roller.yaml"), "--json"])
+    result = CliRunner().invoke(commands(), ["conserved", str(FOLDER / "body_on_driven_roller.yaml"), "--json"])
     assert result.exit_code == 0
     (entry,) = json.loads(result.stdout)["quantities"]
     assert entry["question"] == ABOUT

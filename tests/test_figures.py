@@ -16,7 +16,7 @@ from PIL import Image
 
 import freebody as fb
 from command import freebody
-from freebody.cli import app
+from freebody.cli import commands
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.present.picture.forces import Force
@@ -67,7 +67,7 @@ def rows_of(found: Instant) -> list[ConstraintRow]:
 
 def pictures(system: System) -> list[Picture]:
     """The whole, and every body cut free."""
-    return [picture(system), *(free_body(system, [body.name]) for body in system.moving)]
+    return [picture(system), *(free_body(system, body.name) for body in system.moving)]
 
 
 # -- what arrows mean -------------------------------------------------------------------------
@@ -201,13 +201,13 @@ def test_a_model_in_symbols_is_drawn_with_some_values() -> None:
 
 
 def test_labels_can_be_given_by_row_symbol_or_load() -> None:
-    made = free_body(example("slider_crank"), ["crank"], labels={"drive": "M_motor", "F_main_x": "X", "main.y": "Y"})
+    made = free_body(example("slider_crank"), "crank", labels={"drive": "M_motor", "F_main_x": "X", "main.y": "Y"})
     texts = {word.label.text for word in made.words}
     assert {"M_motor", "X", "Y"} <= texts
 
 
 def test_values_stand_beside_forces_that_are_wanted_in_numbers() -> None:
-    made = free_body(example("atwood_machine"), ["left"], at=0.2, show=["force"])
+    made = free_body(example("atwood_machine"), "left", at=0.2, show=["force"])
     texts = [word.label.text for word in made.words]
     assert any(text.startswith("T_left = 24.1 N") for text in texts)
     assert any(text.endswith("= 29.4 N") for text in texts)
@@ -230,7 +230,7 @@ def test_every_force_of_a_free_body_has_its_symbol(path: Path) -> None:
     system = System.load(path)
     found = start_of(system)
     for body in system.moving:
-        texts = [word.label.text for word in free_body(system, [body.name]).words]
+        texts = [word.label.text for word in free_body(system, body.name).words]
         for force in cut(found, body.name):
             assert force.label.text in texts
 
@@ -271,7 +271,7 @@ def test_two_pictures_on_one_page_share_no_names() -> None:
 
 
 def test_indices_are_real_text_and_greek_letters_are_letters() -> None:
-    text = free_body(example("planetary_gear"), ["sun"]).svg()
+    text = free_body(example("planetary_gear"), "sun").svg()
     assert re.search(r"<tspan[^>]*>F</tspan><tspan dy=[^>]*>t,sun,P1</tspan>", text)
     assert "θ" in picture(example("slider_crank")).svg()
 
@@ -394,7 +394,7 @@ def test_the_command_draws_bodies_cut_free_and_in_motion(tmp_path: Path) -> None
 
     model, out = str(next(path for path in EXAMPLES if path.stem == "slider_crank")), tmp_path / "a.svg"
     for options in (["--free-body", "crank,rod"], ["--at", "200 ms", "--show", "velocity"], ["--free-body", "piston"]):
-        result = CliRunner().invoke(app, ["draw", model, "-o", str(out), *options])
+        result = CliRunner().invoke(commands(), ["draw", model, "-o", str(out), *options])
         assert result.exit_code == 0, result.output
         ET.parse(out)
 

@@ -15,7 +15,7 @@ import pytest
 from typer.testing import CliRunner
 
 import freebody as fb
-from freebody.cli import app
+from freebody.cli import commands
 from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.mobility.rank import rank_at
@@ -511,7 +511,7 @@ def test_an_option_that_is_no_number_is_told() -> None:
 
 # -- the command ------------------------------------------------------------------------------
 def test_the_command_prints_the_documented_json() -> None:
-    result = CliRunner().invoke(app, ["mobility", str(FOLDER / "multi_bar_platform.yaml"), "--json"])
+    result = CliRunner().invoke(commands(), ["mobility", str(FOLDER / "multi_bar_platform.yaml"), "--json"])
     assert result.exit_code == 0
     plain = json.loads(result.stdout)
     wanted = {"degrees_of_freedom", "gruebler", "rank", "redundant", "kind", "singular", "idle", "answers"}
@@ -519,7 +519,7 @@ def test_the_command_prints_the_documented_json() -> None:
 
 
 def test_the_command_reports_in_words() -> None:
-    result = CliRunner().invoke(app, ["mobility", str(FOLDER / "four_bar.yaml"), "--along", "theta"])
+    result = CliRunner().invoke(commands(), ["mobility", str(FOLDER / "four_bar.yaml"), "--along", "theta"])
     assert result.exit_code == 0
     for words in ("DOF = n L - K = 3*3 - 8 = 1", "crank-rocker", "turns fully", "open", "crossed"):
         assert words in result.stdout

@@ -13,8 +13,9 @@ import pytest
 
 import freebody as fb
 from conftest import assert_same_function
+from freebody.study.phases.case import PhaseCase
 from freebody.study.phases.numbers import coefficients_of_friction, coefficients_of_restitution, holds
-from freebody.study.phases.result import PhaseCase, Phases, phases
+from freebody.study.phases.result import Phases, phases
 from freebody.system.system import System
 
 FOLDER = Path(__file__).parents[1] / "examples"

@@ -129,13 +129,16 @@ def test_a_method_converges_with_its_order(method: str) -> None:
 
 BOGACKI_SHAMPINE = '''"""Order 3 with an embedded formula of order 2. Source: Bogacki & Shampine 1989."""
 
-from freebody.numeric.engine.integrators.base import explicit
+from freebody.numeric.engine.integrators.base import Integrator
+from freebody.numeric.engine.tableaus import tableau
 
-INTEGRATOR = explicit(
-    3,
-    [{0: 1 / 2}, {1: 3 / 4}],
-    {0: 2 / 9, 1: 1 / 3, 2: 4 / 9},
-    error=[{0: -5 / 72, 1: 1 / 12, 2: 1 / 9, 3: -1 / 8}],
+INTEGRATOR = Integrator(
+    tableau(
+        3,
+        [{0: 1 / 2}, {1: 3 / 4}],
+        {0: 2 / 9, 1: 1 / 3, 2: 4 / 9},
+        error=[{0: -5 / 72, 1: 1 / 12, 2: 1 / 9, 3: -1 / 8}],
+    )
 )
 '''
 

@@ -36,23 +36,14 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "System": "freebody.api",
-    "solve": "freebody.study.answering.solve",
     "Solution": "freebody.study.answering.solve",
     "Answer": "freebody.study.answering.answer",
     "Conservation": "freebody.study.conservation.conservation",
-    "conserved": "freebody.study.conservation.conserved",
     "Mobility": "freebody.study.mobility.mobility",
-    "mobility": "freebody.study.mobility.mobility",
-    "equilibria": "freebody.study.small_motion.equilibrium",
     "Statics": "freebody.study.friction.report",
-    "statics": "freebody.study.friction.report",
-    "inverse_dynamics": "freebody.study.inverse_dynamics",
-    "modes": "freebody.study.small_motion.modes",
-    "simulate": "freebody.study.simulation.simulate",
     "SimulationOptions": "freebody.numeric.options",
     "Simulation": "freebody.study.simulation.simulate",
     "Simulator": "freebody.study.simulation.simulate",
-    "equations_of_motion": "freebody.study.eom",
     "Equations": "freebody.study.eom",
     "effort": "freebody.budgets",
     "FreebodyError": "freebody.errors",
@@ -92,8 +83,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    from freebody.studies import STUDIES
+
     if name in _HOMES:
         return getattr(import_module(_HOMES[name]), name)
+    if name in STUDIES:
+        return STUDIES[name].function
     # descriptions: shapes, connections and loads by their class names
     import_module("freebody.connections")
     import_module("freebody.loads")

@@ -12,31 +12,31 @@ import typer
 
 from freebody.cli.files import examples, new, schema
 from freebody.cli.motion import simulate
-from freebody.cli.pictures import draw
-from freebody.cli.questions import eom, explain, sheet, solve
-from freebody.cli.rest import equilibrium, modes, statics
 from freebody.cli.running import Terminated, command, quiet, say
-from freebody.cli.structure import conserved, mobility
+from freebody.cli.sheets import sheet
+from freebody.cli.studies import command_of
+from freebody.studies import STUDIES
 
-app = typer.Typer(
-    name="freebody",
-    help="Rigid-body mechanics that shows its work and proves it.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
+# commands with outputs of their own, and those that are no study of a system
+_OWN: dict[str, Callable[..., None]] = {"simulate": simulate}
+_BESIDE: tuple[Callable[..., None], ...] = (sheet, examples, new, schema)
 
 
-def _offer(*functions: Callable[..., None]) -> None:
-    """Makes commands of functions; --help lists them in the same order."""
-    for function in functions:
+def commands() -> typer.Typer:
+    """The program: every study that the table has a command for, in its order, and what belongs to model files."""
+    app = typer.Typer(
+        name="freebody",
+        help="Rigid-body mechanics that shows its work and proves it.",
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+    )
+    app.callback()(_main)
+    offered = [_OWN.get(study.name) or command_of(study) for study in STUDIES.values() if study.command]
+    for function in (*offered, *_BESIDE):
         app.command()(command(function))
-
-
-_offer(solve, explain, sheet, eom, simulate, draw)
-_offer(equilibrium, modes, statics, mobility, conserved)
-_offer(examples, new, schema)
+    return app
 
 
 def _version(value: bool) -> None:
@@ -47,7 +47,6 @@ def _version(value: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
 def _main(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
@@ -65,7 +64,7 @@ def main() -> None:
     from freebody.errors import FreebodyError, InputError
 
     try:
-        app()
+        commands()()
     except FreebodyError as error:  # of an option, before its command begins
         say(str(error))
         sys.exit(2 if isinstance(error, InputError) else 1)

@@ -84,12 +84,12 @@ def simulate(
         result = run(system, seconds, options=options, events=event or (), progress=progress)
     with busy("evaluating the motion"):
         result.summary()  # what it takes is computed here, not while it is printed
-    print_result(result, as_json)
+    print_result(result, as_json=as_json)
     with busy("writing"):
         written = _written(result, out, plot, show or [], animate)
     if not as_json:
         print_written(written)
-    if not result.status.is_complete:
+    if not result.is_complete:
         raise typer.Exit(1)
 
 

@@ -44,28 +44,9 @@ def assignment(text: str) -> tuple[str, str]:
 def seconds_of(text: str, option: str) -> float:
     """A time: a number of seconds, or a number with a unit."""
     from freebody.errors import InputError
-    from freebody.language.units import TIME, parse_quantity
+    from freebody.study.given import seconds
 
     try:
-        return float(text)
-    except ValueError:
-        pass
-    try:
-        quantity = parse_quantity(text)
+        return seconds(text)
     except InputError as error:
         raise InputError(f"{option} {text}: {error}") from error
-    if quantity.dimension != TIME:
-        raise InputError(f"{option} {text} is no time; write 10 or 200 ms")
-    return float(quantity.value)
-
-
-def listed(texts: list[str] | None) -> list[str]:
-    """Words that were given one by one, or with commas between them."""
-    return [word.strip() for text in texts or () for word in text.split(",") if word.strip()]
-
-
-def load_engine() -> None:
-    """What checks every answer, before any of the time that a check may take is counted."""
-    from importlib import import_module
-
-    import_module("freebody.study.answering.witness")

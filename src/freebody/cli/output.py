@@ -27,16 +27,22 @@ def check_out(out: Path | None) -> None:
         check_report_path(out)
 
 
-def print_result(found: Result, as_json: bool, out: Path | None = None, *, is_short: bool = False) -> None:
-    """A result as one JSON document, as a report in a file, or as text; if it `is_short`, formulas that nobody would
-    read by their size."""
-    written = [] if out is None else found.write(out)
+def print_result(
+    found: Result, *, as_json: bool, as_latex: bool = False, out: Path | None = None, is_short: bool = False
+) -> None:
+    """A result as a report in a file, and as one JSON document, as LaTeX, or, where no file is written, as text; if it
+    `is_short`, formulas that nobody would read by their size."""
+    from freebody.present.busy import busy
+
+    with busy("writing"):
+        written = [] if out is None else found.write(out)
+        text = found.to_latex() if as_latex else found.to_text(is_short=is_short) if not (written or as_json) else ""
     if as_json:
         print_json(found.to_plain())
-    elif out is not None:
-        print_written(written)
+    elif text:
+        print(text.rstrip("\n"), flush=True)
     else:
-        print(found.to_text(is_short=is_short), end="", flush=True)
+        print_written(written)
 
 
 def print_json(document: Any) -> None:

@@ -35,7 +35,3 @@ class WorkedSolutions:
     opening: tuple[DerivationStage, ...]
     derivations: tuple[Derivation, ...]
     language: str = "en"
-
-    @property
-    def is_complete(self) -> bool:
-        return all(not d.reason for d in self.derivations)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.model.names import did_you_mean
@@ -18,8 +18,8 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula
 from freebody.narrative.opening import opening
 from freebody.narrative.telling.catalogue import Catalogue
-from freebody.narrative.telling.composing import report_of
-from freebody.present.report.results import Reported
+from freebody.narrative.telling.composing import plain_derivations, report_of
+from freebody.present.report.results import Result
 from freebody.progress import busy_with
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from freebody.present.report.blocks import Report
 
 
-class Explanation(WorkedSolutions, Reported):
+class Explanation(WorkedSolutions, Result):
     """All worked solutions of a system, ready to be written in any format."""
 
     @property
@@ -42,6 +42,14 @@ class Explanation(WorkedSolutions, Reported):
     @cached_property
     def _report(self) -> Report:
         return report_of(self)
+
+    @property
+    def is_complete(self) -> bool:
+        return all(not d.reason for d in self.derivations)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The solution, and how each answer is found: the lines of every stage as a terminal shows them."""
+        return {**self.solution.to_plain(), "language": self.language, **plain_derivations(self)}
 
     @property
     def _code(self) -> str:

@@ -1,4 +1,4 @@
-"""What a user says of named measures: values at an instant, or functions of time."""
+"""What a user says in words: times, views, values of named measures at an instant, or functions of time."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from freebody.errors import InputError
 from freebody.language.expression import Expr
-from freebody.language.units import TIME
+from freebody.language.units import TIME, parse_quantity
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
 from freebody.system.system import System
@@ -40,3 +40,23 @@ def guess_of(text: str) -> Mapping[str, str]:
             raise InputError(f"a guess is written as name=value, e.g. theta=20 deg; found '{part.strip()}'")
         found[name] = value
     return found
+
+
+def seconds(text: str) -> float:
+    """A time [s]: a number, or a number with a unit. Raises InputError for anything else."""
+    try:
+        return float(text)
+    except ValueError:
+        quantity = parse_quantity(text)
+    if quantity.dimension != TIME:
+        raise InputError("this is no time; write 10 or 200 ms")
+    return float(quantity.value)
+
+
+def azimuth_and_elevation(text: str) -> tuple[float, float]:
+    """From where one looks [deg], as `30,20`. Raises InputError if it cannot be read."""
+    try:
+        azimuth, elevation = map(float, text.split(","))
+    except ValueError:
+        raise InputError("give azimuth and elevation in degrees, e.g. --view 30,20") from None
+    return azimuth, elevation

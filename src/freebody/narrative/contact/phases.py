@@ -19,7 +19,7 @@ from freebody.narrative.lines.naming import written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.phases.words import summary
+from freebody.study.phases.words import action
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.unknowns import Coordinate
@@ -68,7 +68,7 @@ def _overview(script: Script, way: PhaseSequence) -> None:
         script.say("phases.plan")
         header = (Sentence("phases.table_number"), Sentence("phases.table_what"), Sentence("phases.table_end"))
         rows = tuple(
-            (str(leg.number), Sentence("phases.does", {"what": ready(summary(leg.phase))}), _end_words(leg))
+            (str(leg.number), Sentence("phases.does", {"what": ready(action(leg.phase))}), _end_words(leg))
             for leg in way.legs
         )
         script.add(FormulaTable(header, rows))

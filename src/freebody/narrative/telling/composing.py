@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from freebody.errors import FreebodyError
 from freebody.narrative.derivation import Derivation, WorkedSolutions
-from freebody.narrative.lines.script import Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, Sentence, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.telling import Telling
@@ -15,6 +15,8 @@ from freebody.present.report.blocks import Block, Columns, Emphasis, Paragraph, 
 
 if TYPE_CHECKING:
     from freebody.system.system import System
+
+_HEAD = 3  # lines of a text on a terminal: its title, a rule, an empty one
 
 
 def report_of(explanation: WorkedSolutions) -> Report:
@@ -27,7 +29,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
         from freebody.study.pictures.picture import free_body, picture
 
         try:
-            return free_body(system, bodies) if bodies else picture(system)
+            return free_body(system, *bodies) if bodies else picture(system)
         except FreebodyError:  # a derivation without its picture is better than none
             return None
 
@@ -42,6 +44,29 @@ def report_of(explanation: WorkedSolutions) -> Report:
     return Report(
         title, catalogue.language, catalogue.word("report.worked_solution"), tuple(blocks), catalogue.report_words
     )
+
+
+def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
+    """Stage by stage in lines, without pictures."""
+    from freebody.present.report.formats.terminal import terminal_text
+
+    catalogue = Catalogue(explanation.language)
+    telling = Telling(catalogue, lambda _bodies: None)
+
+    def told(stage: DerivationStage) -> dict[str, Any]:
+        report = Report("", catalogue.language, "", tuple(telling.blocks(stage.items)), catalogue.report_words)
+        return {"title": catalogue.plain(stage.title), "lines": terminal_text(report).splitlines()[_HEAD:]}
+
+    derivations = [
+        {
+            "id": d.question.id,
+            "method": d.method,
+            "reason": catalogue.said(d.reason) or None,
+            "stages": [told(stage) for stage in d.stages],
+        }
+        for d in explanation.derivations
+    ]
+    return {"opening": [told(stage) for stage in explanation.opening], "derivations": derivations}
 
 
 def _section(system: System, catalogue: Catalogue, telling: Telling, d: Derivation) -> Section:

@@ -13,13 +13,22 @@ if TYPE_CHECKING:
     from freebody.assess.verdict import Verdict
 
 
-class Reported:
-    """A result that says itself in blocks, and so in every format."""
+class Result:
+    """What a study finds out: it says itself in blocks, and so in every format."""
 
     @property
     @abstractmethod
     def report(self) -> Report:
         """The result as a report."""
+
+    @abstractmethod
+    def to_plain(self) -> dict[str, Any]:
+        """The result as plain data: the JSON document of the command line."""
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all that was asked has been found."""
+        return True
 
     def to_text(self, width: int | None = None, *, is_short: bool = False) -> str:
         """For a terminal, by default 100 characters wide, a result in short 110; if it `is_short`, formulas that nobody
@@ -33,6 +42,12 @@ class Reported:
         from freebody.present.report.formats.html import html_page
 
         return html_page(self.report)
+
+    def to_latex(self) -> str:
+        """For a document of one's own."""
+        from freebody.present.report.formats.latex import latex_fragment
+
+        return latex_fragment(self.report)
 
     def write(self, path: str | Path) -> list[Path]:
         """Writes it as .html, .md, .tex, .pdf, .ipynb or .txt, by the suffix; returns all files written. Raises
@@ -55,14 +70,6 @@ class Reported:
         from freebody.present.report.formats.latex import latex_fragment
 
         return latex_fragment(self.report)
-
-
-class Result(Reported):
-    """What a study finds out."""
-
-    @abstractmethod
-    def to_plain(self) -> dict[str, Any]:
-        """The result as plain data: the JSON document of the command line."""
 
 
 def summary(title: str, blocks: Iterable[Block]) -> Report:

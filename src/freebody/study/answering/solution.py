@@ -84,9 +84,7 @@ class Solution(Result):
         if self.redundant:
             yield line(f"redundant constraints: {', '.join(self.redundant)}")
         if self.phases is not None:
-            from freebody.study.phases.told import phase_section
-
-            yield phase_section(self.phases)
+            yield self.phases.section
         yield from map(answer_section, self.answers)
         if not self.answers:
             asked = "The file asks nothing. Add questions, or see its equations with: freebody eom FILE"

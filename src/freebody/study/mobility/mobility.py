@@ -42,9 +42,9 @@ _STEP = 0.02  # part of that which counts as a motion
 
 
 @in_words
-def mobility(system: System, along: str | None = None, *, modes: bool = False) -> Mobility:
+def mobility(system: System, along: str | None = None, *, assembly_modes: bool = False) -> Mobility:
     """Examines a system. `along`: a driver, or a named measure, along which its motion is followed whatever its size;
-    `modes`: look for the assembly modes of a large mechanism, too.
+    `assembly_modes`: look for those of a large mechanism, too.
 
     What touches at the start is held in touch, and what sticks where it is.
 
@@ -77,7 +77,7 @@ def mobility(system: System, along: str | None = None, *, modes: bool = False) -
         q = reference.assemble()
     except CannotAnswer as error:
         return _answered(_contradictory(system, count, error, along))
-    return _answered(_at_pose(system, count, reference, q, "pose", WantedFigures(along, modes)))
+    return _answered(_at_pose(system, count, reference, q, "pose", WantedFigures(along, assembly_modes)))
 
 
 # -- where -----------------------------------------------------------------------------------

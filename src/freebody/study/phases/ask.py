@@ -24,7 +24,7 @@ from freebody.study.phases.numbers import Chosen, holds
 from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import happening, in_phase, summary
+from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.relations import SolvedRelation, readable
 
 _ROUND_OFF = 1e-12
@@ -90,7 +90,7 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         broken = _broken(tree, own)
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
-    cases = tuple(AnswerCase(_shown(r.piece), r.conditions, summary(r.piece.phase)) for r in regions)
+    cases = tuple(AnswerCase(_shown(r.piece), r.conditions, action(r.piece.phase)) for r in regions)
     if main.is_home:
         region = [c.element for c in main.conditions if c.relation != "!="]
         judgement = judged(question, main.value, tree.home.model, tree.system, region)

@@ -23,7 +23,7 @@ from freebody.study.phases.phase import Given, Phase
 from freebody.study.phases.quantities import frictions
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
-from freebody.study.phases.words import in_phase, label, summary
+from freebody.study.phases.words import action, in_phase, label
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.state import SymbolicState
@@ -109,4 +109,4 @@ def _case(tree: PhaseTree, node: PhaseNode, answer: Answer) -> AnswerCase:
     begins = tuple(r.text() for r in relations(tree, [*tree.assumed, *node.conditions]))
     assert answer.expression is not None
     own = tuple(c for c in answer.conditions if not c.startswith("for all "))
-    return AnswerCase(answer.expression, tuple(dict.fromkeys((*begins, *own))), summary(node.phase))
+    return AnswerCase(answer.expression, tuple(dict.fromkeys((*begins, *own))), action(node.phase))

@@ -12,16 +12,21 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, substitute
-from freebody.language.notation import stated_plain, to_python
+from freebody.language.notation import stated_plain
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
+from freebody.present.lines import system_line
+from freebody.present.report.blocks import Block, Report, Section
+from freebody.present.report.results import Result, entries, line, notes, summary
+from freebody.study.phases.case import PhaseCase, PhaseResult
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode
 from freebody.study.phases.numbers import Chosen, coefficients_of_friction
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.quantities import reaction
 from freebody.study.phases.regions import RegionCase, Regions, regions
+from freebody.study.phases.told import phase_section
 from freebody.study.phases.tree import PhaseTree, tree_of
-from freebody.study.phases.words import happening, label, states, summary
+from freebody.study.phases.words import action, happening, label, states
 from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
 from freebody.symbolic.field import Ratio
@@ -33,68 +38,7 @@ from freebody.system.system import System
 
 
 @dataclass(frozen=True)
-class PhaseResult:
-    """One phase of a case. Times count from its beginning."""
-
-    what: str
-    states: dict[str, str]
-    requires: tuple[str, ...]  # inequalities that make it the mode that begins here
-    equations: tuple[tuple[Expr, Expr], ...]  # accelerations
-    motion: tuple[tuple[Expr, Expr], ...]  # coordinates as functions of time, or the square of the speed
-    forces: tuple[tuple[str, Expr], ...]
-    event: str = ""  # what ends it; nothing where it lasts
-    duration: Expr | None = None
-    place: tuple[Expr, Expr] | None = None  # coordinate and its value at the event, where there is no time
-    happens_if: tuple[str, ...] = ()  # inequalities that make this event the one that ends it
-    reason: str = ""  # why there is no closed form, or why nothing follows
-    impact: str = ""  # with which it begins
-    impulses: tuple[tuple[str, Expr], ...] = ()
-    is_proved: bool = True  # that nothing else ends it follows from formulas
-
-    def to_plain(self) -> dict[str, Any]:
-        return {
-            "what": self.what,
-            "states": self.states,
-            "requires": list(map(stated_plain, self.requires)),
-            "equations": {to_python(a): to_python(b) for a, b in self.equations},
-            "motion": {to_python(a): to_python(b) for a, b in self.motion},
-            "forces": {name: to_python(e) for name, e in self.forces},
-            "event": self.event or None,
-            "duration": None if self.duration is None else to_python(self.duration),
-            "place": None if self.place is None else {to_python(self.place[0]): to_python(self.place[1])},
-            "happens_if": list(map(stated_plain, self.happens_if)),
-            "reason": self.reason or None,
-            "impact": self.impact or None,
-            "impulses": {name: to_python(e) for name, e in self.impulses},
-            "proved": self.is_proved,
-        }
-
-
-@dataclass(frozen=True)
-class PhaseCase:
-    """A sequence of phases, and where in the space of parameters it is the one that happens."""
-
-    what: str
-    conditions: tuple[str, ...]
-    phases: tuple[PhaseResult, ...]
-    is_own: bool  # the one of the model's own values
-    n_sets: int  # parameter sets that were seen to take it
-    is_exact: bool = True  # the conditions are sufficient, too
-    relations: tuple[SolvedRelation, ...] = field(default=(), compare=False, repr=False)
-
-    def to_plain(self) -> dict[str, Any]:
-        return {
-            "what": self.what,
-            "conditions": list(map(stated_plain, self.conditions)),
-            "is_own": self.is_own,
-            "sets": self.n_sets,
-            "exact": self.is_exact,
-            "phases": [p.to_plain() for p in self.phases],
-        }
-
-
-@dataclass(frozen=True)
-class Phases:
+class Phases(Result):
     """All cases; that of the model's own values first."""
 
     system: System
@@ -113,6 +57,25 @@ class Phases:
             "between": list(map(stated_plain, self.between)),
             "missing": self.missing or None,
         }
+
+    @property
+    def is_complete(self) -> bool:
+        return not self.missing
+
+    @property
+    def report(self) -> Report:
+        return summary(self.system.title, self._blocks())
+
+    def _blocks(self) -> Iterator[Block]:
+        yield line(system_line(self.system, None))
+        yield from (line(f"assumed: {text}") for text in self.system.assumptions)
+        yield self.section
+        yield from entries(*notes(self.reasons, "left out"))
+
+    @property
+    def section(self) -> Section:
+        """What is said of the phases in the report of a solution."""
+        return phase_section(self.cases, self.missing, self.between)
 
     @property
     def first_model(self) -> SymbolicModel:
@@ -242,7 +205,7 @@ def _phase(tree: PhaseTree, node: PhaseNode, edge: PhaseEnd | None, following: P
                 c = phase.course.coordinate
                 place = Symbol(c.name), readable(edge.first.zero.at)
     return PhaseResult(
-        summary(phase),
+        action(phase),
         states(phase),
         texts,
         equations,

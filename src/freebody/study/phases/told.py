@@ -9,39 +9,41 @@ from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.present.report.blocks import Block, Entry, Formula, Section, Text
 from freebody.present.report.results import entries, entry, line, table
-from freebody.study.phases.result import PhaseCase, PhaseResult, Phases
+from freebody.study.phases.case import PhaseCase, PhaseResult
 
 
-def phase_section(phases: Phases) -> Section:
-    """A phase that was told in an earlier case is only named."""
+def phase_section(cases: Sequence[PhaseCase], missing: str, between: Sequence[str]) -> Section:
+    """missing, between: as in `Phases`. A phase that was told in an earlier case is only named."""
     told: list[PhaseResult] = []
-    cases = [_case_section(case, k, told, phases) for k, case in enumerate(phases.cases, 1)]
-    return Section(("Phases",), (*_table(phases), *cases))
+    sections: list[Section] = []
+    for k, case in enumerate(cases, 1):
+        title = f"{k}  {case.what}" if len(cases) > 1 else case.what
+        sections.append(Section((title,), tuple(_case(case, told)), level=3))
+    return Section(("Phases",), (*_table(cases, missing, between), *sections))
 
 
-def _table(phases: Phases) -> Iterator[Block]:
-    yield from table((f"{k}  {case.what}", _where(case, phases)) for k, case in enumerate(phases.cases, 1))
-    if phases.missing:
-        yield from entries(entry("", f"elsewhere no case was found: {phases.missing}"))
-    yield from (line(f"between them, where {text}, nothing slips at the start") for text in phases.between)
+def _table(cases: Sequence[PhaseCase], missing: str, between: Sequence[str]) -> Iterator[Block]:
+    own = "   <- the model's own values" if len(cases) > 1 else ""
+    rows = ((f"{k}  {case.what}", _where(case, missing) + own * case.is_own) for k, case in enumerate(cases, 1))
+    yield from table(rows)
+    if missing:
+        yield from entries(entry("", f"elsewhere no case was found: {missing}"))
+    yield from (line(f"between them, where {text}, nothing slips at the start") for text in between)
 
 
-def _where(case: PhaseCase, phases: Phases) -> str:
+def _where(case: PhaseCase, missing: str) -> str:
     """Where a case happens."""
-    where = ", ".join(case.conditions) or ("always" if not phases.missing and case.is_exact else "for some values")
-    if not case.is_exact:
-        where += " (necessary, not sufficient)"
-    return where + ("   <- the model's own values" if case.is_own and len(phases.cases) > 1 else "")
+    where = ", ".join(case.conditions) or ("always" if not missing and case.is_exact else "for some values")
+    return where if case.is_exact else f"{where} (necessary, not sufficient)"
 
 
-def _case_section(case: PhaseCase, k: int, told: list[PhaseResult], phases: Phases) -> Section:
+def _case(case: PhaseCase, told: list[PhaseResult]) -> list[Block]:
     said: list[Entry] = []
     for n, phase in enumerate(case.phases, 1):
         said += _phase(phase, told, is_first=n == 1)
         said += _end(phase, is_last=n == len(case.phases))
         told.append(phase)
-    title = f"{k}  {case.what}" if len(phases.cases) > 1 else case.what
-    return Section((title,), tuple(entries(*said)), level=3)
+    return entries(*said)
 
 
 def _phase(phase: PhaseResult, told: Sequence[PhaseResult], *, is_first: bool) -> Iterator[Entry]:

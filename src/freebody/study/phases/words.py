@@ -65,7 +65,7 @@ def label(name: str) -> str:
     return connection if component in plain else f"{connection} ({component})"
 
 
-def summary(phase: Phase) -> str:
+def action(phase: Phase) -> str:
     """What the system does, in a few words."""
     found = states(phase)
     spoken = _by_connection(found)
@@ -83,7 +83,7 @@ def summary(phase: Phase) -> str:
 
 def in_phase(phase: Phase) -> str:
     """While what it does, for a note."""
-    what = summary(phase)
+    what = action(phase)
     is_of_all = len(_by_connection(states(phase))) < 2
     return Message("while the system {what}", what=what) if is_of_all else Message("while {what}", what=what)
 

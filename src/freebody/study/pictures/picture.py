@@ -56,8 +56,7 @@ def picture(
 @in_words
 def free_body(
     system: System,
-    bodies: Sequence[str],
-    *,
+    *bodies: str,
     at: float | None = None,
     labels: Mapping[str, str] | None = None,
     show: Sequence[str] = (),
@@ -117,7 +116,7 @@ def draw(
     the start cannot be assembled."""
     path = checked_path(path)
     if free:
-        made = free_body(system, free, at=at, show=show, view=view, perspective=perspective)
+        made = free_body(system, *free, at=at, show=show, view=view, perspective=perspective)
     else:
         made = picture(system, at=at, show=show, view=view, perspective=perspective)
     return made.write(path, dark=dark)

@@ -55,6 +55,10 @@ class Simulation(MeasuredMotion, Result):
         """The JSON document of the command line."""
         return self.summary()
 
+    @property
+    def is_complete(self) -> bool:
+        return self.status.is_complete
+
     @cached_property
     def dataset(self) -> xarray.Dataset:
         """Everything along the motion, with units and long names; see `study.simulation.dataset`."""

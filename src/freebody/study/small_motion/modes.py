@@ -154,6 +154,8 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
 
     Parameters need values. Raises CannotAnswer where there is no equilibrium, where loads are not smooth, or where a
     body moves without inertia."""
+    if at not in ("equilibrium", "start"):
+        raise InputError(f"small motions are about the equilibrium or the start, not about {at}")
     system = without_friction(system)
     if at == "start":
         if guess:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 from freebody.numeric.engine.layout import Floats
-from freebody.numeric.engine.tableaus import Row, Tableau, tableau
+from freebody.numeric.engine.tableaus import Tableau
 
 
 class OwnSteps(Protocol):
@@ -28,23 +28,15 @@ class Integrator:
     that is no tableau, of a motion under way (`MotionUnderWay`) from its first step [s] on, which is chosen if it is
     zero."""
 
-    order: int
     tableau: Tableau
     steps: Callable[[Any, float], OwnSteps] | None = None
+    own_order: int = 0  # of the method, where it is not that of its tableau
+
+    @property
+    def order(self) -> int:
+        return self.own_order or int(self.tableau.sizes[2])
 
     @property
     def is_adaptive(self) -> bool:
         """Whether it chooses its steps by the tolerance."""
         return self.steps is not None or bool(self.tableau.sizes[3])
-
-
-def explicit(
-    order: int,
-    a: Sequence[Row],
-    b: Row,
-    error: Sequence[Row] = (),
-    extra: Sequence[Row] = (),
-    dense: Sequence[Row] = (),
-) -> Integrator:
-    """An explicit Runge-Kutta method from its nonzero coefficients; see `tableaus`."""
-    return Integrator(order, tableau(order, a, b, error, extra, dense))

@@ -227,4 +227,4 @@ def _frozen(layout: ModelArrays, laws: list[float]) -> ModelArrays:
     return layout._replace(push=push, push_law=law)
 
 
-INTEGRATOR = Integrator(5, rk4.INTEGRATOR.tableau, Implicit)
+INTEGRATOR = Integrator(rk4.INTEGRATOR.tableau, Implicit, own_order=5)

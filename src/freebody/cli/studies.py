@@ -1,0 +1,74 @@
+"""The commands of the table of studies: each reads a model, runs its study, and prints or writes what was found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from inspect import Parameter, Signature
+from typing import Annotated, Any
+
+import typer
+
+from freebody.cli.options import Effort, Json, ModelFile, ReportFile
+from freebody.cli.output import check_out, print_result, print_written
+from freebody.studies import Option, Study
+
+Full = Annotated[bool, typer.Option("--full", help="Show formulas in full, however long they are.")]
+Latex = Annotated[bool, typer.Option("--latex", help="Print LaTeX.")]
+
+
+def command_of(study: Study) -> Callable[..., None]:
+    """The command of a study; one that writes its own file reports nothing besides."""
+    is_file = any(option.parameter == "path" for option in study.options)
+    own = [_parameter(option) for option in study.options]
+    report = [_of("as_json", Json, False), _of("out", ReportFile, None), _of("latex", Latex, False)]
+    full = [_of("is_full", Full, False)] if study.is_short else []
+    parameters = [*own] if is_file else [*report, *own, *full, _of("effort", Effort, 1.0)]
+
+    def run(file: Any, **words: Any) -> None:
+        if is_file:
+            print_written([_found(study, file, words)])
+        else:
+            _report(study, file, words)
+
+    run.__name__, run.__doc__ = study.command, study.help
+    signature = Signature([_of("file", ModelFile, Parameter.empty), *parameters])
+    run.__annotations__ = {name: each.annotation for name, each in signature.parameters.items()}
+    setattr(run, "__signature__", signature)  # noqa: B010 - what typer reads
+    return run
+
+
+def _of(name: str, annotation: Any, default: Any) -> Parameter:
+    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+
+
+def _parameter(option: Option) -> Parameter:
+    given: Any = typer.Option(*option.flags, help=option.help, metavar=option.metavar)
+    if option.default is ...:
+        return _of(option.parameter, Annotated[option.kind, given], Parameter.empty)
+    kind = option.kind | None if option.default is None else option.kind
+    return _of(option.parameter, Annotated[kind, given], option.default)
+
+
+def _found(study: Study, file: Any, words: dict[str, Any]) -> Any:
+    """What a study finds in the model of a file, of the words on the command line that are its own."""
+    from freebody.present.busy import busy
+
+    with busy(study.busy):
+        from freebody.system.system import System
+
+        given = {option.parameter: option.given(words[option.parameter]) for option in study.options}
+        return study.function(System.load(file), **{name: x for name, x in given.items() if x is not None})
+
+
+def _report(study: Study, file: Any, words: dict[str, Any]) -> None:
+    check_out(words["out"])
+    found = _found(study, file, words)
+    print_result(
+        found,
+        as_json=words["as_json"],
+        as_latex=words["latex"],
+        out=words["out"],
+        is_short=study.is_short and not words["is_full"],
+    )
+    if not found.is_complete:
+        raise typer.Exit(1)

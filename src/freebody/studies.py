@@ -1,0 +1,308 @@
+"""The table of studies: what can be found out about a system, from which its methods and the commands are made.
+
+A study is a function of a system, in a file of its own, whose value is a `Result`. Its line here is a
+method without a body: the signature, in a sentence what it does, and how it is given on the command line. `freebody`
+has it as a function, `System` as a method, the command line as a command; nothing that a study needs is imported
+before it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import wraps
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar, cast
+
+from freebody.narrative.words import languages
+
+if TYPE_CHECKING:
+    from freebody.narrative.explain import Explanation
+    from freebody.numeric.options import SimulationOptions
+    from freebody.present.picture.picture import Picture
+    from freebody.study.answering.solution import Solution
+    from freebody.study.conservation.conservation import Conservation
+    from freebody.study.eom import Equations
+    from freebody.study.friction.report import Statics
+    from freebody.study.inverse_dynamics import InverseDynamics
+    from freebody.study.mobility.found import Mobility
+    from freebody.study.phases.result import Phases
+    from freebody.study.simulation.simulate import Simulation
+    from freebody.study.small_motion.found import Equilibria
+    from freebody.study.small_motion.modes import At, NaturalModes
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+@dataclass(frozen=True)
+class Option:
+    """How a parameter of a study is given on the command line: by a word after a flag, by several, or by the flag
+    alone if it is a switch. read: the function that makes of a word what the study takes, by its place. is_list:
+    several words may stand between commas."""
+
+    parameter: str
+    flags: tuple[str, ...]
+    help: str
+    kind: Any = str
+    default: Any = None
+    metavar: str | None = None
+    read: str = ""
+    is_list: bool = False
+
+    def given(self, word: Any) -> Any:
+        """What the study is given for what stands on the command line. Raises InputError if it cannot be read."""
+        from freebody.errors import InputError
+
+        if self.is_list:
+            given: list[str] = word or []
+            return [part for part in map(str.strip, ",".join(given).split(",")) if part]
+        if word is None or not self.read:
+            return word
+        home, _, name = self.read.rpartition(".")
+        reading = getattr(import_module(home), name)
+        try:
+            return reading(word) if self.kind is str else [reading(each) for each in cast("list[str]", word)]
+        except InputError as error:
+            raise InputError(f"{self.flags[-1]} {word}: {error}") from error
+
+
+@dataclass(frozen=True)
+class Study:
+    """A line of the table. command: its name on the command line, empty where it has none; busy: what users are told
+    meanwhile; is_short: the terminal shows very long formulas by their size unless they are wanted in full."""
+
+    name: str
+    home: str
+    help: str
+    command: str
+    busy: str
+    options: tuple[Option, ...]
+    is_short: bool
+
+    @property
+    def function(self) -> Callable[..., Any]:
+        """The study itself, as a function of a system."""
+        return getattr(import_module(self.home), self.name)
+
+
+STUDIES: dict[str, Study] = {}  # by name, in the order in which the command line lists them
+
+
+def study(
+    home: str, command: str = "", *, busy: str = "", options: Sequence[Option] = (), is_short: bool = False
+) -> Callable[[Callable[Concatenate[Any, P], R]], Callable[Concatenate[Any, P], R]]:
+    """Enters a method into the table: it is the function of the same name in the module `home`."""
+
+    def entered(line: Callable[Concatenate[Any, P], R]) -> Callable[Concatenate[Any, P], R]:
+        sentence = (line.__doc__ or "").split("\n\n")[0]
+        entry = Study(line.__name__, home, sentence, command, busy, tuple(options), is_short)
+        STUDIES[entry.name] = entry
+
+        @wraps(line)
+        def method(system: Any, /, *args: P.args, **kwargs: P.kwargs) -> R:
+            return cast("R", entry.function(system, *args, **kwargs))
+
+        return method
+
+    return entered
+
+
+_SECONDS = "freebody.study.given.seconds"
+_GUESS = "freebody.study.given.guess_of"
+
+
+class Studies:
+    """Every study as a method of a system."""
+
+    @study(
+        "freebody.study.answering.solve",
+        "solve",
+        busy="reading the model",
+        options=[Option("question", ("--find",), "Answer this question instead of those in the file.")],
+        is_short=True,
+    )
+    def solve(self, question: str | None = None) -> Solution:
+        """Answer the questions of a model in closed form."""
+        ...
+
+    @study(
+        "freebody.narrative.explain",
+        "explain",
+        busy="reading the model",
+        options=[
+            Option("question", ("--find",), "Only this question: its id in the file, or one in words."),
+            Option("method", ("--method",), "auto, newton, lagrange or energy.", default="auto"),
+            Option("compare", ("--compare",), "A second method beside the first.", metavar="METHOD"),
+            Option("language", ("--language",), f"{' or '.join(reversed(languages()))}.", default="en"),
+        ],
+    )
+    def explain(
+        self, question: str | None = None, *, method: str = "auto", compare: str | None = None, language: str = "en"
+    ) -> Explanation:
+        """Derive the answers step by step, with pictures."""
+        ...
+
+    @study("freebody.study.eom", "eom", busy="deriving the equations of motion")
+    def equations_of_motion(self) -> Equations:
+        """Derive the equations of motion, the mass matrix and the constraint equations."""
+        ...
+
+    @study("freebody.study.simulation.simulate", "simulate")
+    def simulate(
+        self,
+        until: float,
+        *,
+        options: SimulationOptions | None = None,
+        values: Mapping[str, float] | None = None,
+        events: Sequence[str] = (),
+        **given: Any,
+    ) -> Simulation:
+        """Simulate the motion of a model.
+
+        until: [s]; options: how it is followed, as one value or by name: `tolerance=1e-12`."""
+        ...
+
+    @study(
+        "freebody.study.pictures.picture",
+        "draw",
+        busy="drawing",
+        options=[
+            Option(
+                "path",
+                ("-o", "--out"),
+                "The picture to write: .svg, .png, .pdf, or .tex with a tikzpicture.",
+                Path,
+                ...,
+            ),
+            Option(
+                "free",
+                ("--free-body",),
+                "Cut this body free, with all that acts on it; several for a part of the system.",
+                list[str],
+                metavar="BODY",
+                is_list=True,
+            ),
+            Option("at", ("--at",), "In motion at this time, as 2.5 or 200 ms.", read=_SECONDS),
+            Option(
+                "show",
+                ("--show",),
+                "velocity, acceleration, force, instant-centres (repeatable, or with commas).",
+                list[str],
+                is_list=True,
+            ),
+            Option(
+                "view",
+                ("--view",),
+                "In space: azimuth and elevation from which one looks, in degrees.",
+                default="30,20",
+                read="freebody.study.given.azimuth_and_elevation",
+            ),
+            Option("perspective", ("--perspective",), "In space: far things are smaller.", bool, default=False),
+            Option("dark", ("--dark",), "For a dark page.", bool, default=False),
+        ],
+    )
+    def draw(
+        self,
+        path: str | Path,
+        *,
+        at: float | None = None,
+        show: Sequence[str] = (),
+        free: Sequence[str] = (),
+        view: tuple[float, float] = (30.0, 20.0),
+        perspective: bool = False,
+        dark: bool = False,
+    ) -> Path:
+        """Draw a model at its start or in motion, or bodies of it cut free.
+
+        at: [s]; show: velocity, acceleration, force, instant-centres; view: in space, azimuth and elevation [deg]."""
+        ...
+
+    @study("freebody.study.pictures.picture")
+    def picture(self, *, at: float | None = None, show: Sequence[str] = (), **view: Any) -> Picture:
+        """The model as a picture with `svg()`, `tikz()`, `png()`.
+
+        at: [s]; show: as in `draw`."""
+        ...
+
+    @study("freebody.study.pictures.picture")
+    def free_body(self, *bodies: str, at: float | None = None, **options: Any) -> Picture:
+        """Bodies cut free with all that acts on them.
+
+        at: [s]; labels: other symbols; show: "force" for values in that instant."""
+        ...
+
+    @study(
+        "freebody.study.small_motion.equilibrium",
+        "equilibrium",
+        busy="searching for equilibria",
+        options=[
+            Option(
+                "guesses",
+                ("--guess",),
+                "Search from here; 'theta=20 deg, x=0.1 m'. Repeatable.",
+                list[str],
+                metavar="NAME=VALUE",
+                read=_GUESS,
+            )
+        ],
+    )
+    def equilibria(self, guesses: Sequence[Mapping[str, str | float]] = ()) -> Equilibria:
+        """Find the equilibria of a model, their stability and the reactions.
+
+        guesses: values of named measures from which to search; without any its poses are toured."""
+        ...
+
+    @study(
+        "freebody.study.small_motion.modes",
+        "modes",
+        busy="finding natural frequencies",
+        options=[
+            Option("at", ("--at",), "equilibrium (the nearest one), or start.", default="equilibrium"),
+            Option("guess", ("--guess",), "The equilibrium to which this leads.", metavar="NAME=VALUE", read=_GUESS),
+        ],
+    )
+    def modes(self, at: At = "equilibrium", guess: Mapping[str, str | float] | None = None) -> NaturalModes:
+        """Find natural frequencies, damping and mode shapes of small motions."""
+        ...
+
+    @study("freebody.study.friction.report", "statics", busy="finding what holds the system at rest")
+    def statics(self) -> Statics:
+        """Tell whether a model with contacts and dry friction stays at rest, its reactions, and what fails first."""
+        ...
+
+    @study("freebody.study.phases.result", "phases", busy="finding the phases of the motion")
+    def phases(self) -> Phases:
+        """Find the phases of a motion with contacts or dry friction, as cases over the parameters."""
+        ...
+
+    @study(
+        "freebody.study.mobility.mobility",
+        "mobility",
+        busy="counting degrees of freedom",
+        options=[
+            Option("along", ("--along",), "Follow the motion along a driver or measure to its limits.", metavar="NAME"),
+            Option("assembly_modes", ("--modes",), "List assembly modes, however many bodies.", bool, default=False),
+        ],
+    )
+    def mobility(self, along: str | None = None, *, assembly_modes: bool = False) -> Mobility:
+        """Count degrees of freedom, name redundant constraints, singular poses and limits.
+
+        assembly_modes: list them, however many bodies there are."""
+        ...
+
+    @study(
+        "freebody.study.conservation.conserved",
+        "conserved",
+        busy="searching for what is conserved",
+        options=[Option("question", ("--find",), "Judge this quantity, as 'angular momentum of body about roller'.")],
+    )
+    def conserved(self, question: str | None = None) -> Conservation:
+        """Tell what is conserved, and under which conditions; without a question in the file, search."""
+        ...
+
+    @study("freebody.study.inverse_dynamics")
+    def inverse_dynamics(self, motion: Mapping[str, Any] | None, times: Sequence[float]) -> InverseDynamics:
+        """The forces and torques for a prescribed motion of named measures."""
+        ...
