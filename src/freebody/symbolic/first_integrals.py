@@ -8,8 +8,9 @@ put into the energy this leaves one equation in the speed u of the one coordinat
 
     sum_jk M_jk u_j u_k/2 + V = E:      A(q) + B(q) u^2/2 + V(q) = E,
 
-whose linear term vanishes. Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 8.2 and 8.3
-(cyclic coordinates, Routh's procedure).
+whose linear term vanishes. Where a_c does not change, the integral of u_c over the way gives the other places as well.
+Source: Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, sec. 8.2 and 8.3 (cyclic coordinates,
+Routh's procedure).
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.model.elements import NonholonomicForm
+from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
@@ -65,6 +67,29 @@ class FirstIntegrals:
             return {}
         own = {c.index: at, c.speed: speed}
         return {k: self.field.follow(x, own) for k, x in speeds.items() if k != c.speed}
+
+    def places_at(self, c: Coordinate, at: Ratio, time: Ratio | None) -> dict[int, Ratio]:
+        """The other coordinates, by generator, where one of them has a value: dq_k/dt = a + b(q) dq/dt is integrated
+        where a does not change, over the way and, unless a is zero, over time (a momentum that stays zero keeps the
+        mass centre where it is)."""
+        f, found = self.field, dict[int, Ratio]()
+        try:
+            speeds = self.speeds(c)
+        except CannotAnswer:
+            return {}
+        for k in self.model.coordinates:
+            if k is c:
+                continue
+            speed = speeds[k.speed]
+            along = f.partial(speed, c.speed)
+            drift = f.lowest_terms(speed - along * f.variable(c.speed))
+            way = antiderivative(f.lowest_terms(along), c.index)
+            if way is None or not drift.is_constant() or (time is None and not drift.is_zero()):
+                continue
+            begins, ends = (f.follow(way, {c.index: q}) for q in (self.start.of(c.index), at))
+            moved = ends - begins if time is None else ends - begins + drift * time
+            found[k.index] = f.lowest_terms(self.start.of(k.index) + moved)
+        return found
 
     def _check(self, c: Coordinate) -> None:
         others = [k for k in self.model.coordinates if k is not c]

@@ -62,8 +62,12 @@ def start_state(model: SymbolicModel, known: dict[str, Expr], known_rates: dict[
     if not given.is_open:
         return StartState(values)
     least = least_energy(model, given.rows, values)
-    named = [c.name for c in model.coordinates if c.name not in known_rates]
-    moved = [c.name for c in model.coordinates if c.name in named and c.speed in least and not least[c.speed].is_zero()]
+    is_given = [c.name in known_rates or c.speed in given.decided for c in model.coordinates]
+    moved = [
+        c.name
+        for c, known_rate in zip(model.coordinates, is_given, strict=True)
+        if not known_rate and c.speed in least and not least[c.speed].is_zero()
+    ]
     values |= least
     return StartState(values, tuple(map(rate_not_given, moved)))
 
@@ -82,6 +86,7 @@ class GivenRates:
     rows: tuple[Row, ...]
     speeds: Mapping[int, Ratio]  # where they leave none open
     is_open: bool  # some are left open, and not all is at rest
+    decided: frozenset[int] = frozenset()  # speeds that they decide, whatever is left open beside them
 
 
 def rates_by_velocities(
@@ -101,7 +106,8 @@ def rates_by_velocities(
     # contradictory as they are written: rates that are given twice may agree in the pose of the start alone
     if moves and not solved.free and not solved.contradictory:
         found = {speed: f.lowest_terms(solved.pivots[speed].get(RHS, f.zero)) for speed in speeds}
-    return GivenRates(tuple(rows), found, moves and bool(solved.free))
+    decided = frozenset(speed for speed, row in solved.pivots.items() if row.keys() <= {RHS})
+    return GivenRates(tuple(rows), found, moves and bool(solved.free), decided)
 
 
 def least_energy(model: SymbolicModel, given: Sequence[Row], start: Mapping[int, Ratio]) -> dict[int, Ratio]:

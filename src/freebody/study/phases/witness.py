@@ -35,6 +35,8 @@ _RTOL = 1e-12
 _ATOL = 1e-13
 _STILL = 1e-9
 _N_LOOKS = 6  # places in a step at which events are looked for
+_SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
+_PLACES = ("touches", "is reached")  # events of places, which a motion may pass and come back from between two looks
 MAX_TIME = 1000.0
 
 
@@ -241,13 +243,17 @@ class NumericMode:
         for a, b, state in _looks(derivative, np.concatenate([q, v]), start, until):
             y = state(b)
             now = np.array([watch(y[:n], y[n:], b) for _event, watch in watches])
-            fallen = np.flatnonzero(armed & (now < 0.0))
-            if len(fallen):
+            ends = {int(k): b for k in np.flatnonzero(armed & (now < 0.0))}
+            for k in map(int, np.flatnonzero(armed & (now >= 0.0))):
+                if watches[k][0][0] in _PLACES and (low := _dip(watches[k][1], state, n, a, b)) is not None:
+                    ends[k] = low
+            fallen = sorted(ends)
+            if fallen:
                 armed[fallen] = False
-                roots = [(_root(watches[int(k)][1], state, n, a, b), int(k)) for k in fallen]
+                roots = [(_root(watches[k][1], state, n, a, ends[k]), k) for k in fallen]
                 found = [(t, k, state(t)) for t, k in roots]
                 roots = [(t, k) for t, k, y in found if self._exists(watches[k][0], y[:n], y[n:], t)]
-            if len(fallen) and roots:
+            if fallen and roots:
                 first = min(root for root, _k in roots)
                 at_once = [r for r in roots if r[0] <= first + 1e-9 * abs(first)]
                 time, k = max(at_once, key=lambda r: r[1])
@@ -285,6 +291,23 @@ def _root(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: 
 
     solver: Any = optimize
     return float(solver.brentq(value, a, b, xtol=1e-14, rtol=1e-14))
+
+
+def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float | None:
+    """Where what is positive at both ends has fallen below zero between them: what moves freely passes through another
+    body in one look."""
+    from scipy import optimize
+
+    def value(t: float) -> float:
+        y = state(t)
+        return watch(y[:n], y[n:], t)
+
+    h = _SLOPE * (b - a)
+    if value(a + h) >= value(a) or value(b - h) >= value(b):
+        return None
+    solver: Any = optimize
+    low = solver.minimize_scalar(value, bounds=(a, b), method="bounded")
+    return float(low.x) if low.fun < 0.0 else None
 
 
 def _signs(first: Array) -> Sequence[Array]:

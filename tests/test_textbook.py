@@ -1,0 +1,74 @@
+"""Systems as textbooks ask for them, against answers derived by hand in the line beside them."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from conftest import assert_same_function
+from freebody.language.notation import to_python
+
+CART = """
+parameters: {M: 2 kg, m: 1 kg, L: 1 m, th0: 60 deg, g: 9.81 m/s^2}
+ground: {lines: {rail: {along: right}}}
+bodies: {cart: {particle: {mass: M}}, bob: {particle: {mass: m}}}
+connections: {guide: {slider: {body: cart, along: rail}}, rod: {link: [cart, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of cart, th: angle of line from cart to bob from down}
+start: {x: 0, th: th0, rate(x): 0, rate(th): 0}
+"""
+FALLING_ROD = """
+parameters: {m: 1 kg, L: 1 m, th0: 70 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {foot: {slot: {pin: rod.start, along: floor}}}
+loads: {weight: {gravity: g}}
+measures: {th: angle of rod, x: x of rod}
+start: {th: th0, x: L/3, rate(th): 0, rate(x): 0}
+"""
+COLLISION = """
+parameters: {m1: 2 kg, m2: 3 kg, v0: 5 m/s, e: 0.6, r: 0.1 m, d: 1 m}
+ground: {lines: {l: {along: right}}}
+bodies: {a: {disk: {mass: m1, radius: r}, at: [0, 0]}, b: {disk: {mass: m2, radius: r}, at: [d, 0]}}
+connections:
+  ga: {slider: {body: a, along: l}}
+  gb: {slider: {body: b, along: l}}
+  hit: {contact: {between: [a, b], restitution: e}}
+measures: {x1: x of a, x2: x of b}
+start: {x1: 0, x2: d, rate(x1): v0, rate(x2): 0}
+"""
+STRUCK_ROD = """
+parameters: {M: 2 kg, L: 1 m, m: 0.02 kg, v0: 300 m/s, h: 0.8 m}
+bodies:
+  rod: {rod: {mass: M, length: L}, angle: -90 deg}
+  bullet: {particle: {mass: m}, at: [-0.1 m, -h], velocity: [v0, 0]}
+connections: {hinge: {pin: [ground.O, rod.start]}}
+measures: {th: angle of rod from down}
+"""
+
+
+def expression(model: str, question: str) -> str:
+    (answer,) = fb.solve(fb.System.from_text(model), question).answers
+    assert answer.expression is not None, answer.reason
+    return to_python(answer.expression)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "expected"),
+    [
+        # M x + m (x + L sin th) stays: the mass centre does not move aside
+        (CART, "x when th = 0", "m*L*sin(th0)/(M + m)"),
+        (CART, "x of bob when th = 0", "m*L*sin(th0)/(M + m)"),
+        # no force acts aside, so x stays; the foot is half a length from it
+        (FALLING_ROD, "x of rod.start when th = 0", "L/3 - L/2"),
+        # after the impact a goes on with v0 (m1 - e m2)/(m1 + m2) over the last 2 r
+        (COLLISION, "time when x1 = d", "(d - 2*r)/v0 + 2*r*(m1 + m2)/(v0*(m1 - m2*e))"),
+    ],
+)
+def test_what_textbooks_ask_for(model: str, question: str, expected: str) -> None:
+    assert_same_function(expression(model, question), expected, {})
+
+
+def test_a_velocity_that_is_given_is_no_assumption_where_another_is_left_open() -> None:
+    assumptions = fb.solve(fb.System.from_text(STRUCK_ROD), "acceleration of th at start").assumptions
+    assert not any("bullet" in text for text in assumptions)
