@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import freebody as fb
+from freebody import errors
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded
@@ -66,6 +67,29 @@ def test_an_error_keeps_the_message_that_it_was_raised_with(kind: type[CannotAns
     for text in (str(error), again):
         assert isinstance(text, Message)
         assert german.said(text) == german.said(CLOSED)
+
+
+def test_all_mistakes_of_a_model_are_told_in_another_language() -> None:
+    wrong = """
+bodies: {a: {disk: {mass: 1 kg, radius: 1 m}}, b: {particle: {mass: 2*}}}
+connections: {p: {pin: [a, a]}}
+questions: {q: reaction of c}
+"""
+    with pytest.raises(errors.ModelError) as caught:
+        fb.System.from_text(wrong)
+    for error in (caught.value, pickle.loads(pickle.dumps(caught.value))):
+        told = german.said(str(error)).split("\n")
+        assert len(told) == len(error.problems) == str(error).count("\n") + 1 == 3
+        assert "(Spalte 3)" in told[0]
+        assert told[1].endswith("verbindet a gelenkig mit sich selbst; nötig sind Punkte zweier Körper")
+        assert told[2].endswith("es gibt keine Verbindung c. Es gibt: p.")
+
+
+def test_a_thousand_mistakes_keep_their_text_a_few_times() -> None:
+    """A file may have as many; one message in another, each with the text of those before, would keep its square."""
+    error = errors.ModelError([errors.Problem((k,), Message("{x} is wrong", x=k)) for k in range(1000)])
+    assert str(error).split("\n")[999] == "999: 999 is wrong"
+    assert len(pickle.dumps(str(error))) < 20 * len(str(error))
 
 
 def test_statements_for_machines_keep_their_words() -> None:
@@ -232,8 +256,57 @@ def test_a_template_is_a_literal_where_a_message_is_made() -> None:
     """Else nobody could look for it."""
     for path, tree in trees():
         for call in (n for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)):
-            if call.func.id == "Message" and path.name != "sentences.py":  # type: ignore[union-attr]
+            if call.func.id == "Message" and path.name != "messages.py":  # type: ignore[union-attr]
                 assert list(texts_in(call.args[0])), f"{path}:{call.lineno}"
+
+
+# what the layers below the narrative tell users; errors of Python itself are for programmers
+BELOW = (
+    "language",
+    "measures",
+    "model",
+    "connections",
+    "loads",
+    "questions",
+    "system",
+    "symbolic",
+    "numeric",
+    "assess",
+    "study",
+)
+ERRORS = {name for name, kind in vars(errors).items() if isinstance(kind, type) and issubclass(kind, Exception)}
+TELLING = ERRORS | {"Problem", "problem", "refuse", "_note", "_fault"}
+
+
+def is_plain(node: ast.AST, texts: dict[str, ast.AST]) -> bool:
+    """Whether an argument is, or may be, a text without a template; texts: what names stand for."""
+    match node:
+        case ast.JoinedStr():
+            return True
+        case ast.Constant(value=str(text)):
+            return " " in text
+        case ast.IfExp(body=first, orelse=second) | ast.BinOp(left=first, right=second):
+            return is_plain(first, texts) or is_plain(second, texts)
+        case ast.Name(id=name) if name in texts:
+            return is_plain(texts[name], {})
+        case _:
+            return False
+
+
+def test_what_is_told_of_a_model_or_an_answer_is_a_message() -> None:
+    """A plain English text in an error would have no words in another language, and no test would miss them."""
+    found: list[str] = []
+    for path, tree in trees():
+        if path.relative_to(SOURCES).parts[0] not in BELOW or path.name == "free_body.py":
+            continue
+        for scope in (n for n in ast.walk(tree) if isinstance(n, (ast.FunctionDef, ast.Module))):
+            assigned = (n for n in ast.walk(scope) if isinstance(n, ast.Assign) and isinstance(scope, ast.FunctionDef))
+            texts = {n.targets[0].id: n.value for n in assigned if isinstance(n.targets[0], ast.Name)}
+            for call in (n for n in ast.walk(scope) if isinstance(n, ast.Call)):
+                name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+                if name in TELLING and any(is_plain(a, texts) for a in (*call.args, *(k.value for k in call.keywords))):
+                    found.append(f"{path.relative_to(SOURCES)}:{call.lineno}: {ast.unparse(call)[:80]}")
+    assert sorted(set(found)) == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -16,6 +16,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from freebody.messages import Message, lines
+
 
 class FreebodyError(Exception):
     """Base of all freebody errors."""
@@ -29,9 +31,12 @@ class ExpressionError(InputError):
     """An expression that cannot be read. `column` counts from 1 within the expression's text."""
 
     def __init__(self, message: str, column: int = 1) -> None:
-        super().__init__(f"{message} (column {column})")
+        super().__init__(Message("{message} (column {column})", message=message, column=column))
         self.message = message
         self.column = column
+
+    def __reduce__(self) -> tuple[type[ExpressionError], tuple[str, int]]:
+        return type(self), (self.message, self.column)
 
 
 class UnitError(InputError):
@@ -50,7 +55,8 @@ class Problem:
     def text(self, file: str | None) -> str:
         place = ".".join(str(part) for part in self.path)
         spot = ":".join(str(part) for part in (file, self.line, self.column) if part is not None)
-        return ": ".join(part for part in (spot, place, self.message) if part)
+        where = ": ".join(part for part in (spot, place) if part)
+        return Message("{where}: {what}", where=where, what=self.message) if where else self.message
 
 
 class ModelError(InputError):
@@ -59,7 +65,10 @@ class ModelError(InputError):
     def __init__(self, problems: Sequence[Problem], file: str | None = None) -> None:
         self.problems = tuple(problems)
         self.file = file
-        super().__init__("\n".join(problem.text(file) for problem in self.problems))
+        super().__init__(lines([problem.text(file) for problem in self.problems]))
+
+    def __reduce__(self) -> tuple[type[ModelError], tuple[tuple[Problem, ...], str | None]]:
+        return type(self), (self.problems, self.file)
 
 
 class CannotAnswer(FreebodyError):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
+from freebody.language.sentences import Message
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -38,7 +39,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {belt: [a, b
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
         if first.name == second.name:
-            names.problem(f"a belt needs two pulleys, not {first.name} twice")
+            names.problem(Message("a belt needs two pulleys, not {first} twice", first=first.name))
             return []
         # on a carrier of constant length an open belt couples angles as an internal mesh does
         _distance, _total, rolled = touching(

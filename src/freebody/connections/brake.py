@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, TIME, TORQUE, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -37,12 +38,12 @@ connections: {p: {pin: [ground.A, drum]}, it: {brake: {between: [drum, ground], 
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         if len(self.between) != 2:
-            names.problem("a brake is between two bodies, e.g. between: [drum, ground]", None, "between")
+            names.problem(Message("a brake is between two bodies, e.g. between: [drum, ground]"), "between")
             return [], []
         first, second = (names.body(name, "between", k) for k, name in enumerate(self.between))
         for k, body in enumerate((first, second)):
             if not body.turns:
-                names.problem(f"{body.name} is a particle and does not turn", None, "between", k)
+                names.problem(Message("{body} is a particle and does not turn", body=body.name), "between", k)
         measure = Angle(first.name, second.name)
         return [], [_rub(names, connection, "torque", measure, self.torque, TORQUE, "torque")]
 

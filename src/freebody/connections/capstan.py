@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from freebody.connections.string_node import StringNode
 from freebody.language.expression import Call, Expr, Symbol, evaluate, multiply, negate, number
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -62,7 +63,9 @@ def frictions(names: Names, given: Any, passed: list[str]) -> dict[str, Friction
                 from freebody.model.names import did_you_mean
 
                 names.problem(
-                    f"the string does not slide over {name}.{did_you_mean(name, passed)}", None, "friction", name
+                    Message("the string does not slide over {name}.{hint}", name=name, hint=did_you_mean(name, passed)),
+                    "friction",
+                    name,
                 )
                 continue
             with names.at("friction"):
@@ -77,8 +80,10 @@ def rub(names: Names, passage: Passage, friction: Friction, wrap: Any, connectio
     label = drum_name(passage.node)
     if not passage.is_only:
         names.problem(
-            "there are two drums with friction between the same grips; let the string grip a light pulley between them",
-            None,
+            Message(
+                "there are two drums with friction between the same grips; let the string grip a light pulley "
+                "between them"
+            ),
             "friction",
         )
         return None
@@ -138,9 +143,11 @@ def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None
         into, out = passage.leads
         if into is None or out is None or {into.body, out.body} != {GROUND}:
             names.problem(
-                f"the angle of wrap on {label} changes as the string moves, or is not known: give wrap: {{{label}: pi}}"
-                ", or leads with the directions of all leads",
-                None,
+                Message(
+                    "the angle of wrap on {label} changes as the string moves, or is not known: give wrap: "
+                    "{{{label}: pi}}, or leads with the directions of all leads",
+                    label=label,
+                ),
                 "friction",
             )
             return None
@@ -151,7 +158,10 @@ def _wrap(names: Names, passage: Passage, given: Any, label: str) -> Expr | None
         beta = beta + number(-2 * math.floor(value / (2 * math.pi) + _NO_WRAP)) * Symbol("pi")
     value = names.numeric(beta)
     if value is not None and value < _NO_WRAP:
-        names.problem(f"the string does not touch {label}: its angle of wrap is {value:.3g}", None, "friction")
+        names.problem(
+            Message("the string does not touch {label}: its angle of wrap is {value:.3g}", label=label, value=value),
+            "friction",
+        )
         return None
     return beta
 

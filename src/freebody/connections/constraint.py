@@ -9,6 +9,7 @@ from freebody.connections.base import Connection
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Symbol, differentiate, free_symbols, number, replace_rates, substitute
 from freebody.language.parser import parse
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, dimension_of
 from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND
@@ -62,7 +63,7 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
             known = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
             dimension = dimension_of(expr, known)
         except (ExpressionError, UnitError) as error:
-            names.problem(str(error), None, "expression")
+            names.problem(str(error), "expression")
             return []
         swapped = replace_rates(expr, {n: Symbol(f"@{n}") for n in names.measures})
         rated = sorted(n for n in names.measures if f"@{n}" in free_symbols(swapped))
@@ -72,7 +73,7 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
             coefficient = differentiate(swapped, f"@{name}")
             rest = substitute(rest, {f"@{name}": number(0)})
             if any(symbol.startswith("@") for symbol in free_symbols(coefficient)):
-                names.problem(f"the expression is not linear in rate({name})", None, "expression")
+                names.problem(Message("the expression is not linear in rate({name})", name=name), "expression")
                 return []
             used = sorted(free_symbols(coefficient) & set(names.measures))
             parts = tuple((n, names.measures[n]) for n in used)
@@ -84,12 +85,11 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
                 )
             )
         if not terms:
-            names.problem("there is no rate in it; write rate(x) for the rate of x", None, "expression")
+            names.problem(Message("there is no rate in it; write rate(x) for the rate of x"), "expression")
             return []
         if rest != number(0):
             names.problem(
-                "every term needs a rate: freebody holds sums of coefficient*rate(measure) at zero",
-                None,
+                Message("every term needs a rate: freebody holds sums of coefficient*rate(measure) at zero"),
                 "expression",
             )
             return []

@@ -12,6 +12,7 @@ from freebody.connections.outlines import KINDS, Outline, read_outline
 from freebody.connections.sites import ContactSite, sites
 from freebody.language.expression import ZERO, Expr
 from freebody.language.natural import natural
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import GROUND
@@ -136,20 +137,27 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
         outlines = self._outlines(names)
         joined = [(a, b) for a, b in itertools.combinations(outlines, 2) if _may_touch(names, a, b)]
         if self.between is not None and len(outlines) == 2 and not joined:
-            names.problem("both are fixed and never move apart; one of them must be a moving body", None, "between")
+            names.problem(Message("both are fixed and never move apart; one of them must be a moving body"), "between")
         found: list[OutlinePair] = []
         for a, b in joined:
             if a.body == b.body:
                 if self.between is not None:
-                    names.problem(f"{a.label} and {b.label} are parts of the same body", None, "between")
+                    names.problem(
+                        Message("{a} and {b} are parts of the same body", a=a.label, b=b.label),
+                        "between",
+                    )
                 continue
             if not sites(a, b):
                 if self.between is not None:
                     names.problem(
-                        f"there is no contact of {a.label} with {b.label}: both are points, or straight lines, or "
-                        f"hollow, or one a line and one hollow. A contact takes two of {KINDS}; one must be a circle, "
-                        "a point or a polygon",
-                        None,
+                        Message(
+                            "there is no contact of {a} with {b}: both are points, or straight lines, or hollow, "
+                            "or one a line and one hollow. A contact takes two of {kinds}; one must be a circle, "
+                            "a point or a polygon",
+                            a=a.label,
+                            b=b.label,
+                            kinds=KINDS,
+                        ),
                         "between",
                     )
                 continue
@@ -158,7 +166,7 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
 
     def _outlines(self, names: Names) -> list[Outline]:
         if (self.between is None) == (self.among is None):
-            names.problem("say what touches: between: [ball, ground.floor], or among: [a, b, c] for all pairs")
+            names.problem(Message("say what touches: between: [ball, ground.floor], or among: [a, b, c] for all pairs"))
             return []
         field = "between" if self.among is None else "among"
         texts = self.between if self.among is None else self.among
@@ -169,11 +177,11 @@ connections: {it: {contact: {between: [ball, floor], friction: 0.3, restitution:
             lines = sorted(names.bodies[GROUND].lines, key=natural)
             texts = [*moving, *(f"{GROUND}.{line}" for line in lines)]
         elif isinstance(texts, str):
-            names.problem("among is a list of bodies, points and lines, or all", None, "among")
+            names.problem(Message("among is a list of bodies, points and lines, or all"), "among")
             return []
         assert isinstance(texts, list)
         if self.between is not None and len(texts) != 2:
-            names.problem(f"between takes two, found {len(texts)}; write among for more", None, "between")
+            names.problem(Message("between takes two, found {n}; write among for more", n=len(texts)), "between")
             return []
         found = [read_outline(names, text, field, k, below=self.below) for k, text in enumerate(texts)]
         return [outline for outline in found if outline is not None]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.circles import own_radius, touching
 from freebody.language.expression import Expr, negate
+from freebody.language.sentences import Message
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -40,7 +41,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.body(self.first, "first"), names.body(self.second, "second")
         if first.name == second.name:
-            names.problem(f"{first.name} cannot mesh with itself")
+            names.problem(Message("{first} cannot mesh with itself", first=first.name))
             return []
         r1, r2 = self._radii(names)
         distance, total, rolled = touching(first.center, r1, second.center, r2, internal=self.internal)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, own_direction
 from freebody.language.expression import Expr, divide
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.combination import Combination
 from freebody.measures.geometry import GROUND, ONE, Direction
@@ -55,7 +56,7 @@ connections:
         carrier = names.body(self.on, "on").name
         ratio = self._ratio(names)
         if len({wheels[0].name, wheels[1].name, carrier}) < 3:
-            names.problem("a gear pair needs two wheels and another body that carries their bearings")
+            names.problem(Message("a gear pair needs two wheels and another body that carries their bearings"))
             return []
         turns: list[Turn] = []
         for wheel, heading, key in zip(
@@ -72,12 +73,12 @@ connections:
 
     def _ratio(self, names: Names) -> Expr:
         if (self.ratio is None) == (self.teeth is None):
-            names.problem("give ratio, the turns of second for one of first, or teeth: [z1, z2]")
+            names.problem(Message("give ratio, the turns of second for one of first, or teeth: [z1, z2]"))
             return ONE
         if self.teeth is None:
             return names.formula(self.ratio, DIMENSIONLESS, "ratio")
         if len(self.teeth) != 2:
-            names.problem("teeth are two numbers, [z1, z2]", None, "teeth")
+            names.problem(Message("teeth are two numbers, [z1, z2]"), "teeth")
             return ONE
         first, second = (names.formula(z, DIMENSIONLESS, "teeth", k) for k, z in enumerate(self.teeth))
         return -divide(first, second)

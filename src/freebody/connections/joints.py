@@ -13,6 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO, Direction, Point
@@ -103,20 +104,27 @@ def read_joint(
         return None
     one, other = names.point(first, "first"), names.point(second, "second")
     if one.body == other.body:
-        names.problem(f"joins {one.body} to itself; name points of two bodies", spec)
+        names.problem(Message("joins {body} to itself; name points of two bodies", body=one.body))
         return None
     for point, field in ((one, "first"), (other, "second")):
         if not names.known(point.body).turns:
-            names.problem(f"{point.body} is a particle, which cannot turn; give it a body with inertia", spec, field)
+            names.problem(
+                Message("{body} is a particle, which cannot turn; give it a body with inertia", body=point.body),
+                field,
+            )
             return None
     axis = own_direction(names, about, one.body, key)
     if second_axis is None and axis.body == other.body != one.body:
         axis = Direction(one.body, axis.components, axis.name)
     if axis.body != one.body:
         names.problem(
-            f"the axis is fixed in {axis.body}, but it must be on {one.body}, the body of first; give the one on "
-            f"{other.body} as second_axis",
-            spec,
+            Message(
+                "the axis is fixed in {owner}, but it must be on {body}, the body of first; give the one on "
+                "{other} as second_axis",
+                owner=axis.body,
+                body=one.body,
+                other=other.body,
+            ),
             key,
         )
         return None
@@ -124,7 +132,10 @@ def read_joint(
     if second_axis is not None:
         axis2 = own_direction(names, second_axis, other.body, "second_axis")
         if axis2.body != other.body:
-            names.problem(f"second_axis must be fixed in {other.body}, the body of second", spec, "second_axis")
+            names.problem(
+                Message("second_axis must be fixed in {other}, the body of second", other=other.body),
+                "second_axis",
+            )
             return None
     b, c = (Direction(one.body, v) for v in perpendiculars(axis.components))
     b2, c2 = (Direction(other.body, v) for v in perpendiculars(axis2.components))
@@ -140,5 +151,9 @@ def own_direction(names: Names, value: Heading, body: str, *path: str | int) -> 
 def is_spatial(names: Names, spec: Spec) -> bool:
     """Notes a problem in the plane."""
     if not names.space:
-        names.problem(f"{spec.kind} is a joint of space: write space: true, or use pin, slider or slot in the plane")
+        names.problem(
+            Message(
+                "{kind} is a joint of space: write space: true, or use pin, slider or slot in the plane", kind=spec.kind
+            )
+        )
     return names.space

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.standing import place_of
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.combination import Combination
 from freebody.measures.distance import Distance
@@ -36,13 +37,17 @@ connections: {it: {link: [ground.A, bob]}}
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
-            names.problem(f"links {first.body} to itself; name points of two bodies")
+            names.problem(Message("links {body} to itself; name points of two bodies", body=first.body))
             return []
         places = [place_of(names, point) for point in (first, second)]
         if self.length is None and places[0] is not None and places[0] == places[1]:
             names.problem(
-                f"at the start {first} and {second} are in one place, where the link has no length and no direction: "
-                "give its length, or put them apart (at)"
+                Message(
+                    "at the start {first} and {second} are in one place, where the link has no length and no "
+                    "direction: give its length, or put them apart (at)",
+                    first=first,
+                    second=second,
+                )
             )
             return []
         distance = Distance(first, second)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ZERO, Call, Expr, negate
+from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Line, RigidBody, Span
@@ -97,7 +98,9 @@ class Outline:
         return bool(self.rounds and self.straights)
 
 
-KINDS = "a circle, a point (a particle, a corner), a line, a polygon (rectangle, polygon, rod), the inside of a ring"
+KINDS = Message(
+    "a circle, a point (a particle, a corner), a line, a polygon (rectangle, polygon, rod), the inside of a ring"
+)
 
 
 def read_outline(names: Names, text: str, *path: str | int, below: bool = False) -> Outline | None:
@@ -132,11 +135,16 @@ def _of_body(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
     if not body.turns:
         return Outline(body.name, body.name, (RoundPart(body.center, ZERO, body.name),))
     lines = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.lines]
-    what = f"; name one of its lines: {', '.join(lines)}" if body.name == GROUND and lines else ""
+    is_lined = body.name == GROUND and lines
+    what = Message("; name one of its lines: {names}", names=", ".join(lines)) if is_lined else ""
     names.problem(
-        f"{body.name} has no outline that could touch{what}. What can: {KINDS}. Give {body.name} a radius, "
-        f"or outline: [P, Q, R] with points of its own, or name one of its points",
-        None,
+        Message(
+            "{body} has no outline that could touch{what}. What can: {kinds}. Give {body} a radius, or "
+            "outline: [P, Q, R] with points of its own, or name one of its points",
+            body=body.name,
+            what=what,
+            kinds=KINDS,
+        ),
         *path,
     )
     return None
@@ -147,7 +155,10 @@ def _polygon(names: Names, body: RigidBody, *path: str | int) -> Outline | None:
     corners = list(body.corners)
     turning = _turns(names, body, corners)
     if turning and len({turn > 0 for turn in turning}) > 1:
-        names.problem(f"the outline of {body.name} is not convex; weld convex bodies together instead", None, *path)
+        names.problem(
+            Message("the outline of {body} is not convex; weld convex bodies together instead", body=body.name),
+            *path,
+        )
         return None
     if turning and turning[0] < 0:
         corners.reverse()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.standing import quietly, stands_at
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import Direction, Point
@@ -39,7 +40,7 @@ connections: {it: {pin: [ground.A, rod.start]}}
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
-            names.problem(f"pins {first.body} to itself; name points of two bodies")
+            names.problem(Message("pins {body} to itself; name points of two bodies", body=first.body))
             return []
         return coincidence(first, second)
 
@@ -60,11 +61,11 @@ connections: {it: {pin: [ground.A, rod.start]}}
         radius = names.optional(self, "radius", LENGTH)
         bodies = [names.point(text, key).body for key, text in (("first", self.first), ("second", self.second))]
         if radius is None:
-            names.problem("friction in a pin acts at the radius of its journal; give radius", None, "friction")
+            names.problem(Message("friction in a pin acts at the radius of its journal; give radius"), "friction")
             return [], []
         for key, body in zip(("first", "second"), bodies, strict=True):
             if not names.known(body).turns:
-                names.problem(f"{body} is a particle; friction in a pin needs bodies that turn", None, key)
+                names.problem(Message("{body} is a particle; friction in a pin needs bodies that turn", body=body), key)
         row = ConstraintRow("friction", "friction torque", Angle(bodies[1], bodies[0]), connection=connection)
         load = (f"{connection}.x", f"{connection}.y")
         return [], [DryFriction(row, friction.static * radius, friction.kinetic * radius, load)]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import across_names, is_spatial
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Direction, Point
@@ -40,7 +41,9 @@ connections: {it: {point_on_line: {point: rod.left, through: ground.A, along: x}
         point, through = names.point(self.point, "point"), names.point(self.through, "through")
         along = names.direction(self.along, "along", body=through.body)
         if point.body == through.body or along.body == point.body:
-            names.problem(f"the point and the line are both on {point.body}; name points of two bodies")
+            names.problem(
+                Message("the point and the line are both on {body}; name points of two bodies", body=point.body)
+            )
             return None
         return point, through, along
 
@@ -90,14 +93,16 @@ connections: {it: {point_on_plane: {point: rod.left, on: floor}}}
 
             known = [f"{b.name}.{name}" for b in names.bodies.values() for name in b.planes]
             names.problem(
-                f"{self.on} is no plane.{did_you_mean(self.on, known)} "
-                "A plane: ground: {planes: {floor: {normal: up}}}",
-                None,
+                Message(
+                    "{name} is no plane.{hint} A plane: ground: {{planes: {{floor: {{normal: up}}}}}}",
+                    name=self.on,
+                    hint=did_you_mean(self.on, known),
+                ),
                 "on",
             )
             return []
         if point.body == plane.normal.body:
-            names.problem(f"the point and the plane are both on {point.body}")
+            names.problem(Message("the point and the plane are both on {body}", body=point.body))
             return []
         return [ConstraintRow("contact", "normal force", Displacement(point, plane.through, plane.normal))]
 

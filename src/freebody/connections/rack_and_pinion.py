@@ -10,6 +10,7 @@ from freebody.connections.slider import Slider
 from freebody.connections.slot import Slot
 from freebody.connections.standing import is_parallel, number_of, stands_at
 from freebody.language.expression import Call, Expr, add, negate
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
@@ -49,7 +50,7 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
         pinion, rack = names.body(self.pinion, "pinion"), names.body(self.rack, "rack")
         along = self._pitch_line(names, rack, pinion)
         if pinion.name == rack.name:
-            names.problem(f"{pinion.name} cannot be its own rack")
+            names.problem(Message("{pinion} cannot be its own rack", pinion=pinion.name))
             return []
         # rolling of the pinion on a line of the rack: s + R theta, seen from the rack
         travel = Displacement(pinion.center, rack.center, along)
@@ -74,10 +75,15 @@ connections: {p: {pin: [ground.A, gear]}, g: {slider: {body: bar, along: right}}
             if rack.fixed or stands_at(names, pinion.center, here.normal()) is not None:
                 guided = pinion.name if rack.fixed else rack.name
                 names.problem(
-                    f"the teeth of {rack.name} run along {self.along}, but the guide of {guided} runs along "
-                    f"{guide.name}: the pinion leaves the teeth or is held fast. Leave along out, or turn the rack "
-                    "(angle) or the guide",
-                    None,
+                    Message(
+                        "the teeth of {rack} run along {along}, but the guide of {guided} runs along {guide}: the "
+                        "pinion leaves the teeth or is held fast. Leave along out, or turn the rack (angle) or the "
+                        "guide",
+                        rack=rack.name,
+                        along=self.along,
+                        guided=guided,
+                        guide=guide.name,
+                    ),
                     "along",
                 )
             return given

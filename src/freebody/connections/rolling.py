@@ -9,6 +9,7 @@ from freebody.connections.base import Connection
 from freebody.connections.circles import touching
 from freebody.connections.rolling_in_space import rolling_rows
 from freebody.language.expression import Expr, negate
+from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -57,7 +58,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             return rolling_rows(names, body, body.radius if own is None else own, plane)
         radius = names.radius(body.name, "body") if own is None else own
         if (self.on is None) == (self.inside is None):
-            names.problem("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring")
+            names.problem(Message("say what it rolls on: on: ground.floor (a line), on: drum, or inside: ring"))
             return []
         line = None if self.on is None else names.line(self.on, "on")
         if line is not None:
@@ -66,7 +67,7 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
             return self._nothing_there(names)
         other = names.body(str(self.on or self.inside), "on" if self.on else "inside")
         if other.name == body.name:
-            names.problem(f"{body.name} cannot roll on itself")
+            names.problem(Message("{body} cannot roll on itself", body=body.name))
             return []
         if other.radius is None:
             return self._nothing_there(names)
@@ -82,14 +83,16 @@ connections: {it: {rolling: {body: wheel, on: floor}}}
         from freebody.model.names import did_you_mean
 
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes)]
-        example = "a plane: ground: {planes: {floor: {normal: up}}}"
-        names.problem(
-            f"{self.on} is neither a {'plane, a ' if names.space else ''}line nor a round body."
-            f"{did_you_mean(str(self.on), known)} "
-            + (f"For {example}" if names.space else "A line: ground: {lines: {floor: {along: right}}}"),
-            None,
-            "on",
+        told = Message(
+            "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "
+            "{{normal: up}}}}}}"
+            if names.space
+            else "{name} is neither a line nor a round body.{hint} A line: ground: {{lines: {{floor: {{along: "
+            "right}}}}}}",
+            name=self.on,
+            hint=did_you_mean(str(self.on), known),
         )
+        names.problem(told, "on")
         return []
 
     def _on_line(self, body: RigidBody, radius: Expr, line: Line) -> list[ConstraintRow]:

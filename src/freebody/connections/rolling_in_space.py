@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.joints import across_names
 from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
@@ -34,12 +35,14 @@ if TYPE_CHECKING:
 def rolling_rows(names: Names, body: RigidBody, radius: Expr | None, plane: BodyPlane) -> list[ConstraintRow]:
     """The rows of rolling on a plane, by the form of the body."""
     if body.name == plane.normal.body:
-        names.problem(f"{body.name} cannot roll on a plane of its own")
+        names.problem(Message("{body} cannot roll on a plane of its own", body=body.name))
         return []
     if body.round == "cone":
         return _cone(body, plane)
     if body.round not in ("disk", "sphere") or radius is None:
-        names.problem(f"{body.name} is not round; make it a disk, ring, cylinder, sphere or cone", None, "body")
+        names.problem(
+            Message("{body} is not round; make it a disk, ring, cylinder, sphere or cone", body=body.name), "body"
+        )
         return []
     return _sphere(body, radius, plane) if body.round == "sphere" else _rim(body, radius, plane)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from freebody.connections.base import Connection
 from freebody.connections.standing import along_of, is_parallel, quietly, stands_at
 from freebody.language.expression import Expr, multiply
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -112,7 +113,7 @@ connections: {it: {slider: {body: block, along: right}}}
         rail = self._guide(names, point)
         direction = rail.direction
         if point.body == direction.body:
-            names.problem(f"{point.body} cannot slide on itself; name another body with on")
+            names.problem(Message("{body} cannot slide on itself; name another body with on", body=point.body))
             return []
         rows = [ConstraintRow("normal", "normal force", rail.across)]
         if names.known(point.body).turns and names.known(direction.body).turns:

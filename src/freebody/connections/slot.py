@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
 from freebody.connections.slider import guide
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
@@ -40,7 +41,7 @@ connections: {it: {slot: {pin: rod.end, along: up}}}
         point = names.point(self.pin, "pin")
         rail = guide(names, point, self.along, self.on, self.through)
         if point.body == rail.direction.body:
-            names.problem(f"the pin and the slot are both on {point.body}")
+            names.problem(Message("the pin and the slot are both on {body}", body=point.body))
             return []
         return [ConstraintRow("normal", "normal force", rail.across)]
 

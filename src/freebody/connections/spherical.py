@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, meeting
+from freebody.language.sentences import Message
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -32,7 +33,7 @@ connections: {it: {spherical: [ground.A, rod.left]}}
             return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
-            names.problem(f"joins {first.body} to itself; name points of two bodies")
+            names.problem(Message("joins {body} to itself; name points of two bodies", body=first.body))
             return []
         return meeting(first, second)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection, as_written
 from freebody.language.expression import add
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
@@ -40,7 +41,7 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         measure = measure_of(names, self.measure, "measure")
         if self.min is None and self.max is None:
-            names.problem("a stop needs min or max")
+            names.problem(Message("a stop needs min or max"))
         if measure is None:
             return [], []
         restitution = read_restitution(names, self.restitution)
@@ -54,7 +55,7 @@ connections: {rail: {slider: {body: cart, along: right}}, it: {stop: {measure: x
                 found.append(UnilateralConstraint(row, restitution))
         low, high = (names.numeric(b.row.target) if b.row.target is not None else None for b in (found[0], found[-1]))
         if len(found) == 2 and low is not None and high is not None and low > high:
-            names.problem(f"min ({low:g}) is above max ({high:g})")
+            names.problem(Message("min ({low:g}) is above max ({high:g})", low=low, high=high))
         return found, []
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:

@@ -21,6 +21,7 @@ from freebody.connections.standing import is_parallel, number_of, place_of, quie
 from freebody.connections.string_node import StringNode
 from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -183,11 +184,11 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
     def _laid(self, names: Names) -> Laid | None:
         """How the string lies; None with problems noted."""
         if self.path and (self.start or self.to or self.over or self.under):
-            names.problem("give the way either as path, or as from, over, under, to")
+            names.problem(Message("give the way either as path, or as from, over, under, to"))
             return None
         texts = self._texts()
         if len(texts) < 2 or not (self.path or (self.start and self.to)):
-            names.problem("a string needs two ends: from and to")
+            names.problem(Message("a string needs two ends: from and to"))
             return None
         nodes = [self._node(names, text, k, len(texts)) for k, text in enumerate(texts)]
         if any(node is None for node in nodes):
@@ -214,10 +215,16 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             apart = math.dist(places[0], places[1])
             arm = abs(number_of(names, add(arms[k + 1], negate(arms[k]))))
             if apart <= arm + ROUND_OFF:
-                wanted = f"more than {arm:.6g} m apart" if arm else "apart"
+                wanted = Message("more than {arm:.6g} m apart", arm=arm) if arm else Message("apart")
                 names.problem(
-                    f"at the start {first.point} and {second.point} are {apart:.6g} m from each other, where the "
-                    f"string between them has no direction: put them {wanted} (at)"
+                    Message(
+                        "at the start {first} and {second} are {apart:.6g} m from each other, where the string between "
+                        "them has no direction: put them {wanted} (at)",
+                        first=first.point,
+                        second=second.point,
+                        apart=apart,
+                        wanted=wanted,
+                    )
                 )
                 return
 
@@ -247,9 +254,11 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         found = _NODE.fullmatch(" ".join(text.split()))
         if found is None:
             names.problem(
-                f"'{text}' is no place on a string; write a point, 'over pulley', 'under pulley' or "
-                "'wound on drum at right'",
-                None,
+                Message(
+                    "'{text}' is no place on a string; write a point, 'over pulley', 'under pulley' or 'wound on "
+                    "drum at right'",
+                    text=text,
+                ),
                 *field,
             )
             return None
@@ -271,7 +280,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             body = names.known(point.body)
         way = "drum" if found["wound"] else "end" if is_end else (found["way"] or "over")
         if not is_end and found["wound"]:
-            names.problem(f"only an end can be wound on a drum, '{text}' is in the middle", None, *field)
+            names.problem(Message("only an end can be wound on a drum, '{text}' is in the middle", text=text), *field)
         given = body.start.at is not None
         is_free = not (_is_held(names, body.name) or body.fixed or self.swings or body.name == GROUND)
         return StringNode(
@@ -295,9 +304,17 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if name not in pulleys:
                 body = names.body(name, "grips", k)
                 if body.fixed:
-                    names.problem(f"{name} is fixed and cannot turn, so the string cannot grip it", None, "grips", k)
+                    names.problem(
+                        Message("{name} is fixed and cannot turn, so the string cannot grip it", name=name),
+                        "grips",
+                        k,
+                    )
                 elif body.name == name:
-                    names.problem(f"the string does not run over {name}, so it cannot grip it", None, "grips", k)
+                    names.problem(
+                        Message("the string does not run over {name}, so it cannot grip it", name=name),
+                        "grips",
+                        k,
+                    )
         return set(self.grips) & pulleys
 
     # -- directions of the leads --------------------------------------------------------------
@@ -306,7 +323,10 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         n = len(way) - 1
         if self.leads is not None:
             if len(self.leads) != n:
-                names.problem(f"there are {n} leads, {len(self.leads)} directions are given", None, "leads")
+                names.problem(
+                    Message("there are {n} leads, {given} directions are given", n=n, given=len(self.leads)),
+                    "leads",
+                )
                 return [None] * n
             return [names.direction(d, "leads", k) for k, d in enumerate(self.leads)]
         found: list[Direction | None] = []

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from freebody.connections.base import Connection
 from freebody.connections.joints import is_spatial, meeting, own_direction
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import ZERO
 from freebody.measures.turn import Alignment
@@ -43,7 +44,7 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
             return []
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
-            names.problem(f"joins {first.body} to itself; name points of two bodies")
+            names.problem(Message("joins {body} to itself; name points of two bodies", body=first.body))
             return []
         arms = [
             own_direction(names, arm, point.body, key)
@@ -51,7 +52,7 @@ connections: {it: {universal: {first: ground.A, second: shaft.start, arm: x, sec
         ]
         for arm, point, key in zip(arms, (first, second), ("arm", "second_arm"), strict=True):
             if arm.body != point.body:
-                names.problem(f"{key} must be fixed in {point.body}", None, key)
+                names.problem(Message("{key} must be fixed in {body}", key=key, body=point.body), key)
         return [*meeting(first, second), ConstraintRow("cross", "cross moment", Alignment(arms[1], arms[0]))]
 
     def attitude(self, names: Names) -> Attitude | None:

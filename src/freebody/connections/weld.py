@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from freebody.connections.base import Connection, coincidence
 from freebody.connections.joints import meeting
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
 from freebody.measures.combination import Combination
@@ -39,12 +40,12 @@ connections: {it: {weld: [ground.A, beam.start]}}
     def rows(self, names: Names) -> list[ConstraintRow]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         if first.body == second.body:
-            names.problem(f"welds {first.body} to itself; name points of two bodies")
+            names.problem(Message("welds {body} to itself; name points of two bodies", body=first.body))
             return []
         if names.space:
             return self._in_space(names, first, second)
         if self.turned is not None:
-            names.problem("turned is for models in space; in the plane the bodies keep the angle of the start")
+            names.problem(Message("turned is for models in space; in the plane the bodies keep the angle of the start"))
         rows = coincidence(first, second)
         if names.known(first.body).turns and names.known(second.body).turns:
             angle = Angle(second.body, first.body)

@@ -1,19 +1,16 @@
 """What is said, before it is put into words: the only text that a layer below the catalogues hands on.
 
 A `Sentence` of a derivation has a key and is put into words by a catalogue alone. A `Message` is said in English at
-once, on the terminal, in JSON, in an exception, and remembers of what: its template, which is the key under which the
-catalogue of another language has it, and what was put into its places. A place may hold another message:
-
-    Message("the start cannot be assembled: {why}", why=Message("the gap of {pin} stays {gap:.2g} m", pin=..., gap=...))
+once and remembers of what; errors are made of them as well, so they stand below the language (`freebody.messages`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from numbers import Number as Figure
 
 from freebody.language.expression import Expr
+from freebody.messages import Message, further, in_turn, lines, listed, turns
 
 
 @dataclass(frozen=True)
@@ -25,58 +22,7 @@ class Sentence:
     args: Mapping[str, Argument] = field(default_factory=dict[str, "Argument"])
 
 
-class Message(str):
-    """A sentence in English that can be told in other languages too. Arguments are messages, names, formulas as they
-    are shown, and numbers with a format in the template."""
-
-    template: str
-    arguments: Mapping[str, object]
-
-    def __new__(cls, template: str, /, **arguments: object) -> Message:
-        filled = {k: v if isinstance(v, (str, Figure)) else str(v) for k, v in arguments.items()}
-        message = super().__new__(cls, template.format_map(filled))
-        message.template = template
-        message.arguments = filled
-        return message
-
-    def __str__(self) -> str:
-        return self  # str(error) is still the message that was raised
-
-    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]:
-        return (self.template,), dict(self.arguments)
-
-
-def listed(parts: Sequence[str], joined: str = "{first} and {second}") -> str:
-    """a, b and c; joined: how the last two stand together, as a template. Messages that are joined stay messages."""
-    if not parts:
-        return ""
-    *before, last = parts
-    if not before:
-        return last
-    return Message(joined, first=in_turn(before), second=last)
-
-
-def in_turn(parts: Sequence[str], joined: str = "{first}, {second}") -> str:
-    """a, b, c"""
-    if not parts:
-        return ""
-    told = parts[0]
-    for part in parts[1:]:
-        told = Message(joined, first=told, second=part)
-    return told
-
-
-def turns(text: str) -> list[str]:
-    """What `in_turn` put together."""
-    if isinstance(text, Message) and text.template == "{first}, {second}":
-        return [*turns(str(text.arguments["first"])), str(text.arguments["second"])]
-    return [text] if text else []
-
-
-def further(*parts: str) -> str:
-    """a; b; c"""
-    return in_turn(parts, "{first}; {second}")
-
-
 Argument = str | int | Expr | Sentence | tuple["Argument", ...]
 NOTHING: Argument = ""
+
+__all__ = ["NOTHING", "Argument", "Message", "Sentence", "further", "in_turn", "lines", "listed", "turns"]

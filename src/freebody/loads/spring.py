@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from freebody.language.expression import ZERO, Symbol, multiply, negate
+from freebody.language.sentences import Message
 from freebody.language.units import (
     DAMPING,
     DIMENSIONLESS,
@@ -96,10 +97,10 @@ def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measu
     of, base = names.body(body, "body"), names.body(on, "on")
     if not names.space:
         if about is not None:
-            names.problem("in the plane there is no axis to choose; in space write space: true", None, "about")
+            names.problem(Message("in the plane there is no axis to choose; in space write space: true"), "about")
         return Angle(of.name, base.name)
     if about is None:
-        names.problem("in space it needs an axis, e.g. about: z", None, "about")
+        names.problem(Message("in space it needs an axis, e.g. about: z"), "about")
         return Angle(of.name, base.name)
     axis = names.direction(about, "about", body=base.name)
     b, c = perpendiculars(axis.components)

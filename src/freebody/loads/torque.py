@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from freebody.language.sentences import Message
 from freebody.language.units import TORQUE
 from freebody.loads.base import Load
 from freebody.loads.law import law
@@ -38,14 +39,14 @@ loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
     def pushes(self, names: Names) -> list[AppliedLoad]:
         body, other = names.body(self.on, "on"), names.body(self.reacts_on, "reacts_on")
         if not body.turns:
-            names.problem(f"{body.name} is a particle and cannot take a torque", None, "on")
+            names.problem(Message("{body} is a particle and cannot take a torque", body=body.name), "on")
         magnitude, used = law(names, self.magnitude, TORQUE, "magnitude")
         if not names.space:
             if self.about is not None:
-                names.problem("a torque in the plane has no axis; in space write space: true", None, "about")
+                names.problem(Message("a torque in the plane has no axis; in space write space: true"), "about")
             return [AppliedLoad("", Angle(body.name, other.name), magnitude, used)]
         if self.about is None:
-            names.problem("in space a torque needs its axis, e.g. about: z, or about: rotor.x", None, "about")
+            names.problem(Message("in space a torque needs its axis, e.g. about: z, or about: rotor.x"), "about")
             return []
         along = names.direction(self.about, "about")
         return [AppliedLoad("", spin(body.name, along, other.name), magnitude, used)]

@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any, cast
 
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import ONE, ZERO, Components
 from freebody.model.elements import Rotation
@@ -29,14 +30,17 @@ def read_chain(names: Names, value: Any, *path: str | int, named: bool) -> tuple
             chain.append(turn)
     again = {turn.name for turn in chain if turn.name and sum(turn.name == other.name for other in chain) > 1}
     for name in sorted(again):
-        names.problem(f"{name} is named twice in one chain of rotations", None, *path)
+        names.problem(Message("{name} is named twice in one chain of rotations", name=name), *path)
     return tuple(chain)
 
 
 def _read(names: Names, item: Any, path: tuple[str | int, ...], *, named: bool) -> Rotation | None:
     found = _ITEM.match(item.strip()) if isinstance(item, str) else None
     if found is None:
-        names.problem(f"a rotation is an angle about an axis, e.g. 30 deg about z, found {item!r}", None, *path)
+        names.problem(
+            Message("a rotation is an angle about an axis, e.g. 30 deg about z, found {item}", item=repr(item)),
+            *path,
+        )
         return None
     axis = _axis(names, found["axis"].strip(), path)
     text = found["by"].strip()
@@ -51,6 +55,8 @@ def _axis(names: Names, text: str, path: tuple[str | int, ...]) -> Components:
         return names.direction(parts, *path).components
     compass = names.compass
     if text not in compass:
-        names.problem(f"{text} is no axis to turn about; write x, y, z, -x, -y, -z or [a, b, c]", None, *path)
+        names.problem(
+            Message("{text} is no axis to turn about; write x, y, z, -x, -y, -z or [a, b, c]", text=text), *path
+        )
         return (ZERO, ZERO, ONE)
     return compass[text].components

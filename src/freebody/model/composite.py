@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 from pydantic import ValidationError
 
 from freebody.language.expression import Call, Expr
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.geometry import ZERO, Components
 from freebody.model.chains import read_chain
@@ -47,7 +48,9 @@ class Composite(Shape, kind="composite"):
             moment = tuple(m + build.mass * c for m, c in zip(moment, center, strict=True))
             placed.append((build, center, axes))
         if not placed:
-            names.problem("a composite needs parts, e.g. parts: {hub: {disk: {mass: m, radius: R}}}", self, "parts")
+            names.problem(
+                Message("a composite needs parts, e.g. parts: {{hub: {{disk: {{mass: m, radius: R}}}}}}"), "parts"
+            )
         if mass == ZERO:
             return Build(ZERO, ZERO, points=points, default_point="origin")
         middle = tuple(m / mass for m in moment)
@@ -93,17 +96,28 @@ def _part(names: Names, value: Any) -> tuple[Build, Components, Columns] | None:
     kinds = [key for key in entry if key in Shape.kinds]
     for key in entry:
         if key not in Shape.kinds and key not in OPTIONS:
-            names.problem(f"a part has no {key}.{did_you_mean(key, [*Shape.kinds, *OPTIONS])}", None, key)
+            names.problem(
+                Message("a part has no {key}.{hint}", key=key, hint=did_you_mean(key, [*Shape.kinds, *OPTIONS])),
+                key,
+            )
     if len(kinds) != 1:
         example = "{disk: {mass: m, radius: R}, at: [0, 0]}"
-        names.problem(f"a part is one shape with its place, e.g. {example}, found {value!r}")
+        names.problem(
+            Message(
+                "a part is one shape with its place, e.g. {example}, found {value}", example=example, value=f"{value!r}"
+            )
+        )
         return None
     kind = Shape.kinds[kinds[0]]
     try:
         shape = kind.model_validate(kind.from_plain(entry[kinds[0]]))
     except ValidationError as error:
         fault = error.errors()[0]
-        names.problem(f"{kind.kind}: {fault['msg']}", None, kinds[0], *(str(p) for p in fault["loc"][:1]))
+        names.problem(
+            Message("{kind}: {fault}", kind=kind.kind, fault=fault["msg"]),
+            kinds[0],
+            *(str(p) for p in fault["loc"][:1]),
+        )
         return None
     with names.at(kinds[0]):
         build = shape.build(names)

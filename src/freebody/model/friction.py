@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from freebody.language.expression import ZERO, Expr
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 
 if TYPE_CHECKING:
@@ -35,16 +36,23 @@ def read_friction(names: Names, value: Any, dimension: Dimension, field: str = "
         if key not in ("static", "kinetic"):
             from freebody.model.names import did_you_mean
 
-            names.problem(f"friction has no {key}.{did_you_mean(key, ('static', 'kinetic'))}", None, field, key)
+            names.problem(
+                Message("friction has no {key}.{hint}", key=key, hint=did_you_mean(key, ("static", "kinetic"))),
+                field,
+                key,
+            )
     if "static" not in entry or "kinetic" not in entry:
-        names.problem("friction is one coefficient, or both: {static: 0.5, kinetic: 0.4}", None, field)
+        names.problem(Message("friction is one coefficient, or both: {{static: 0.5, kinetic: 0.4}}"), field)
         return Friction()
     static, kinetic = (
         _not_negative(names, entry[key], dimension, (field, key), **more) for key in ("static", "kinetic")
     )
     s, k = names.numeric(static), names.numeric(kinetic)
     if s is not None and k is not None and s < k:
-        names.problem(f"static friction ({s:g}) is smaller than kinetic friction ({k:g}); it cannot be", None, field)
+        names.problem(
+            Message("static friction ({s:g}) is smaller than kinetic friction ({k:g}); it cannot be", s=s, k=k),
+            field,
+        )
     return Friction(static, kinetic)
 
 
@@ -53,7 +61,10 @@ def read_restitution(names: Names, value: Any, field: str = "restitution") -> Ex
     expr = names.formula(value, DIMENSIONLESS, field)
     number = names.numeric(expr)
     if number is not None and not 0.0 <= number <= 1.0:
-        names.problem(f"restitution is {number:g}; it lies between 0 (no rebound) and 1 (no loss)", None, field)
+        names.problem(
+            Message("restitution is {number:g}; it lies between 0 (no rebound) and 1 (no loss)", number=number),
+            field,
+        )
     return expr
 
 
@@ -61,5 +72,8 @@ def _not_negative(names: Names, value: Any, dimension: Dimension, path: tuple[st
     expr = names.formula(value, dimension, *path, **more)
     number = names.numeric(expr)
     if number is not None and number < 0.0:
-        names.problem(f"friction is negative ({number:g}); a coefficient of friction is 0 or more", None, *path)
+        names.problem(
+            Message("friction is negative ({number:g}); a coefficient of friction is 0 or more", number=number),
+            *path,
+        )
     return expr

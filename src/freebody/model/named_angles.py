@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from freebody.language.expression import Call, Symbol
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
@@ -61,8 +62,12 @@ def angles_of(names: Names, chain: Sequence[Rotation], body: str, frame: str) ->
         if all(c == ZERO for c in side):
             one, other = named[0].name, named[1].name
             names.problem(
-                f"{one} and {other} turn about the same axis, so only their sum has a meaning: name one angle, or turn "
-                "about another axis between them"
+                Message(
+                    "{one} and {other} turn about the same axis, so only their sum has a meaning: name one angle, or "
+                    "turn about another axis between them",
+                    one=one,
+                    other=other,
+                )
             )
             return {}
         start = vector_product(side, first)
@@ -82,8 +87,10 @@ def _three(names: Names, named: Sequence[RotationPair], on_frame: _Fixed, on_bod
     plain = all(axis is not None for axis in axes) and all(piece.before == UNIT for piece in named[1:])
     if len(named) != 3 or not plain or any(a and b and a[0] == b[0] for a, b in pairwise(axes)):
         names.problem(
-            "three named angles turn about x, y or z, neighbours about different ones, with nothing between them, "
-            "e.g. turned: [psi about z, theta about x, phi about z]",
+            Message(
+                "three named angles turn about x, y or z, neighbours about different ones, with nothing between "
+                "them, e.g. turned: [psi about z, theta about x, phi about z]"
+            ),
         )
         return {}
     (q1, a1), (q2, a2), (q3, a3) = ((piece.name, piece.axis) for piece in named)

@@ -123,7 +123,7 @@ class Names:
         finally:
             self._path = before
 
-    def problem(self, message: str, spec: Spec | None = None, *path: str | int) -> None:
+    def problem(self, message: str, *path: str | int) -> None:
         noted = Problem(self._path + path, message)
         if noted not in self.problems:
             self.problems.append(noted)
@@ -143,18 +143,17 @@ class Names:
         """An expression in the parameters (and `extra` names), or a quantity with its unit."""
         known = self.dimensions(in_time="t" in (extra or {})) | dict(extra or {})
         if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-            self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), None, *path)
+            self.problem(Message("expected a number or an expression, found {value}", value=repr(value)), *path)
             return ZERO
         if isinstance(value, (int, float)):
             if not math.isfinite(value):
-                self.problem(Message("{value} is not a finite number", value=value), None, *path)
+                self.problem(Message("{value} is not a finite number", value=value), *path)
                 return ZERO
             if abs(value) > LARGEST:
                 self.problem(
                     Message(
                         "{value} is too large to calculate with: sizes go up to {most:.0e}", value=value, most=LARGEST
                     ),
-                    None,
                     *path,
                 )
                 return ZERO
@@ -182,33 +181,22 @@ class Names:
         try:
             found = dimension_of(expr, known)
         except UnitError as error:
-            return self._quantity(value, dimension, path, f"in '{value}': {error}")
+            return self._quantity(value, dimension, path, Message("in '{text}': {error}", text=value, error=error))
         if found != dimension and expr != ZERO:
-            return self._quantity(
-                value, dimension, path, f"'{value}' has the unit {found}, expected {_unit(dimension)}"
-            )
+            return self._quantity(value, dimension, path, _unit_differs(value, found, dimension))
         return expr
 
     def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
         if not _QUANTITY.match(text):
-            self.problem(why_not, None, *path)
+            self.problem(why_not, *path)
             return ZERO
         try:
             quantity = parse_quantity(text)
         except InputError as error:
-            self.problem(str(error) if "unit" in str(error) else why_not, None, *path)
+            self.problem(str(error) if "unit" in str(error) else why_not, *path)
             return ZERO
         if quantity.dimension != dimension:
-            self.problem(
-                Message(
-                    "'{text}' has the unit {dimension}, expected {unit}",
-                    text=text,
-                    dimension=quantity.dimension,
-                    unit=_unit(dimension),
-                ),
-                None,
-                *path,
-            )
+            self.problem(_unit_differs(text, quantity.dimension, dimension), *path)
             return ZERO
         return quantity_expression(quantity)
 
@@ -224,7 +212,6 @@ class Names:
                     value=value,
                     dimension=dimension,
                 ),
-                spec,
                 field,
             )
         return expr
@@ -255,7 +242,6 @@ class Names:
             hint = Message(". For a model in space write space: true") if len(items) == 3 else ""
             self.problem(
                 Message("expected {wanted}, found {value}{hint}", wanted=wanted, value=f"{value!r}", hint=hint),
-                None,
                 *path,
             )
             return self.origin
@@ -269,7 +255,7 @@ class Names:
         found = self.bodies.get(name)
         if found is None:
             hint = did_you_mean(name, self.bodies)
-            self.problem(Message("there is no body {name}.{hint}", name=name, hint=hint), None, *path)
+            self.problem(Message("there is no body {name}.{hint}", name=name, hint=hint), *path)
             return placeholder(name)
         return found
 
@@ -280,7 +266,7 @@ class Names:
     def point(self, text: Any, *path: str | int) -> Point:
         """`body.point`, or `body` for its reference point. A ground point that is not declared is the origin."""
         if not isinstance(text, str):
-            self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), None, *path)
+            self.problem(Message("expected a point such as rod.end, found {text}", text=repr(text)), *path)
             return self.bodies[GROUND].point("origin")
         body_name, _, point_name = text.strip().partition(".")
         body = self.body(body_name, *path)
@@ -288,9 +274,7 @@ class Names:
             return body.point()
         if not point_name:
             if body_name == GROUND:
-                self.problem(
-                    Message("a place on the ground needs a name, e.g. ground.A, or ground.origin"), None, *path
-                )
+                self.problem(Message("a place on the ground needs a name, e.g. ground.A, or ground.origin"), *path)
             return body.point()
         if point_name in body.points:
             return body.point(point_name)
@@ -306,7 +290,6 @@ class Names:
                 hint=did_you_mean(point_name, body.points),
                 example=self._example,
             ),
-            None,
             *path,
         )
         return body.point()
@@ -375,7 +358,6 @@ class Names:
                         text=text,
                         hint=did_you_mean(text, known),
                     ),
-                    None,
                     *path,
                 )
                 return self.compass["right"]
@@ -398,7 +380,7 @@ class Names:
     def unit_direction(self, body: str, along: Components, *path: str | int) -> Direction:
         numbers = [self.numeric(c) for c in along]
         if all(n is not None and abs(n) < 1e-300 for n in numbers):
-            self.problem(Message("a direction must not be {x}; it needs a length", x=[0] * len(along)), None, *path)
+            self.problem(Message("a direction must not be {x}; it needs a length", x=[0] * len(along)), *path)
             return self.compass["right"]
         square: Expr = ZERO
         for c in along:
@@ -413,7 +395,6 @@ class Names:
         if body.radius is None:
             self.problem(
                 Message("{name} has no radius; make it a disk, ring or sphere, or give its body a radius", name=name),
-                None,
                 *path,
             )
             return number(1)
@@ -433,8 +414,9 @@ def quantity_expression(quantity: Any) -> Expr:
     return number(quantity.value)
 
 
-def _unit(dimension: Dimension) -> str:
-    return Message("a pure number or an angle") if dimension == DIMENSIONLESS else str(dimension)
+def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
+    unit = Message("a pure number or an angle") if wanted == DIMENSIONLESS else str(wanted)
+    return Message("'{text}' has the unit {dimension}, expected {unit}", text=text, dimension=found, unit=unit)
 
 
 __all__ = ["Names", "did_you_mean", "negate", "quantity_expression"]

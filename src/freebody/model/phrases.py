@@ -13,6 +13,7 @@ from typing import Any, cast
 from freebody.errors import ExpressionError, UnitError
 from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
 from freebody.language.parser import parse
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, dimension_of
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -71,7 +72,7 @@ def _height(names: Names, found: Found, path: Path) -> Measure:
 def _coordinate(names: Names, found: Found, path: Path) -> Measure:
     name = found["axis"] or "x"
     if name not in names.compass:
-        names.problem("there is no z in the plane; for a model in space write space: true", None, *path)
+        names.problem(Message("there is no z in the plane; for a model in space write space: true"), *path)
         name = "x"
     axis = {"x": RIGHT, "y": UP}.get(name, names.compass[name])
     return Displacement(names.point(found["of"], *path), _origin(names, found["origin"], path), axis)
@@ -128,11 +129,19 @@ def _bearing(names: Names, found: Found, path: Path) -> Measure:
 def _turn(names: Names, found: Found, path: Path) -> Measure:
     body, base = names.body(cast("str", found["of"]), *path), names.body(found["rel"] or GROUND, *path)
     if not names.space:
-        names.problem("an angle about an axis is for models in space: write space: true", None, *path)
+        names.problem(Message("an angle about an axis is for models in space: write space: true"), *path)
         return Angle(body.name, base.name)
     axis = names.direction(found["axis"], *path, body=base.name)
     if axis.body not in (body.name, base.name):
-        names.problem(f"the axis is fixed in {axis.body}; it must be in {base.name} or {body.name}", None, *path)
+        names.problem(
+            Message(
+                "the axis is fixed in {owner}; it must be in {base} or {body}",
+                owner=axis.body,
+                base=base.name,
+                body=body.name,
+            ),
+            *path,
+        )
     return _of_joint(names, body.name, base.name, axis) or _about(body.name, base.name, axis)
 
 
@@ -182,7 +191,7 @@ def _alignment(names: Names, found: Found, path: Path) -> Measure:
 def _angle(names: Names, found: Found, path: Path) -> Measure:
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
-        names.problem(f"{body.name} is a particle and has no angle", None, *path)
+        names.problem(Message("{body} is a particle and has no angle", body=body.name), *path)
     clockwise = found["cw"] or found["cw1"]
     if found["rel"] is not None:
         return _clockwise(Angle(body.name, names.body(found["rel"], *path).name), clockwise)
@@ -214,7 +223,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     if text is None:
         if isinstance(value, dict) and set(cast("dict[str, Any]", value)) == {"expression"}:
             return composed(names, str(cast("dict[str, Any]", value)["expression"]), *path, "expression")
-        names.problem(f"expected a phrase such as 'height of A', found {value!r}", None, *path)
+        names.problem(Message("expected a phrase such as 'height of A', found {value}", value=f"{value!r}"), *path)
         return None
     if text in names.measures:
         return names.measures[text]
@@ -228,8 +237,13 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
     forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
     names.problem(
-        f"cannot read the measure '{text}'. " + ("Did you mean: " if close else "Write one of: ") + "; ".join(forms),
-        None,
+        Message(
+            "cannot read the measure '{text}'. Did you mean: {forms}"
+            if close
+            else "cannot read the measure '{text}'. Write one of: {forms}",
+            text=text,
+            forms="; ".join(forms),
+        ),
         *path,
     )
     return None
@@ -240,17 +254,17 @@ def composed(names: Names, text: str, *path: str | int) -> Measure | None:
     try:
         expr = parse(text)
     except ExpressionError as error:
-        names.problem(str(error), None, *path)
+        names.problem(str(error), *path)
         return None
     used = sorted(free_symbols(expr) & set(names.measures))
     dimensions = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
     try:
         dimension = dimension_of(expr, dimensions)
     except UnitError as error:
-        names.problem(f"in '{text}': {error}", None, *path)
+        names.problem(Message("in '{text}': {error}", text=text, error=error), *path)
         return None
     if not used:
-        names.problem(f"'{text}' contains no measure", None, *path)
+        names.problem(Message("'{text}' contains no measure", text=text), *path)
         return None
     return Composed(expr, tuple((n, names.measures[n]) for n in used), dimension or DIMENSIONLESS)
 

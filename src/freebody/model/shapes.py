@@ -22,6 +22,7 @@ from freebody.language.expression import (
     number,
     power,
 )
+from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Components
 from freebody.model.spec import Formula, Heading, Spec
@@ -100,7 +101,7 @@ def _axis(names: Names, spec: Shape) -> Components:
     given = getattr(spec, "axis", "z")
     if not names.space:
         if given != "z":
-            names.problem("an axis is for models in space: write space: true", spec, "axis")
+            names.problem(Message("an axis is for models in space: write space: true"), "axis")
         return ()
     return names.direction(given, "axis").components
 
@@ -281,7 +282,10 @@ class Box(Shape, kind="box"):
         if not _is_spatial(names, self):
             return Build(m, ZERO)
         if len(self.size) != 3:
-            names.problem(f"size is three sides, [a, b, c] along x, y and z, found {self.size!r}", self, "size")
+            names.problem(
+                Message("size is three sides, [a, b, c] along x, y and z, found {size}", size=repr(self.size)),
+                "size",
+            )
         a, b, c = names.components(self.size, LENGTH, "size")
         Ix, Iy, Iz = (divide(m * (_square(p) + _square(q)), number(12)) for p, q in ((b, c), (a, c), (a, b)))
         x, y, z = map(_half, (a, b, c))
@@ -304,7 +308,7 @@ class Box(Shape, kind="box"):
 
 def _is_spatial(names: Names, spec: Shape) -> bool:
     if not names.space:
-        names.problem(f"a {spec.kind} is for models in space: write space: true", spec)
+        names.problem(Message("a {kind} is for models in space: write space: true", kind=spec.kind))
     return names.space
 
 
@@ -381,7 +385,7 @@ class Polygon(Shape, kind="polygon"):
         m = names.positive(self, "mass", MASS)
         corners = names.vectors(self, "corners", LENGTH)
         if len(corners) < 3:
-            names.problem("a polygon needs at least three corners", self, "corners")
+            names.problem(Message("a polygon needs at least three corners"), "corners")
             return Build(m, ZERO)
         area2: Expr = ZERO
         sx: Expr = ZERO
@@ -399,7 +403,7 @@ class Polygon(Shape, kind="polygon"):
             squares = x1 * x1 + x1 * x2 + x2 * x2 + y1 * y1 + y1 * y2 + y2 * y2
             polar = polar + cross * squares
         if _is_zero(area2):
-            names.problem("the corners enclose no area", self, "corners")
+            names.problem(Message("the corners enclose no area"), "corners")
             return Build(m, ZERO)
         cx, cy = divide(sx, 3 * area2), divide(sy, 3 * area2)
         about_origin = divide(m * polar, 6 * area2)
@@ -444,7 +448,7 @@ class Body(Shape, kind="body"):
                 mass, tensor[2], middle, {"origin": names.origin}, radius, default_point="origin", tensor=tensor
             )
         if isinstance(self.inertia, list) or self.about != "mass_center":
-            names.problem("three moments of inertia are for models in space: write space: true", self, "inertia")
+            names.problem(Message("three moments of inertia are for models in space: write space: true"), "inertia")
             return Build(mass, ZERO, default_point="origin")
         return Build(
             mass,

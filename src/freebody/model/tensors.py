@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from freebody.language.expression import ONE, ZERO, Expr
+from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH
 from freebody.measures.geometry import Components
 
@@ -54,12 +55,12 @@ def read_tensor(names: Names, given: Any, mass: Expr, middle: Components, about:
     """The tensor about the mass centre in body axes, from moments or rows about a place."""
     tensor = _entries_of(names, given)
     if about not in ("mass_center", "origin") and not isinstance(about, list):
-        names.problem("about is mass_center, origin, or a place [x, y, z] in the body's own frame", None, "about")
+        names.problem(Message("about is mass_center, origin, or a place [x, y, z] in the body's own frame"), "about")
     elif about != "mass_center":
         place = names.origin if about == "origin" else names.components(about, LENGTH, "about")
         r = tuple(p - m for p, m in zip(place, middle, strict=True))
         tensor = moved(tensor, mass, r, sign=-1)
-    check(names, tensor, "" if about == "mass_center" else ", moved to the mass centre,", "inertia")
+    check(names, tensor, "" if about == "mass_center" else Message(", moved to the mass centre,"), "inertia")
     return tensor
 
 
@@ -71,7 +72,7 @@ def _entries_of(names: Names, given: Any) -> Components:
     if len(rows) == 3 and not any(isinstance(row, list) for row in rows):
         return (*(names.formula(v, INERTIA, "inertia", k) for k, v in enumerate(rows)), ZERO, ZERO, ZERO)
     if len(rows) != 3 or any(not isinstance(row, list) or len(cast("list[Any]", row)) != 3 for row in rows):
-        names.problem("inertia is [Ixx, Iyy, Izz], or three rows of three entries", None, "inertia")
+        names.problem(Message("inertia is [Ixx, Iyy, Izz], or three rows of three entries"), "inertia")
         return (ZERO,) * 6
     full = [[names.formula(v, INERTIA, "inertia", i, j) for j, v in enumerate(row)] for i, row in enumerate(rows)]
     for i, j in PLACES[3:]:
@@ -79,9 +80,12 @@ def _entries_of(names: Names, given: Any) -> Components:
         same = full[i][j] == full[j][i] if above is None or below is None else abs(above - below) <= SLACK * abs(above)
         if not same:
             names.problem(
-                f"an inertia tensor is symmetric, but the entries in row {i + 1}, column {j + 1} and row {j + 1}, "
-                f"column {i + 1} differ; products of inertia enter with a minus: I_xy = -integral of x y dm",
-                None,
+                Message(
+                    "an inertia tensor is symmetric, but the entries in row {i}, column {j} and row {j}, column "
+                    "{i} differ; products of inertia enter with a minus: I_xy = -integral of x y dm",
+                    i=i + 1,
+                    j=j + 1,
+                ),
                 "inertia",
             )
     return tuple(full[i][j] for i, j in PLACES)
@@ -98,17 +102,23 @@ def check(names: Names, tensor: Components, where: str, *path: str | int) -> Non
     size = max(map(abs, moments))
     if moments[0] < -SLACK * size:
         names.problem(
-            f"no body has this inertia tensor{where}: its principal moments are {listed} kg m^2, and none can be "
-            "negative. Check the products of inertia, and about which point the tensor is given (about:)",
-            None,
+            Message(
+                "no body has this inertia tensor{where}: its principal moments are {listed} kg m^2, and none can "
+                "be negative. Check the products of inertia, and about which point the tensor is given (about:)",
+                where=where,
+                listed=listed,
+            ),
             *path,
         )
     elif moments[2] > (moments[0] + moments[1]) * (1 + SLACK):
         names.problem(
-            f"no body has this inertia tensor{where}: its principal moments are {listed} kg m^2, and the largest "
-            "cannot be more than the sum of the other two. Check the entries, and about which point the tensor is "
-            "given (about:)",
-            None,
+            Message(
+                "no body has this inertia tensor{where}: its principal moments are {listed} kg m^2, and the "
+                "largest cannot be more than the sum of the other two. Check the entries, and about which point "
+                "the tensor is given (about:)",
+                where=where,
+                listed=listed,
+            ),
             *path,
         )
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
+from freebody.language.sentences import Message
 from freebody.model.names import did_you_mean
 from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import has_phases
@@ -76,7 +77,13 @@ def explain(
     second = None if compare is None else _method(compare)
     known = {q.id: q for q in system.questions}
     if question is not None and question.isidentifier() and question not in known:
-        raise InputError(f"there is no question with the id {question}.{did_you_mean(question, known)}")
+        raise InputError(
+            Message(
+                "there is no question with the id {question}.{hint}",
+                question=question,
+                hint=did_you_mean(question, known),
+            )
+        )
     asked = system.questions if question is None else (known.get(question) or system.question(question),)
     system = system if question is None else replace(system, questions=asked)
     context = Context(system)
@@ -93,7 +100,7 @@ def _method(name: str) -> Method:
     for method in METHODS:
         if name == method:
             return method
-    raise InputError(f"there is no method {name}.{did_you_mean(name, METHODS)}")
+    raise InputError(Message("there is no method {name}.{hint}", name=name, hint=did_you_mean(name, METHODS)))
 
 
 def _derived(

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from freebody.errors import InputError
+from freebody.language.sentences import Message, listed
 from freebody.numeric.engine.integrators import integrator, integrators
 
 MOST_STEPS = 10_000_000
@@ -61,36 +62,55 @@ class SimulationOptions:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.tolerance <= COARSEST:
-            raise InputError(f"the tolerance must be between {FINEST:g} and {COARSEST:g}, not {self.tolerance:g}")
+            raise _bad_tolerance(self.tolerance)
         if self.method not in methods():
-            raise InputError(f"there is no method {self.method}; take {', '.join(methods())}")
+            raise InputError(
+                Message("there is no method {method}; take {methods}", method=self.method, methods=", ".join(methods()))
+            )
         if self.by_steps and self.step is None:
-            raise InputError("time stepping needs a step, such as 1 ms: short beside the time between impacts")
+            raise InputError(Message("time stepping needs a step, such as 1 ms: short beside the time between impacts"))
         if self.max_steps < 1:
-            raise InputError(f"max_steps must be at least 1, not {self.max_steps}")
+            raise InputError(Message("max_steps must be at least 1, not {max_steps}", max_steps=self.max_steps))
         for name in ("step", "every", "max_step", "max_seconds"):
             value: float | None = getattr(self, name)
             if value is not None and not value > 0.0:
-                raise InputError(f"{name} must be positive, not {value:g} s")
+                raise InputError(Message("{name} must be positive, not {value:g} s", name=name, value=value))
         if self.step is not None and not has_step(self.method):
             raise InputError(
-                f"a step of {self.step:g} s is for the methods {' and '.join(filter(has_step, methods()))}; "
-                f"{self.method} chooses its steps by the tolerance"
+                Message(
+                    "a step of {step:g} s is for the methods {names}; {method} chooses its steps by the tolerance",
+                    step=self.step,
+                    names=listed(list(filter(has_step, methods()))),
+                    method=self.method,
+                )
             )
         if self.impact not in (law.value for law in Law):
-            raise InputError(f"there is no law of impact {self.impact}; take {', '.join(law.value for law in Law)}")
+            raise InputError(
+                Message(
+                    "there is no law of impact {impact}; take {names}",
+                    impact=self.impact,
+                    names=", ".join(law.value for law in Law),
+                )
+            )
         if self.by_steps and self.verify:
-            raise InputError("time stepping has no tolerance to verify; compare two steps")
+            raise InputError(Message("time stepping has no tolerance to verify; compare two steps"))
 
     def check_asked(self, until: float) -> None:
         """Raises InputError where a user may not ask for a motion to `until` [s]: it has no length or too many output
         times, or a tolerance at which nothing finer is left to compare with."""
         if self.tolerance < FINEST:
-            raise InputError(f"the tolerance must be between {FINEST:g} and {COARSEST:g}, not {self.tolerance:g}")
+            raise _bad_tolerance(self.tolerance)
         if not (math.isfinite(until) and until > 0.0):
-            raise InputError(f"the motion must last for a positive time, not {until:g} s")
+            raise InputError(Message("the motion must last for a positive time, not {until:g} s", until=until))
         if self.every is not None and until / self.every > MOST_OUTPUTS:
-            raise InputError(f"every {self.every:g} s up to {until:g} s is more than {MOST_OUTPUTS:,} output times")
+            raise InputError(
+                Message(
+                    "every {every:g} s up to {until:g} s is more than {most:,} output times",
+                    every=self.every,
+                    until=until,
+                    most=MOST_OUTPUTS,
+                )
+            )
 
     @property
     def by_steps(self) -> bool:
@@ -113,3 +133,14 @@ class SimulationOptions:
     def longest(self) -> float:
         """The longest step [s], infinite where nothing is said."""
         return self.max_step or math.inf
+
+
+def _bad_tolerance(tolerance: float) -> InputError:
+    return InputError(
+        Message(
+            "the tolerance must be between {finest:g} and {coarsest:g}, not {tolerance:g}",
+            finest=FINEST,
+            coarsest=COARSEST,
+            tolerance=tolerance,
+        )
+    )

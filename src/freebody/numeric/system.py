@@ -265,12 +265,14 @@ def _numbers(system: System, values: Mapping[str, float]) -> dict[str, float]:
     unknown = sorted(set(values) - set(system.parameters))
     if unknown:
         known = ", ".join(system.parameters)
-        raise InputError(f"there is no parameter {', '.join(unknown)}; the system has {known}")
+        raise InputError(
+            Message("there is no parameter {unknown}; the system has {known}", unknown=", ".join(unknown), known=known)
+        )
     given = {p.name: p.value for p in system.parameters.values() if p.form is None} | dict(values)
     missing = [name for name, value in given.items() if value is None]
     if missing:
         open_ = [name for name in missing if name in system.unspecified]
-        where = "at its place in the model" if open_ == missing else "under parameters"
+        where = Message("at its place in the model" if open_ == missing else "under parameters")
         raise CannotAnswer(
             Message("numbers need a value for {names}; give one {how}", names=", ".join(missing), how=where)
         )

@@ -46,7 +46,9 @@ questions: {it: instant centre of wheel}
         Source: Norton, Design of Machinery, 5th ed. 2012, sec. 6.3."""
         dx, dy, w = relative_motion(self.body, self.relative_to, system, state)
         if _vanishes(w, dx, dy):
-            pair = self.body if self.relative_to == GROUND else f"{self.body} relative to {self.relative_to}"
+            pair = self.body
+            if self.relative_to != GROUND:
+                pair = Message("{body} relative to {other}", body=self.body, other=self.relative_to)
             if _vanishes(dx) and _vanishes(dy):
                 raise CannotAnswer(
                     Message(
@@ -112,14 +114,17 @@ def _instant_centre(names: Names, found: Found, path: Path) -> Quantity | None:
     other = names.body(str(found["rel"] or GROUND), *path)
     for one in (body, other):
         if not one.turns:
-            names.problem(f"{one.name} is a particle and has no angle, so it has no instant centre", None, *path)
+            names.problem(
+                Message("{body} is a particle and has no angle, so it has no instant centre", body=one.name), *path
+            )
     if names.space:
         names.problem(
-            "in space a body turns about a moving axis, not about a centre; ask for its angular velocity, or see "
-            "freebody mobility for screw axes",
-            None,
+            Message(
+                "in space a body turns about a moving axis, not about a centre; ask for its angular velocity, or "
+                "see freebody mobility for screw axes"
+            ),
             *path,
         )
     if body.name == other.name:
-        names.problem(f"{body.name} has no motion relative to itself; name another body", None, *path)
+        names.problem(Message("{body} has no motion relative to itself; name another body", body=body.name), *path)
     return InstantCentre(body.name, other.name)

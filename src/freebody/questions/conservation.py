@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Symbol
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.reading import read_quantity
@@ -110,7 +110,10 @@ def _conserved(names: Names, found: Found, path: Path) -> Quantity | None:
     of = read_quantity(names, text, path)
     if of is None or of.may_be_conserved:
         return None if of is None else Conserved(of, text)
-    names.problem(f"'{text}' is nothing that a motion keeps; ask for a momentum, an energy or a measure", None, *path)
+    names.problem(
+        Message("'{text}' is nothing that a motion keeps; ask for a momentum, an energy or a measure", text=text),
+        *path,
+    )
     return None
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from freebody.language.expression import Symbol
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
@@ -201,7 +201,9 @@ def _connections(names: Names, name: str, path: Path) -> tuple[str, ...]:
     if name in names.bodies:
         return tuple(dict.fromkeys(row.connection for row in names.held if name in (*row.ends, *row.measure.bodies())))
     known = [*names.connections, *names.bodies]
-    names.problem(f"there is no connection or body {name}.{did_you_mean(name, known)}", None, *path)
+    names.problem(
+        Message("there is no connection or body {name}.{hint}", name=name, hint=did_you_mean(name, known)), *path
+    )
     return ()
 
 
@@ -230,7 +232,7 @@ def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
 def _turns(names: Names, found: Found, path: Path) -> Quantity | None:
     body = names.body(str(found["of"]), *path)
     if not body.turns:
-        names.problem(f"{body.name} is a particle and does not turn", None, *path)
+        names.problem(Message("{body} is a particle and does not turn", body=body.name), *path)
     return Revolutions(body.name)
 
 

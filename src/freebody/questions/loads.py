@@ -110,9 +110,9 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
         reactions = dict.fromkeys(row.reaction for row in names.held if row.connection == of)
         if of in names.connections and reactions:
             ways = "; ".join(f"{reaction} of {of}" for reaction in reactions)
-            names.problem(f"{of} is a connection; ask for: {ways}", None, *path)
+            names.problem(Message("{of} is a connection; ask for: {ways}", of=of, ways=ways), *path)
         else:
-            names.problem(f"there is no load {of}.{did_you_mean(of, names.loads)}", None, *path)
+            names.problem(Message("there is no load {name}.{hint}", name=of, hint=did_you_mean(of, names.loads)), *path)
         return None
     return LoadForce(of, names.loads[of])
 
@@ -122,6 +122,6 @@ def _power(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     known = [*names.loads, *names.connections]
     if of not in known:
-        names.problem(f"there is no load or driver {of}.{did_you_mean(of, known)}", None, *path)
+        names.problem(Message("there is no load or driver {name}.{hint}", name=of, hint=did_you_mean(of, known)), *path)
         return None
     return Power(of) if found["what"] == "power" else Work(of)

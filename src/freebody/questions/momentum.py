@@ -226,7 +226,7 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
     body = _group(names, found["of"], path)
     along = None if found["along"] is None else names.direction(found["along"], *path)
     if along is not None and not names.space:
-        names.problem("in the plane an angular momentum has no direction; leave it out", None, *path)
+        names.problem(Message("in the plane an angular momentum has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
     if found["center"] is not None:
         return AngularMomentum(body, SYSTEM_CENTER, along=along, basis=basis)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from freebody.language.expression import Call, Expr, Symbol
-from freebody.language.sentences import NOTHING, Argument, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -212,13 +212,14 @@ def _turning(names: Names, found: Found, path: Path) -> Quantity | None:
     if not names.space or is_measure:
         if found["along"] or found["size"] or found["basis"]:
             names.problem(
-                f"'{of}' turns in the plane and has one angular velocity; leave out the direction", None, *path
+                Message("'{of}' turns in the plane and has one angular velocity; leave out the direction", of=of),
+                *path,
             )
             return None
         return _angular(names, found, path)
     body = names.body(of, *path)
     if not body.turns:
-        names.problem(f"{of} is a particle and does not turn", None, *path)
+        names.problem(Message("{body} is a particle and does not turn", body=of), *path)
     other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
     along = None if found["along"] is None else names.direction(found["along"], *path)
     return AngularVelocity(
@@ -237,10 +238,13 @@ def _angular(names: Names, found: Found, path: Path) -> Quantity | None:
         return OfMeasure(names.measures[of], order, of)
     body = names.body(of, *path)
     if not body.turns:
-        names.problem(f"{of} is a particle and has no angle", None, *path)
+        names.problem(Message("{body} is a particle and has no angle", body=of), *path)
     if names.space:
         names.problem(
-            f"in space a body has no one angle; ask for angle of {of} about z, or name angles with turned", None, *path
+            Message(
+                "in space a body has no one angle; ask for angle of {of} about z, or name angles with turned", of=of
+            ),
+            *path,
         )
     other = GROUND if found["rel"] is None else names.body(str(found["rel"]), *path).name
     return OfMeasure(Angle(body.name, other), order, f"angle of {of}")
@@ -261,7 +265,10 @@ def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
             return None
         if body_name not in names.bodies:
             known = [*names.measures, *names.bodies]
-            names.problem(f"{of} is no measure, body or point.{did_you_mean(body_name, known)}", None, *path)
+            names.problem(
+                Message("{of} is no measure, body or point.{hint}", of=of, hint=did_you_mean(body_name, known)),
+                *path,
+            )
             return None
         point = names.point(of, *path)
         along = None if found["along"] is None else names.direction(found["along"], *path)

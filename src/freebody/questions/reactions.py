@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import NOTHING, Argument, Message, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow, StringStretch
@@ -241,7 +241,7 @@ def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
     about = None if found["about"] is None else names.point(found["about"], *path)
     along = None if found["along"] is None else names.direction(found["along"], *path)
     if not names.space and (along or found["size"]):
-        names.problem("in the plane a moment has no direction; leave it out", None, *path)
+        names.problem(Message("in the plane a moment has no direction; leave it out"), *path)
     basis = read_basis(names, found["basis"], path)
     return Wrench(of, on, along, found["size"] is not None, moment=True, about=about, basis=basis)
 
@@ -257,18 +257,36 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     if of not in names.connections:
         close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
         if close and close[0] != what:
-            names.problem(f"there is nothing called {what}. Did you mean: {close[0]} of {of}", None, *path)
+            names.problem(
+                Message(
+                    "there is nothing called {what}. Did you mean: {close} of {of}", what=what, close=close[0], of=of
+                ),
+                *path,
+            )
             return None
         if of in names.bodies:
-            known_forms = ", ".join(_OPENINGS[:7])
-            names.problem(f"a body has no {what}; one can ask for its {known_forms}, momenta and energies", None, *path)
+            known = ", ".join(_OPENINGS[:7])
+            names.problem(
+                Message(
+                    "a body has no {what}; one can ask for its {known}, momenta and energies", what=what, known=known
+                ),
+                *path,
+            )
             return None
     if not _has_connection(names, of, path):
         return None
     rows = [row for row in names.held if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
     if what not in kinds:
-        names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)} Or ask for: reaction of {of}", None, *path)
+        names.problem(
+            Message(
+                "{of} has no {what}.{hint} Or ask for: reaction of {of}",
+                of=of,
+                what=what,
+                hint=did_you_mean(what, kinds),
+            ),
+            *path,
+        )
         return None
     at = tuple(_place(names, str(found[k]), path) for k in ("at", "a", "b") if found[k] is not None)
     places = [place for row in rows if row.reaction == what for place in _places(row)]
@@ -276,9 +294,15 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     if len(matching) != 1:
         ends = "; ".join(" - ".join(_listed(stretch.places)) for _row, stretch in places)
         names.problem(
-            f"{of} has {'several values' if matching else 'no value'} of {what}"
-            f"{' at ' + ' and '.join(at) if at else ''}; say which: at BODY, or between BODY and BODY ({ends})",
-            None,
+            Message(
+                "{of} has several values of {what}{at}; say which: at BODY, or between BODY and BODY ({ends})"
+                if matching
+                else "{of} has no value of {what}{at}; say which: at BODY, or between BODY and BODY ({ends})",
+                of=of,
+                what=what,
+                at=Message(" at {places}", places=listed(at)) if at else "",
+                ends=ends,
+            ),
             *path,
         )
         return None
@@ -309,7 +333,10 @@ def _has_connection(names: Names, name: str, path: Path) -> bool:
     if name in names.connections:
         return True
     if name in names.loads:
-        names.problem(f"{name} is a load; ask for: force in {name}", None, *path)
+        names.problem(Message("{name} is a load; ask for: force in {name}", name=name), *path)
         return False
-    names.problem(f"there is no connection {name}.{did_you_mean(name, names.connections)}", None, *path)
+    names.problem(
+        Message("there is no connection {name}.{hint}", name=name, hint=did_you_mean(name, names.connections)),
+        *path,
+    )
     return False

@@ -15,6 +15,7 @@ from typing import Any, Literal, cast
 
 from freebody.language.expression import Expr
 from freebody.language.plain_text import plain
+from freebody.language.sentences import Message
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
@@ -48,9 +49,6 @@ class Question:
     transition: Transition | None = None  # instead of an event: a contact changes its state
 
 
-_ASK_FOR = "One can ask for"
-
-
 # -- reading ----------------------------------------------------------------------------------
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
@@ -69,22 +67,26 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.6)
     rate = re.fullmatch(r"rate\((\w+)\)", text)
     if rate is not None and rate[1] in names.measures:
-        names.problem(f"cannot read '{text}'. Did you mean: velocity of {rate[1]}", None, *path)
+        names.problem(
+            Message("cannot read '{text}'. Did you mean: velocity of {measure}", text=text, measure=rate[1]), *path
+        )
     elif close:
         form = next(f for w, f in openings.items() if w.strip() == close[0])
-        names.problem(f"cannot read '{text}'. Did you mean: {form}", None, *path)
-    elif any(_ASK_FOR in problem.message for problem in names.problems):
-        names.problem(f"cannot read '{text}'", None, *path)
+        names.problem(Message("cannot read '{text}'. Did you mean: {form}", text=text, form=form), *path)
+    elif any(isinstance(p.message, Message) and "askable" in p.message.arguments for p in names.problems):
+        names.problem(Message("cannot read '{text}'", text=text), *path)
     else:
-        listed = "\n    ".join(f.form for f in FORMS)
-        names.problem(f"cannot read '{text}'. {_ASK_FOR}\n    {listed}", None, *path)
+        askable = "\n    ".join(f.form for f in FORMS)
+        names.problem(
+            Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
+        )
     return None
 
 
 def _event(names: Names, text: str, path: Path) -> QuestionEvent | None:
     found = re.match(r"^(?P<what>.+?)\s*(?:=| reaches | is | equals )\s*(?P<value>.+)$", text)
     if found is None:
-        names.problem(f"cannot read the condition '{text}'; write for example x = h", None, *path)
+        names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
     what = found["what"].strip()
     order: Literal[0, 1] = 0
@@ -109,7 +111,7 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
     elif isinstance(given, list):
         pairs = [(f"q{k}", v) for k, v in enumerate(cast("list[Any]", given), 1)]
     else:
-        names.problem("questions is a list, e.g. questions: [{find: acceleration of x}]", None, "questions")
+        names.problem(Message("questions is a list, e.g. questions: [{{find: acceleration of x}}]"), "questions")
         return ()
     found: list[Question] = []
     for k, (name, value) in enumerate(pairs):
@@ -118,7 +120,7 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
             question = _question(names, name, value)
         if question is not None:
             if any(other.id == question.id for other in found):
-                names.problem(f"two questions have the id {question.id}", None, "questions", place, "id")
+                names.problem(Message("two questions have the id {id}", id=question.id), "questions", place, "id")
             found.append(question)
     return tuple(found)
 
@@ -132,11 +134,11 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     elif isinstance(value, dict):
         entry = cast("dict[str, Any]", value)
     if not isinstance(entry.get("find"), str):
-        names.problem("a question needs find, e.g. {find: acceleration of x}")
+        names.problem(Message("a question needs find, e.g. {{find: acceleration of x}}"))
         return None
     for key in entry:
         if key not in known:
-            names.problem(f"a question has no {key}.{did_you_mean(key, known)}", None, key)
+            names.problem(Message("a question has no {key}.{hint}", key=key, hint=did_you_mean(key, known)), key)
     text = " ".join(str(entry["find"]).split())
     phrase, at_start, event, transition = as_condition(names, text), False, None, None
     if phrase.endswith((" at start", " at the start")):
@@ -158,7 +160,7 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     quantity: Quantity | None
     if phrase in ("time", "the time"):
         if event is None and transition is None:
-            names.problem("say of what: time when x = h", None, "find")
+            names.problem(Message("say of what: time when x = h"), "find")
             return None
         quantity = When()
     else:
@@ -166,21 +168,21 @@ def _question(names: Names, name: str, value: Any) -> Question | None:
     if quantity is None:
         return None
     if quantity.scope == "every motion" and (condition is not None or at_start):
-        names.problem("what is conserved is so at every instant; leave out 'at start' and 'when'", None, "find")
+        names.problem(Message("what is conserved is so at every instant; leave out 'at start' and 'when'"), "find")
         return None
     if isinstance(quantity, Counted) and condition is None:
-        names.problem(f"say until when: {phrase} until {quantity.until}", None, "find")
+        names.problem(Message("say until when: {phrase} until {until}", phrase=phrase, until=quantity.until), "find")
     options: Any = entry.get("options") or {}
     if isinstance(options, list):
         letters = "abcdefghijklmnopqrstuvwxyz"
         options = dict(zip(letters, cast("list[Any]", options), strict=False))
     if not isinstance(options, dict):
-        names.problem("options is a mapping, e.g. options: {a: g/2, b: g}", None, "options")
+        names.problem(Message("options is a mapping, e.g. options: {{a: g/2, b: g}}"), "options")
         options = {}
     shown = {plain(str(k)): plain(_option_text(v)) for k, v in cast("dict[Any, Any]", options).items()}
     key = entry.get("key")
     if key is not None and str(key) not in shown:
-        names.problem(f"key {key} is not among the options {', '.join(shown)}", None, "key")
+        names.problem(Message("key {key} is not among the options {shown}", key=key, shown=", ".join(shown)), "key")
     return Question(
         plain(str(entry.get("id", name))),
         plain(text),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import ConstraintRow, Parameter
 from freebody.model.names import did_you_mean
@@ -174,7 +175,7 @@ def _limit(names: Names, name: str, which: Which, path: Path) -> RestLimit | Non
 def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
     name = found["of"]
     if name is None:
-        names.problem("say as what grows: does it tip or slide as F grows", None, *path)
+        names.problem(Message("say as what grows: does it tip or slide as F grows"), *path)
         return None
     p = _parameter(names, name, path)
     return None if p is None else FirstFailure(name, p.dimension, p.is_angle)
@@ -183,10 +184,13 @@ def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
 def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
     parameter = names.parameters.get(name)
     if parameter is None:
-        names.problem(f"there is no parameter {name}.{did_you_mean(name, names.parameters)}", None, *path)
+        names.problem(
+            Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, names.parameters)),
+            *path,
+        )
         return None
     if parameter.form is not None:
-        names.problem(f"{name} is a function of time; ask for a parameter", None, *path)
+        names.problem(Message("{name} is a function of time; ask for a parameter", name=name), *path)
         return None
     return parameter
 
@@ -210,24 +214,30 @@ def _holds(names: Names, found: Found, path: Path) -> Quantity | None:
 def _reaction_range(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what, at = found["of"], found["what"], found["at"]
     if of not in names.connections:
-        names.problem(f"there is no connection {of}.{did_you_mean(of, names.connections)}", None, *path)
+        names.problem(
+            Message("there is no connection {name}.{hint}", name=of, hint=did_you_mean(of, names.connections)), *path
+        )
         return None
     rows = [row for row in names.held if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
     if what not in kinds:
-        names.problem(f"{of} has no {what}.{did_you_mean(what, kinds)}", None, *path)
+        names.problem(Message("{of} has no {what}.{hint}", of=of, what=what, hint=did_you_mean(what, kinds)), *path)
         return None
     matching = [row for row in rows if row.reaction == what and (at is None or _is_at(_ends(row), at))]
     if not matching:
         known = [row for row in rows if row.reaction == what and row.ends]
         places = ", ".join(dict.fromkeys(_ends(row)[-1 if row.stretches else 0] for row in known))
         is_before = any(_is_at(stretch.places, at or "") for row in known for stretch in row.stretches)
-        why = (
-            f"the range of {what} before a drum is not looked for, only"
+        told = Message(
+            "the range of {what} before a drum is not looked for, only at {places}"
             if is_before
-            else f"{of} has no {what} at {at}; there is one"
+            else "{of} has no {what} at {at}; there is one at {places}",
+            of=of,
+            what=what,
+            at=at,
+            places=places,
         )
-        names.problem(f"{why} at {places}", None, *path)
+        names.problem(told, *path)
         return None
     dimension = FORCE if matching[0].measure.dimension == LENGTH else TORQUE
     return ReactionRange(tuple(row.name for row in matching), what, dimension)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.model.names import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, asked
@@ -135,7 +136,10 @@ def _of_instant(names: Names, text: str, path: Path) -> Quantity | None:
     of = read_quantity(names, text, path)
     if of is None or of.scope not in ("every motion", "steady motion"):
         return of
-    names.problem(f"'{text}' is no property of one instant; ask for a measure, a velocity or a force", None, *path)
+    names.problem(
+        Message("'{text}' is no property of one instant; ask for a measure, a velocity or a force", text=text),
+        *path,
+    )
     return None
 
 
@@ -149,13 +153,17 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
     body = names.body(found["of"], *path)
     owner, _, axis = found["axis"].rpartition(".")
     if not names.space:
-        names.problem("in the plane a body turns about one axis only: write space: true", None, *path)
+        names.problem(Message("in the plane a body turns about one axis only: write space: true"), *path)
         return None
     if owner not in ("", body.name):
-        names.problem(f"the spin of {body.name} is about an axis of its own: x, y or z", None, *path)
+        names.problem(Message("the spin of {body} is about an axis of its own: x, y or z", body=body.name), *path)
         return None
     if not body.turns or body.fixed:
-        names.problem(f"{body.name} does not spin: it is {'fixed' if body.fixed else 'a particle'}", None, *path)
+        told = Message(
+            "{body} does not spin: it is fixed" if body.fixed else "{body} does not spin: it is a particle",
+            body=body.name,
+        )
+        names.problem(told, *path)
         return None
     return SpinStability(body.name, axis)
 
@@ -191,8 +199,14 @@ def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
         measure = names.measures.get(over)
         if measure is None or measure.dimension != DIMENSIONLESS:
             angles = [name for name, m in names.measures.items() if m.dimension == DIMENSIONLESS]
-            what = "is no angle" if measure is not None else "is no measure"
-            names.problem(f"{over} {what} of the model.{did_you_mean(over, angles)}", None, *path)
+            told = Message(
+                "{name} is no measure of the model.{hint}"
+                if measure is None
+                else "{name} is no angle of the model.{hint}",
+                name=over,
+                hint=did_you_mean(over, angles),
+            )
+            names.problem(told, *path)
             return None
     of = _of_instant(names, found["of"], path)
     return None if of is None else Extremes(of, over)

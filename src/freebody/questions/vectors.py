@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from freebody.language.sentences import NOTHING, Argument, Sentence
+from freebody.language.sentences import NOTHING, Argument, Message, Sentence
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
@@ -34,11 +34,13 @@ def read_basis(names: Names, name: str | None, path: Path) -> Basis | None:
     if name is None or name == GROUND:
         return None
     if not names.space:
-        names.problem("a basis is for vectors of space: write space: true", None, *path)
+        names.problem(Message("a basis is for vectors of space: write space: true"), *path)
         return None
     if name not in names.bodies and name not in names.frames:
         known = [*names.bodies, *names.frames]
-        names.problem(f"there is no body or frame {name}.{did_you_mean(name, known)}", None, *path)
+        names.problem(
+            Message("there is no body or frame {name}.{hint}", name=name, hint=did_you_mean(name, known)), *path
+        )
         return None
     x, y, z = (names.fixed_in(name, along, f"{name}.{axis}") for along, axis in zip(UNIT, "xyz", strict=True))
     return x, y, z

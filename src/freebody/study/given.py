@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from freebody.errors import InputError
 from freebody.language.expression import Expr
+from freebody.language.sentences import Message, lines
 from freebody.language.units import TIME, parse_quantity
 from freebody.measures.base import Measure
 from freebody.model.names import Names, did_you_mean
@@ -15,7 +16,9 @@ from freebody.system.system import System
 def named_measure(system: System, name: str) -> Measure:
     """Raises InputError if there is no such measure."""
     if name not in system.measures:
-        raise InputError(f"there is no measure {name}.{did_you_mean(name, system.measures)}")
+        raise InputError(
+            Message("there is no measure {name}.{hint}", name=name, hint=did_you_mean(name, system.measures))
+        )
     return system.measures[name]
 
 
@@ -27,7 +30,7 @@ def formula(system: System, name: str, value: str | float, *, in_time: bool = Fa
     dimension = named_measure(system, name).dimension
     found = names.formula(value, dimension, name, extra={"t": TIME} if in_time else None)
     if names.problems:
-        raise InputError("\n".join(problem.text(None) for problem in names.problems))
+        raise InputError(lines([problem.text(None) for problem in names.problems]))
     return found
 
 
@@ -37,7 +40,9 @@ def guess_of(text: str) -> Mapping[str, str]:
     for part in text.split(","):
         name, equals, value = (piece.strip() for piece in part.partition("="))
         if not equals or not name or not value:
-            raise InputError(f"a guess is written as name=value, e.g. theta=20 deg; found '{part.strip()}'")
+            raise InputError(
+                Message("a guess is written as name=value, e.g. theta=20 deg; found '{part}'", part=part.strip())
+            )
         found[name] = value
     return found
 
@@ -49,7 +54,7 @@ def seconds(text: str) -> float:
     except ValueError:
         quantity = parse_quantity(text)
     if quantity.dimension != TIME:
-        raise InputError("this is no time; write 10 or 200 ms")
+        raise InputError(Message("this is no time; write 10 or 200 ms"))
     return float(quantity.value)
 
 
@@ -58,5 +63,5 @@ def azimuth_and_elevation(text: str) -> tuple[float, float]:
     try:
         azimuth, elevation = map(float, text.split(","))
     except ValueError:
-        raise InputError("give azimuth and elevation in degrees, e.g. --view 30,20") from None
+        raise InputError(Message("give azimuth and elevation in degrees, e.g. --view 30,20")) from None
     return azimuth, elevation

@@ -135,7 +135,7 @@ def inverse_dynamics(system: System, motion: Mapping[str, Course] | None, times:
     no pose follows the motion."""
     at = np.asarray(list(times), dtype=np.float64)
     if not len(at) or not np.isfinite(at).all() or (np.diff(at) <= 0.0).any():
-        raise InputError("times must be finite numbers [s], each later than the one before; at least one")
+        raise InputError(Message("times must be finite numbers [s], each later than the one before; at least one"))
     return _Follower(settled(system), motion or {}, at).result()
 
 
@@ -154,7 +154,9 @@ class _Prescribed:
         else:
             arrays = [np.broadcast_to(np.asarray(part, dtype=np.float64), times.shape) for part in course]
             if len(arrays) != 3 or not all(np.isfinite(a).all() for a in arrays):
-                raise InputError(f"{name}: give three arrays of finite numbers: values, rates and accelerations")
+                raise InputError(
+                    Message("{name}: give three arrays of finite numbers: values, rates and accelerations", name=name)
+                )
             self.arrays = arrays[0], arrays[1], arrays[2]
         self._times = times
 
@@ -178,7 +180,13 @@ class _Prescribed:
         if self._call is not None:
             found = [float(x) for x in self._call(t)]
             if len(found) != 3 or not np.isfinite(found).all():
-                raise InputError(f"{self.name}: its function must give value, rate and acceleration; found {found}")
+                raise InputError(
+                    Message(
+                        "{name}: its function must give value, rate and acceleration; found {found}",
+                        name=self.name,
+                        found=found,
+                    )
+                )
             return dict(zip(self.names, found, strict=True))
         assert self.arrays is not None
         return dict(zip(self.names, self._between(t), strict=True))

@@ -14,6 +14,7 @@ from typing import Any, Self, cast
 
 from freebody.errors import InputError
 from freebody.language.document import Document
+from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.names import did_you_mean
 from freebody.model.spec import Spec
@@ -49,7 +50,9 @@ class System(SystemDescription):
         document = self.document
         for name, value in values.items():
             if name not in self.parameters:
-                raise InputError(f"there is no parameter {name}.{did_you_mean(name, self.parameters)}")
+                raise InputError(
+                    Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, self.parameters))
+                )
             given = document.data["parameters"][name] if name not in self.unspecified else None
             if self.parameters[name].form is not None:
                 document = document.with_value(("parameters", name, "function"), str(value))

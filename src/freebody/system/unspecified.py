@@ -72,7 +72,6 @@ class Unspecified:
                     "positions are not given",
                     example=example,
                 ),
-                None,
                 "points",
             )
             return None

@@ -37,8 +37,9 @@ from freebody.language.document.tree import (
     Scalar,
     kind_of,
 )
+from freebody.messages import Message
 
-_BEGINNING = "a model begins with a section such as 'bodies:'"
+_BEGINNING = Message("a model begins with a section such as 'bodies:'")
 
 
 def compose(text: str, file: str | None) -> DocumentNode:
@@ -71,7 +72,7 @@ class _Composer:
             self.problems.append(syntax_problem(error, self.text, self._last))
         except (ValueError, OverflowError):
             # ruamel.yaml lets chr() and int() fail on an escape such as "\UFFFFFFFF".
-            self._note((), self._last, "an escape here stands for no character; write the character itself")
+            self._note((), self._last, Message("an escape here stands for no character; write the character itself"))
         if root is None or self.problems:
             self.problems.sort(key=lambda p: (p.line or 0, p.column or 0))
             raise ModelError(self.problems, self.file)
@@ -80,25 +81,39 @@ class _Composer:
     def _check_lines(self) -> None:
         """Refuses what YAML would read at length or with another meaning, before it is scanned."""
         if len(self.text) > MAX_BYTES:
-            self._stop(Problem((), f"{len(self.text)} characters; a model has at most {MAX_BYTES}"))
+            self._stop(
+                Problem(
+                    (),
+                    Message("{n} characters; a model has at most {most}", n=len(self.text), most=MAX_BYTES),
+                )
+            )
         for number, line in enumerate(self.text.removeprefix("\ufeff").splitlines(), 1):
             if len(line) > MAX_LINE:
-                message = f"a line of {len(line)} characters; write at most {MAX_LINE} in one line"
+                message = Message(
+                    "a line of {n} characters; write at most {most} in one line", n=len(line), most=MAX_LINE
+                )
                 self._stop(Problem((), message, number, 1))
             if line.startswith("%"):
-                self._stop(Problem((), f"a line must not begin with '{line.split()[0][:20]}'", number, 1))
+                self._stop(
+                    Problem(
+                        (),
+                        Message("a line must not begin with '{beginning}'", beginning=line.split()[0][:20]),
+                        number,
+                        1,
+                    )
+                )
 
     def _document(self) -> DocumentNode | None:
         parser: Any = YAML(typ="safe", pure=True)
         events = self._watched(parser.parse(self.text))
         next(events)
         if not _is(next(events), DocumentStartEvent):
-            self._stop(Problem((), f"the file is empty; {_BEGINNING}", 1, 1))
+            self._stop(Problem((), Message("the file is empty; {hint}", hint=_BEGINNING), 1, 1))
         root = self._node(next(events), events, (), 1)
         next(events)
         following = next(events)
         if _is(following, DocumentStartEvent):
-            message = "a second document begins here; one file holds one model, so split it or delete '---'"
+            message = Message("a second document begins here; one file holds one model, so split it or delete '---'")
             self._note((), following, message)
         if not isinstance(root.content, dict) and not (root.content is None and self.problems):
             self._note((), root, _no_mapping(root, self.text))
@@ -112,16 +127,24 @@ class _Composer:
     def _node(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> DocumentNode:
         self.n_values += 1
         if self.n_values > MAX_VALUES:
-            self._note(path, event, f"more than {MAX_VALUES} values; is this the right file?")
+            self._note(path, event, Message("more than {most} values; is this the right file?", most=MAX_VALUES))
             raise _RestUnread
         if _is(event, AliasEvent):
-            self._note(path, event, f"'*{event.anchor}' repeats another part of the file; write it out twice")
+            self._note(
+                path,
+                event,
+                Message("'*{anchor}' repeats another part of the file; write it out twice", anchor=event.anchor),
+            )
             return self._made(None, event, event)
         self._check_marks(event, path)
         if _is(event, ScalarEvent):
             return self._made(self._scalar(event, path), event, event)
         if depth > MAX_DEPTH:
-            self._note((), event, f"lists and mappings stand more than {MAX_DEPTH} deep in each other")
+            self._note(
+                (),
+                event,
+                Message("lists and mappings stand more than {most} deep in each other", most=MAX_DEPTH),
+            )
             raise _RestUnread
         if _is(event, SequenceStartEvent):
             return self._sequence(event, events, path, depth)
@@ -129,11 +152,15 @@ class _Composer:
 
     def _check_marks(self, event: Any, path: Place) -> None:
         if event.anchor is not None:
-            message = f"'&{event.anchor}' marks a part to be repeated; delete the mark and write it out twice"
+            message = Message(
+                "'&{anchor}' marks a part to be repeated; delete the mark and write it out twice", anchor=event.anchor
+            )
             self._note(path, event, message)
         if event.tag is not None:
             tag = str(event.tag).replace("tag:yaml.org,2002:", "!!")
-            self._note(path, event, f"the tag '{tag}' is not allowed; delete it and write the plain value")
+            self._note(
+                path, event, Message("the tag '{tag}' is not allowed; delete it and write the plain value", tag=tag)
+            )
 
     def _sequence(self, event: Any, events: Iterator[Any], path: Place, depth: int) -> DocumentNode:
         items: list[DocumentNode] = []
@@ -159,7 +186,9 @@ class _Composer:
                 last = self._empty(key)
             first = entries.setdefault(name, DocumentStep(key, last)).key
             if first is not None and first is not key:
-                message = f"the key {name} stands in line {first.line} already; keep one of the two"
+                message = Message(
+                    "the key {name} stands in line {line} already; keep one of the two", name=name, line=first.line
+                )
                 self._note(at, inner, message)
         raise _RestUnread
 
@@ -172,8 +201,8 @@ class _Composer:
             self._check_marks(event, path)
             self._check_text(event, path)
             return str(event.value)
-        found = "empty" if node is None else kind_of(node.plain())
-        self._note(path, event, f"this key is {found}; a key must be plain text")
+        found = Message("empty") if node is None else kind_of(node.plain())
+        self._note(path, event, Message("this key is {found}; a key must be plain text", found=found))
         return None
 
     def _empty(self, key: Key) -> DocumentNode:
@@ -187,12 +216,12 @@ class _Composer:
         value = event.value if event.style else resolved(event.value)
         if isinstance(value, float) and not math.isfinite(value):
             shown = event.value if len(event.value) <= 20 else event.value[:20] + "..."
-            self._note(path, event, f"{shown} is not a finite number")
+            self._note(path, event, Message("{value} is not a finite number", value=shown))
         return value
 
     def _check_text(self, event: Any, path: Place) -> None:
         if re.search("[\ud800-\udfff]", event.value):
-            self._note(path, event, "half a character (a surrogate escape); write the character itself")
+            self._note(path, event, Message("half a character (a surrogate escape); write the character itself"))
 
     def _made(self, content: Any, first: Any, last: Any, inner: DocumentNode | None = None) -> DocumentNode:
         """A block collection ends with its last value; its own end mark lies after the comments below."""
@@ -209,7 +238,7 @@ class _Composer:
             is_block,
         )
 
-    def _note(self, path: Place, at: Any, message: str) -> None:
+    def _note(self, path: Place, at: Any, message: Message) -> None:
         if isinstance(at, DocumentNode):
             line, column = at.line, at.column
         else:
@@ -225,10 +254,10 @@ def _is(event: Any, kind: type[Any]) -> bool:
     return isinstance(event, kind)
 
 
-def _no_mapping(root: DocumentNode, text: str) -> str:
+def _no_mapping(root: DocumentNode, text: str) -> Message:
     if root.content is None:
-        return f"the file is empty; {_BEGINNING}"
+        return Message("the file is empty; {hint}", hint=_BEGINNING)
     squeezed = squeezed_colon(text[root.start : root.end])
     if squeezed:
-        return f"a space is missing after the colon in '{squeezed}'"
-    return f"the file is {kind_of(root.plain())}; {_BEGINNING}"
+        return Message("a space is missing after the colon in '{squeezed}'", squeezed=squeezed)
+    return Message("the file is {found}; {hint}", found=kind_of(root.plain()), hint=_BEGINNING)

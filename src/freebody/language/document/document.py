@@ -18,6 +18,7 @@ from freebody.language.document.file import text_of
 from freebody.language.document.plain import checked, with_value
 from freebody.language.document.tree import DocumentNode, DocumentStep, Place, kind_of
 from freebody.language.document.writer import block_lines, flow_text, scalar_text
+from freebody.messages import Message
 
 
 class Document:
@@ -93,7 +94,7 @@ class Document:
         leads through something that is not a mapping, or the text cannot be changed in place.
         """
         if not path:
-            raise InputError("name the value to change, e.g. ('parameters', 'm')")
+            raise InputError(Message("name the value to change, e.g. ('parameters', 'm')"))
         value = new = checked(value, path)
         steps = self._walk(path)
         missing = path[len(steps) - 1 :]
@@ -108,8 +109,13 @@ class Document:
             text = self._replaced(last, {str(missing[0]): new})
         else:
             raise InputError(
-                f"{_dotted(path)} cannot be set: {_dotted(path[: len(steps) - 1])} is "
-                f"{kind_of(last.node.plain())} without {missing[0]}"
+                Message(
+                    "{path} cannot be set: {part} is {kind} without {missing}",
+                    path=_dotted(path),
+                    part=_dotted(path[: len(steps) - 1]),
+                    kind=kind_of(last.node.plain()),
+                    missing=missing[0],
+                )
             )
         return self._verified(text, path, value)
 
@@ -122,7 +128,10 @@ class Document:
             changed = None
         if changed is None or repr(changed.data) != repr(expected):
             raise InputError(
-                f"{_dotted(path)} cannot be changed in place; write it as 'name: value' on its own line first"
+                Message(
+                    "{path} cannot be changed in place; write it as 'name: value' on its own line first",
+                    path=_dotted(path),
+                )
             )
         return changed
 

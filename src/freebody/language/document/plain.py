@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from freebody.errors import ModelError, Problem
 from freebody.language.document.tree import MAX_DEPTH, MAX_KEY, Place
+from freebody.messages import Message
 
 
 def checked(data: Any, path: Place) -> Any:
@@ -23,14 +24,16 @@ def checked(data: Any, path: Place) -> Any:
 
 def _as_plain(value: Any, path: Place, problems: list[Problem]) -> Any:
     if len(path) > MAX_DEPTH:
-        problems.append(Problem((), f"lists and mappings stand more than {MAX_DEPTH} deep in each other"))
+        problems.append(
+            Problem((), Message("lists and mappings stand more than {most} deep in each other", most=MAX_DEPTH))
+        )
         return None
     if isinstance(value, Mapping):
         result: dict[str, Any] = {}
         for key, item in cast("Mapping[Any, Any]", value).items():
             name = _key_text(key, path, problems)
             if name in result:
-                problems.append(Problem(path, f"two keys are written {name}"))
+                problems.append(Problem(path, Message("two keys are written {name}", name=name)))
             result[name] = _as_plain(item, (*path, name), problems)
         return result
     if isinstance(value, (list, tuple)):
@@ -40,12 +43,14 @@ def _as_plain(value: Any, path: Place, problems: list[Problem]) -> Any:
         return value
     if isinstance(value, str):
         if re.search("[\ud800-\udfff]", value):
-            problems.append(Problem(path, "half a character (a surrogate) cannot be written"))
+            problems.append(Problem(path, Message("half a character (a surrogate) cannot be written")))
         return str.__str__(value)
     if hasattr(value, "__index__"):
         value = operator.index(value)
     elif not isinstance(value, float):
-        message = f"{type(value).__name__} is not plain data; give a number, a text, a list or a mapping"
+        message = Message(
+            "{kind} is not plain data; give a number, a text, a list or a mapping", kind=type(value).__name__
+        )
         problems.append(Problem(path, message))
         return None
     try:
@@ -53,19 +58,21 @@ def _as_plain(value: Any, path: Place, problems: list[Problem]) -> Any:
     except OverflowError:
         finite = False
     if not finite:
-        problems.append(Problem(path, "is not a finite number"))
+        problems.append(Problem(path, Message("is not a finite number")))
         return None
     return value if isinstance(value, int) else float(value)
 
 
 def _key_text(key: Any, path: Place, problems: list[Problem]) -> str:
     if isinstance(key, bool) or not isinstance(key, (str, int)):
-        problems.append(Problem(path, f"the key {key!r} is not text"))
+        problems.append(Problem(path, Message("the key {key} is not text", key=repr(key))))
     name = str.__str__(key) if isinstance(key, str) else str(key)
     if len(name) > MAX_KEY:
-        problems.append(Problem(path, f"a key of {len(name)} characters; write at most {MAX_KEY}"))
+        problems.append(
+            Problem(path, Message("a key of {n} characters; write at most {most}", n=len(name), most=MAX_KEY))
+        )
     if re.search("[\ud800-\udfff]", name):
-        problems.append(Problem(path, "a key with half a character (a surrogate) cannot be written"))
+        problems.append(Problem(path, Message("a key with half a character (a surrogate) cannot be written")))
     return name
 
 

@@ -14,6 +14,7 @@ from ruamel.yaml.events import ScalarEvent
 from ruamel.yaml.reader import ReaderError
 
 from freebody.errors import Problem
+from freebody.messages import Message
 
 
 def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
@@ -23,7 +24,9 @@ def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
         before = text[: found.position]
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         code = ord(text[found.position]) if found.position < len(text) else 0
-        return Problem((), f"the character U+{code:04X} is not allowed here; delete it", line, column)
+        return Problem(
+            (), Message("the character U+{code:04X} is not allowed here; delete it", code=code), line, column
+        )
     fault: Any = error
     mark = fault.problem_mark or fault.context_mark
     opened = fault.context_mark or mark
@@ -31,55 +34,66 @@ def syntax_problem(error: YAMLError, text: str, last: Any) -> Problem:
     context = str(fault.context or "")
     here = text[mark.index : mark.index + 1]
 
-    def problem(message: str, at: Any = mark) -> Problem:
+    def problem(message: Message, at: Any = mark) -> Problem:
         return Problem((), message, at.line + 1, at.column + 1)
 
     if "cannot start any token" in says:
         if here == "\t":
-            return problem("tab found; YAML allows spaces only")
-        return problem(f"a text must not begin with {here}; put it in quotes")
+            return problem(Message("tab found; YAML allows spaces only"))
+        return problem(Message("a text must not begin with {here}; put it in quotes", here=here))
     if "quoted scalar" in context and says.startswith("found unexpected"):
-        return problem("the quote that opens here is not closed", opened)
+        return problem(Message("the quote that opens here is not closed"), opened)
     if "unknown escape" in says or "escape sequence" in says:
-        return problem("a backslash in double quotes; double it, or use single quotes")
+        return problem(Message("a backslash in double quotes; double it, or use single quotes"))
     if "flow sequence" in context or "flow mapping" in context:
         bracket = text[opened.index : opened.index + 1]
         return problem(
-            f"the bracket {bracket} that opens here is not closed, or a comma is missing before line "
-            f"{mark.line + 1}, column {mark.column + 1}",
+            Message(
+                "the bracket {bracket} that opens here is not closed, or a comma is missing before line {line}, "
+                "column {column}",
+                bracket=bracket,
+                line=mark.line + 1,
+                column=mark.column + 1,
+            ),
             opened,
         )
     if "expected the node content" in says:
         if here in ("]", "}"):
-            return problem(f"{here} closes a bracket that is not open, or a value is missing before it")
+            return problem(
+                Message("{here} closes a bracket that is not open, or a value is missing before it", here=here)
+            )
         if not here:
-            return problem("the file ends where a value should stand; is a bracket not closed?")
-        return problem(f"a value is missing before {here}")
+            return problem(Message("the file ends where a value should stand; is a bracket not closed?"))
+        return problem(Message("a value is missing before {here}", here=here))
     if "could not find expected ':'" in says:
         return _line_without_colon(text, opened)
     if "mapping values are not allowed" in says:
         return _colon_out_of_place(text, mark, last)
     if "mapping keys are not allowed" in says or "sequence entries are not allowed" in says:
-        return problem(f"'{here}' cannot stand here; begin a list on its own line, or put a text in quotes")
+        return problem(
+            Message("'{here}' cannot stand here; begin a list on its own line, or put a text in quotes", here=here)
+        )
     if "<block end>" in says:
         if "<scalar>" in says or here in ",]}[{":
-            return problem("text after a closed quote or bracket; put the whole value in quotes")
-        return problem("this line is indented like none of the lines above; align it with its neighbours")
+            return problem(Message("text after a closed quote or bracket; put the whole value in quotes"))
+        return problem(Message("this line is indented like none of the lines above; align it with its neighbours"))
     if "tag" in says or "tag" in context:
-        return problem("tags ('!...') are not allowed; delete it, or put the text in quotes", opened)
+        return problem(Message("tags ('!...') are not allowed; delete it, or put the text in quotes"), opened)
     if "anchor" in context or "alias" in context:
-        return problem("a text must not begin with & or *; put it in quotes", opened)
+        return problem(Message("a text must not begin with & or *; put it in quotes"), opened)
     if "block scalar" in context:
-        return problem("after | or > the text begins on the next line, indented")
-    return problem(f"cannot be read as YAML: {says}")
+        return problem(Message("after | or > the text begins on the next line, indented"))
+    return problem(Message("cannot be read as YAML: {says}", says=says))
 
 
 def _line_without_colon(text: str, mark: Any) -> Problem:
     line = text[mark.index :].split("\n", 1)[0].strip()
     squeezed = squeezed_colon(line)
-    message = f"a space is missing after the colon in '{squeezed}'"
+    message = Message("a space is missing after the colon in '{squeezed}'", squeezed=squeezed)
     if not squeezed:
-        message = f"'{line[:40]}' has no colon; write 'name: value', or indent it to continue the line above"
+        message = Message(
+            "'{line}' has no colon; write 'name: value', or indent it to continue the line above", line=line[:40]
+        )
     return Problem((), message, mark.line + 1, mark.column + 1)
 
 
@@ -88,13 +102,15 @@ def _colon_out_of_place(text: str, mark: Any, last: Any) -> Problem:
     start = last.start_mark
     first_line = text[start.index :].split("\n", 1)[0]
     if not isinstance(last, ScalarEvent) or start.line == mark.line:
-        message = "a second colon in one line; put the value in quotes, or begin a new line"
+        message = Message("a second colon in one line; put the value in quotes, or begin a new line")
         return Problem((), message, mark.line + 1, mark.column + 1)
     squeezed = squeezed_colon(first_line)
     if squeezed:
-        message = f"a space is missing after the colon in '{squeezed}'"
+        message = Message("a space is missing after the colon in '{squeezed}'", squeezed=squeezed)
         return Problem((), message, start.line + 1, start.column + 1)
-    message = f"this line is indented as if it continued line {start.line + 1}; align it with its neighbours"
+    message = Message(
+        "this line is indented as if it continued line {line}; align it with its neighbours", line=start.line + 1
+    )
     return Problem((), message, mark.line + 1, 1)
 
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from freebody.messages import Message
+
 MAX_BYTES = 1_000_000
 MAX_LINE = 10_000
 MAX_VALUES = 20_000
@@ -58,9 +60,11 @@ class DocumentStep:
     node: DocumentNode
 
 
-def kind_of(value: Any) -> str:
+def kind_of(value: Any) -> Message:
     if isinstance(value, dict):
-        return "a mapping"
+        return Message("a mapping")
     if isinstance(value, list):
-        return "a list"
-    return "a single text" if isinstance(value, str) else f"the single value {value}"
+        return Message("a list")
+    if isinstance(value, str):
+        return Message("a single text")
+    return Message("the single value {value}", value=value)

@@ -27,6 +27,7 @@ from freebody.language.expression.tree import (
     multiply,
     power,
 )
+from freebody.messages import Message
 
 
 def substitute(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
@@ -52,7 +53,9 @@ def substitute(expr: Expr, replacements: Mapping[str, Expr]) -> Expr:
             if isinstance(inner, Symbol) or (isinstance(inner, Call) and inner.function == "rate"):
                 return Call("rate", inner)
             names = ", ".join(sorted(free_symbols(argument)))
-            raise ExpressionError(f"{names} is in rate(...), where only a name or a number can replace it")
+            raise ExpressionError(
+                Message("{names} is in rate(...), where only a name or a number can replace it", names=names)
+            )
         case Call(function, argument):
             return Call(function, substitute(argument, replacements))
 

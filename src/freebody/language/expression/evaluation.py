@@ -20,6 +20,7 @@ from freebody.language.expression.tree import (
     Symbol,
     whole_exponent,
 )
+from freebody.messages import Message
 
 T = TypeVar("T")
 
@@ -58,7 +59,9 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
             return functions.get("pi", math.pi)
         case Symbol(name):
             if name not in values:
-                raise ExpressionError(f"'{name}' has no value; known are {_listed(values)}")
+                raise ExpressionError(
+                    Message("'{name}' has no value; known are {values}", name=name, values=_listed(values))
+                )
             return values[name]
         case Sum(terms):
             total = _evaluate(terms[0], values, functions)
@@ -83,11 +86,15 @@ def _evaluate(expr: Expr, values: Mapping[str, Any], functions: Mapping[str, Any
             if key in values:
                 return values[key]
             if "rate" not in functions:
-                raise ExpressionError(f"{key} has no value here; known are {_listed(values)}")
+                raise ExpressionError(
+                    Message("{key} has no value here; known are {values}", key=key, values=_listed(values))
+                )
             return functions["rate"](_evaluate(argument, values, functions))
         case Call(function, argument):
             if function not in functions:
-                raise ExpressionError(f"the function {function} is not known to this arithmetic")
+                raise ExpressionError(
+                    Message("the function {function} is not known to this arithmetic", function=function)
+                )
             return functions[function](_evaluate(argument, values, functions))
 
 
@@ -118,7 +125,7 @@ def rate_key(expr: Expr) -> str:
         case Call("rate", argument):
             return f"rate({rate_key(argument)})"
         case _:
-            raise ExpressionError("rate(...) takes the name of a measure")
+            raise ExpressionError(Message("rate(...) takes the name of a measure"))
 
 
 def _listed(values: Mapping[str, Any]) -> str:

@@ -18,6 +18,7 @@ from fractions import Fraction
 from typing import TypeAlias, cast
 
 from freebody.errors import ExpressionError
+from freebody.messages import Message
 
 ELEMENTARY = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
 FUNCTIONS = frozenset({*ELEMENTARY, "abs", "sign", "rate"})
@@ -127,7 +128,7 @@ def number(value: int | float | Fraction) -> Number:
     """An exact number; a float counts as the decimal it prints as, so 0.1 is 1/10."""
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise ExpressionError(f"{value} is not a number that can be calculated with")
+            raise ExpressionError(Message("{value} is not a number that can be calculated with", value=value))
         return Number(Fraction(repr(float(value))))
     return Number(Fraction(value))
 

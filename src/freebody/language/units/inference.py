@@ -36,7 +36,8 @@ def _dimension_of(expr: Expr, dimensions: Mapping[str, Dimension]) -> Dimension 
         case Symbol(name):
             if name not in dimensions:
                 close = get_close_matches(name, dimensions, n=1)
-                raise UnitError(f"'{name}' is not defined" + (f": did you mean {close[0]}?" if close else ""))
+                guess = Message(": did you mean {x}?", x=close[0]) if close else ""
+                raise UnitError(Message("'{name}' is not defined{guess}", name=name, guess=guess))
             return dimensions[name]
         case Sum(terms):
             return _dimension_of_sum(terms, dimensions)

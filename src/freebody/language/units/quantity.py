@@ -47,7 +47,7 @@ def parse_quantity(given: str | int | float | Fraction) -> Quantity:
     if isinstance(given, bool):
         raise UnitError(Message("'{text}' is not a number", text=str(given).lower()))
     if isinstance(given, float) and not math.isfinite(given):
-        raise UnitError(Message("{given} is not a number that can be calculated with", given=given))
+        raise UnitError(Message("{value} is not a number that can be calculated with", value=given))
     exact = Fraction(repr(float(given))) if isinstance(given, float) else Fraction(given)
     return _quantity(exact, Unit(DIMENSIONLESS), str(given))
 

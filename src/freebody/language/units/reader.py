@@ -46,7 +46,7 @@ class _UnitReader:
         while place < len(self._text):
             found = _TOKEN.match(self._text, place)
             if found is None:
-                raise self._fault(f"'{self._text[place]}' cannot be used in a unit")
+                raise self._fault(Message("'{x}' cannot be used in a unit", x=self._text[place]))
             self._tokens += self._words(found)
             place = found.end()
         self._at = 0
@@ -66,25 +66,25 @@ class _UnitReader:
         self._at += 1
         return word
 
-    def _fault(self, reason: str) -> UnitError:
+    def _fault(self, reason: Message) -> UnitError:
         return UnitError(Message("the unit '{text}' cannot be read: {reason}", text=self._text, reason=reason))
 
     def unit(self) -> Unit:
         result = self._product()
         if self._now:
-            raise self._fault(f"'{self._now}' is not expected here")
+            raise self._fault(Message("'{x}' is not expected here", x=self._now))
         return result
 
     def _product(self, nesting: int = 0) -> Unit:
         if nesting > 10:
-            raise self._fault("too many brackets")
+            raise self._fault(Message("too many brackets"))
         result = self._part(nesting) if self._now != "/" else Unit(DIMENSIONLESS)
         is_below = False
         while self._now and self._now != ")":
             if self._now in ("*", "/"):
                 is_below = self._take() == "/"
             elif is_below:
-                raise self._fault("a/b c can be read in two ways, write a/(b c) or a c/b")
+                raise self._fault(Message("a/b c can be read in two ways, write a/(b c) or a c/b"))
             part = self._part(nesting)
             result = result * (part**-1 if is_below else part)
         return result
@@ -94,18 +94,19 @@ class _UnitReader:
         if word == "(":
             part = self._product(nesting + 1)
             if self._take() != ")":
-                raise self._fault("a bracket is never closed")
+                raise self._fault(Message("a bracket is never closed"))
         elif word == "1":
             part = Unit(DIMENSIONLESS)
         elif word and (word[0].isalpha() or word == "°"):
             part = self._named(word)
         else:
-            raise self._fault(f"a unit is needed {f'before {word!r}' if word else 'at its end'}")
+            before = Message("a unit is needed before '{word}'", word=word)
+            raise self._fault(before if word else Message("a unit is needed at its end"))
         return part ** self._exponent() if self._now == "^" else part
 
     def _named(self, name: str) -> Unit:
         if self._now.isdigit() and len(self._now) == 1:
-            raise self._fault(f"write {name}^{self._now} for a power")
+            raise self._fault(Message("write {name}^{exponent} for a power", name=name, exponent=self._now))
         return _named_unit(name)
 
     def _exponent(self) -> int:
@@ -114,9 +115,9 @@ class _UnitReader:
         sign = -1 if self._now == "-" and self._take() else 1
         digits = self._take()
         if not digits.isdigit() or len(digits) > 2 or int(digits) > MAX_EXPONENT:
-            raise self._fault(f"a power is a whole number up to {MAX_EXPONENT}")
+            raise self._fault(Message("a power is a whole number up to {most}", most=MAX_EXPONENT))
         if is_bracketed and self._take() != ")":
-            raise self._fault("a bracket is never closed")
+            raise self._fault(Message("a bracket is never closed"))
         return sign * int(digits)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.errors import InputError
+from freebody.language.sentences import Message
 from freebody.narrative.sheets.answer_key import KeyEntry, key_of
 from freebody.narrative.sheets.statement import label_of
 from freebody.narrative.sheets.variants import Variant
@@ -29,7 +30,7 @@ class SheetContent:
     def variant(self, n: int) -> tuple[Variant, ...]:
         """The exercises of a variant. Raises InputError for one that there is not."""
         if not 1 <= n <= self.variants:
-            raise InputError(f"there is no variant {n}; there are 1 to {self.variants}")
+            raise InputError(Message("there is no variant {n}; there are 1 to {variants}", n=n, variants=self.variants))
         return self._made[n - 1]
 
     def key(self, variant: int = 1) -> tuple[KeyEntry, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from freebody.errors import FreebodyError, InputError, ModelError
+from freebody.language.sentences import Message, lines
 from freebody.model.names import did_you_mean
 from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
@@ -73,12 +74,16 @@ def sheet(
     Catalogue(language)
     systems = tuple(systems)
     if not systems:
-        raise InputError("an exercise sheet needs at least one model")
+        raise InputError(Message("an exercise sheet needs at least one model"))
     if variants < 1:
-        raise InputError(f"there can be no {variants} variants; ask for at least 1")
+        raise InputError(Message("there can be no {variants} variants; ask for at least 1", variants=variants))
     if variants > MOST_VARIANTS:
         raise InputError(
-            f"{variants} variants are too many; ask for at most {MOST_VARIANTS}, with another seed for more"
+            Message(
+                "{variants} variants are too many; ask for at most {most}, with another seed for more",
+                variants=variants,
+                most=MOST_VARIANTS,
+            )
         )
     given = _solved(systems)
     if variants == 1 and not seed:
@@ -101,7 +106,7 @@ def load_systems(paths: Iterable[str | Path]) -> list[System]:
             problems.append(str(error))
     problems += [p for p in (_unasked(s) for s in found) if p]
     if problems:
-        raise InputError("\n".join(problems))
+        raise InputError(lines(problems))
     return found
 
 
@@ -117,7 +122,7 @@ def _solved(systems: Sequence[System]) -> tuple[Variant, ...]:
         except FreebodyError as error:
             problems.append(f"{system.file or system.title}: {error}")
     if problems:
-        raise InputError("\n".join(problems))
+        raise InputError(lines(problems))
     return tuple(found)
 
 
@@ -134,7 +139,14 @@ def _solutions(word: str) -> Solutions:
     for known in SOLUTIONS:
         if word == known:
             return known
-    raise InputError(f"solutions can be {', '.join(SOLUTIONS)}, not {word}.{did_you_mean(word, SOLUTIONS)}")
+    raise InputError(
+        Message(
+            "solutions can be {solutions}, not {word}.{hint}",
+            solutions=", ".join(SOLUTIONS),
+            word=word,
+            hint=did_you_mean(word, SOLUTIONS),
+        )
+    )
 
 
 def _beside(path: Path, what: str) -> Path:

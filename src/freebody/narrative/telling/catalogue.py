@@ -37,7 +37,13 @@ class Catalogue:
 
     def __init__(self, language: str = "en") -> None:
         if language not in languages():
-            raise InputError(f"there are no words for the language {language}.{did_you_mean(language, languages())}")
+            raise InputError(
+                Message(
+                    "there are no words for the language {language}.{hint}",
+                    language=language,
+                    hint=did_you_mean(language, languages()),
+                )
+            )
         self.language = language
         self._words = _read(language)
         self._english = _read(_OF_MODELS)

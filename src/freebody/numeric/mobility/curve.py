@@ -197,7 +197,9 @@ def _refuse(reference: Reference, released: Sequence[str]) -> None:
     names = list(dict.fromkeys(row.connection for row in held))
     for name in released:
         if name not in names:
-            raise InputError(f"there is no connection {name} to release.{did_you_mean(name, names)}")
+            raise InputError(
+                Message("there is no connection {name} to release.{hint}", name=name, hint=did_you_mean(name, names))
+            )
     rates = [row.name for row in held if isinstance(row.measure, NonholonomicForm) and row.connection not in released]
     if rates:
         raise CannotAnswer(

@@ -140,7 +140,7 @@ class Framework:
             return held, self.model.assembled
         wanted, known = set(names), {row.name for row in held}
         for name in sorted(wanted - known):
-            raise InputError(f"{name} is not held.{did_you_mean(name, known)}")
+            raise InputError(Message("{name} is not held.{hint}", name=name, hint=did_you_mean(name, known)))
         chosen = [row for row in held if row.name in wanted]
         joined = {row.connection for row in chosen}
         return chosen, [row for row in self.model.assembled if row.connection in joined]

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import FreebodyError, InputError
+from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
@@ -117,7 +118,13 @@ def rows_without(reference: NumericSystem, without: Iterable[str]) -> list[Const
     known = {row.name for row in held} | {row.connection for row in held}
     for name in (left_out := tuple(dict.fromkeys(without))):
         if name not in known:
-            raise InputError(f"there is no row or connection {name} to leave out.{did_you_mean(name, known)}")
+            raise InputError(
+                Message(
+                    "there is no row or connection {name} to leave out.{hint}",
+                    name=name,
+                    hint=did_you_mean(name, known),
+                )
+            )
     return [row for row in held if row.name not in left_out and row.connection not in left_out]
 
 

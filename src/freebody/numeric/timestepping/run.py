@@ -99,7 +99,11 @@ def run_moreau(
     """
     step = min(options.step or math.inf, options.longest)
     if not (step > 0.0 and math.isfinite(step) and until > start):
-        raise InputError(f"time stepping needs a step between 0 and {until - start:g} s, not {step:g} s")
+        raise InputError(
+            Message(
+                "time stepping needs a step between 0 and {most:g} s, not {step:g} s", most=until - start, step=step
+            )
+        )
     scene = ContactScene(numbers) if scene is None else scene
     return _Run(scene, poses, velocities, start, until, step, tolerance, max_sweeps, value).result(
         outputs, options, progress

@@ -10,7 +10,7 @@ from math import isfinite
 
 from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import number
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, further
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question
 from freebody.study.answering import evidence as proof
@@ -123,7 +123,7 @@ def _with_changes(system: System, questions: Sequence[Question], setup: Setup | 
     try:
         found = _in_phases(system, waiting)
     except ModelError as error:  # of these questions: the others are answered, or refused, by themselves
-        reason = "; ".join(problem.message for problem in error.problems)
+        reason = further(*(problem.message for problem in error.problems))
         found = replace(rest, answers=tuple(refused(q, reason) for q in waiting))
     answers = {a.id: a for a in (*rest.answers, *found.answers)}
     return replace(found, answers=tuple(answers[q.id] for q in questions))

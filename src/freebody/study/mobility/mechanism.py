@@ -78,7 +78,9 @@ class Motions:
         """The assembly mode with a name. Raises InputError, listing those that there are."""
         known = {} if self.modes is None else {mode.name: mode for mode in self.modes}
         if name not in known:
-            raise InputError(f"there is no assembly mode {name}.{did_you_mean(name, known)}")
+            raise InputError(
+                Message("there is no assembly mode {name}.{hint}", name=name, hint=did_you_mean(name, known))
+            )
         return known[name]
 
     def to_plain(self) -> dict[str, Any]:
@@ -243,8 +245,13 @@ def _input_along(system: System, reference: Reference, q: Array, along: str, dri
     measures |= dict(own_measures(system))
     if along not in measures:
         raise InputError(
-            f"--along {along}: no driver and no measure.{did_you_mean(along, [*known, *measures])} "
-            f"Name a driver, a measure of the model, or '{_own_example(system)}'"
+            Message(
+                "--along {along}: no driver and no measure.{hint} Name a driver, a measure of the model, or "
+                "'{example}'",
+                along=along,
+                hint=did_you_mean(along, [*known, *measures]),
+                example=_own_example(system),
+            )
         )
     own = [name for name, measure in known.items() if measure == measures[along]]
     return _input(reference, q, along, measures[along], own or tuple(drivers))

@@ -11,6 +11,7 @@ import numpy as np
 from freebody.errors import InputError
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
+from freebody.language.sentences import Message
 from freebody.model.names import did_you_mean
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import coefficients_of_friction, holds
@@ -50,12 +51,14 @@ def regions(tree: PhaseTree, found: Sequence[RegionCase], x: str, y: str, n: int
     system = tree.system
     for name in (x, y):
         if name not in system.parameters:
-            raise InputError(f"there is no parameter {name}.{did_you_mean(name, system.parameters)}")
+            raise InputError(
+                Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, system.parameters))
+            )
     missing = [
         p.name for p in system.parameters.values() if p.value is None and p.form is None and p.name not in (x, y)
     ]
     if missing:
-        raise InputError(f"a picture needs a value for {', '.join(missing)}")
+        raise InputError(Message("a picture needs a value for {missing}", missing=", ".join(missing)))
     axes = [_axis(system, name, n) for name in (x, y)]
     grid = np.meshgrid(*axes)
     values = {p.name: np.full(n * n, p.value or 0.0) for p in system.parameters.values() if p.form is None}

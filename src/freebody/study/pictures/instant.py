@@ -71,7 +71,7 @@ def instant_of(system: System, at: float | None, *, in_motion: bool = False, at_
     """The system at a time [s], by simulation, or at its start; in motion with accelerations and reactions. Raises
     CannotAnswer if the motion does not last so long."""
     if at is not None and not 0.0 <= at < float("inf"):
-        raise InputError(f"the motion begins at 0 s; there is no instant at {at:g} s")
+        raise InputError(Message("the motion begins at 0 s; there is no instant at {at:g} s", at=at))
     if not at and not in_motion:
         return start_of(system, at_rest=at_rest)
     from freebody.study.simulation.simulate import simulate

@@ -73,7 +73,9 @@ def free_body(
     show = _checked(system, show)
     _check_view(system, view, perspective=perspective)
     if set(show) - {"force"}:
-        raise InputError(f"{show[0]} is drawn of the whole system; of bodies cut free there is force")
+        raise InputError(
+            Message("{show} is drawn of the whole system; of bodies cut free there is force", show=show[0])
+        )
     found = instant_of(system, at, in_motion="force" in show, at_rest=True)
     forces = FreeBody(found.snapshot, bodies, closed=closed_bounds(found.snapshot), labels=labels).forces()
     if "force" in show:
@@ -131,7 +133,7 @@ def poses_of(snapshot: Snapshot) -> Array:
 def _checked(system: System, show: Sequence[str]) -> tuple[str, ...]:
     for word in show:
         if word not in SHOWN:
-            raise InputError(f"there is no {word} to show.{did_you_mean(word, SHOWN)}")
+            raise InputError(Message("there is no {word} to show.{hint}", word=word, hint=did_you_mean(word, SHOWN)))
     if system.space and "instant-centres" in show:
         raise CannotAnswer(
             Message("bodies have instant centres in the plane; in space they move about screws, see mobility")
@@ -141,7 +143,7 @@ def _checked(system: System, show: Sequence[str]) -> tuple[str, ...]:
 
 def _check_view(system: System, view: View, *, perspective: bool) -> None:
     if not system.space and (perspective or view != VIEW):
-        raise InputError("a view from the side is for models in space; this one is in the plane")
+        raise InputError(Message("a view from the side is for models in space; this one is in the plane"))
 
 
 def _valued(force: Force, found: Instant) -> Force:

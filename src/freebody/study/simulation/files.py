@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
 from freebody.present.files import check_writable, replaced
 
@@ -25,7 +26,7 @@ def check_path(path: Path, suffixes: tuple[str, ...]) -> None:
         from importlib.util import find_spec
 
         if find_spec("pyarrow") is None:
-            raise InputError(f'{path}: Parquet needs pyarrow; pip install "freebody[parquet]"')
+            raise InputError(Message('{path}: Parquet needs pyarrow; pip install "freebody[parquet]"', path=path))
 
 
 def write(dataset: xarray.Dataset, path: Path) -> None:

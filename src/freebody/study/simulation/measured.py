@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import InputError
+from freebody.language.sentences import Message
 from freebody.numeric.contact.admissible import admissible_reactions
 from freebody.numeric.jets import Array
 from freebody.study.simulation.contact_series import final_states
@@ -35,7 +36,9 @@ class MeasuredMotion(SimulatedMotion):
         have at the output time nearest to the given one [s] (the end if nothing is said), by the name of its row. Both
         are the same where it is unique; infinite where nothing bounds it. Raises InputError for other systems."""
         if self.simulator.bounded is None:
-            raise InputError("there are no contacts or dry friction; reactions that are not unique are unbounded")
+            raise InputError(
+                Message("there are no contacts or dry friction; reactions that are not unique are unbounded")
+            )
         k = -1 if time is None else int(np.abs(self.course.times - time).argmin())
         return admissible_reactions(self.simulator.bounded, self.course, k % len(self.course.times))
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from freebody.errors import InputError
 from freebody.language.expression import free_symbols
+from freebody.language.sentences import Message
 from freebody.numeric.engine.course import Trajectory
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
@@ -69,7 +70,9 @@ class Simulation(MeasuredMotion, Result):
     def continued(self, until: float, **given: Any) -> Simulation:
         """The motion from here on to a later time, with the same tolerance; the arguments are those of `simulate`."""
         if not until > self.t_end:
-            raise InputError(f"the motion is at t = {self.t_end:.6g} s already; continue to a later time")
+            raise InputError(
+                Message("the motion is at t = {t_end:.6g} s already; continue to a later time", t_end=self.t_end)
+            )
         if "options" not in given:
             given.setdefault("tolerance", self.tolerance)
         return simulate(self.system, until, from_result=self, **given)
@@ -136,11 +139,15 @@ def simulate(
     options = replace(options or SimulationOptions(), **given)
     options.check_asked(until)
     if options.by_steps and events:
-        raise InputError("time stepping does not locate events; leave out the method, which follows every contact")
+        raise InputError(
+            Message("time stepping does not locate events; leave out the method, which follows every contact")
+        )
     if options.by_steps and system.space:
         raise InputError(
-            "time stepping (moreau) is for models of the plane; leave out the method, which follows every contact of a "
-            "model in space, or write the model without space: true"
+            Message(
+                "time stepping (moreau) is for models of the plane; leave out the method, which follows every "
+                "contact of a model in space, or write the model without space: true"
+            )
         )
     before = from_result
     simulator = Simulator(system, values, events, by_steps=options.by_steps) if before is None else before.simulator

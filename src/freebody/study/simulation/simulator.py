@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freebody.errors import CannotAnswer, InputError, ModelError
-from freebody.language.sentences import further
+from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
 from freebody.model.names import did_you_mean
 from freebody.numeric.contact.bounded import Bounded
@@ -52,7 +52,9 @@ class Simulator:
         self.system = system
         for name, value in (values or {}).items():
             if name in system.parameters and system.parameters[name].sign == "positive" and not value > 0.0:
-                raise InputError(f"{name} = {value:g} is not positive; the model says that it is")
+                raise InputError(
+                    Message("{name} = {value:g} is not positive; the model says that it is", name=name, value=value)
+                )
         self.reference = Reference(system, values)
         q = assembled_touching(self.reference)
         v = start_velocities(self.reference, q)
@@ -145,12 +147,20 @@ def _watches(simulator: Simulator, events: Sequence[str]) -> list[EngineWatch]:
             question = simulator.system.question(f"time when {asked}")
         except ModelError as error:
             measures = simulator.system.measures
-            listed = f" Named measures: {', '.join(measures)}." if measures else ""
+            listed = Message(" Named measures: {names}.", names=", ".join(measures)) if measures else ""
             guess = did_you_mean(words.split("=")[0].strip(), measures)
-            raise InputError(f"event '{text}': {error.problems[0].message}.{guess}{listed}") from error
+            raise InputError(
+                Message(
+                    "event '{text}': {message}.{guess}{listed}",
+                    text=text,
+                    message=error.problems[0].message,
+                    guess=guess,
+                    listed=listed,
+                )
+            ) from error
         event = question.event
         if event is None:
-            raise InputError(f"'{text}' is no event; write, for example, theta = 90 deg")
+            raise InputError(Message("'{text}' is no event; write, for example, theta = 90 deg", text=text))
         value = simulator.reference.number(event.value)
         size = max(abs(value), 1.0 if event.order else _size(simulator, event.measure))
         found.append(EngineWatch(words, event.measure, event.order, value, direction, is_terminal=stops, size=size))

@@ -155,11 +155,11 @@ def modes(system: System, at: At = "equilibrium", guess: Guess | None = None) ->
     Parameters need values. Raises CannotAnswer where there is no equilibrium, where loads are not smooth, or where a
     body moves without inertia."""
     if at not in ("equilibrium", "start"):
-        raise InputError(f"small motions are about the equilibrium or the start, not about {at}")
+        raise InputError(Message("small motions are about the equilibrium or the start, not about {at}", at=at))
     system = without_friction(system)
     if at == "start":
         if guess:
-            raise InputError("a guess leads to an equilibrium; about the start there is nothing to guess")
+            raise InputError(Message("a guess leads to an equilibrium; about the start there is nothing to guess"))
         return _about_start(system)
     found = nearest_equilibrium(system, guess)
     rest = found[0]
@@ -249,7 +249,7 @@ def _output(text: str) -> tuple[str, int]:
     while name.startswith("rate(") and name.endswith(")"):
         name, order = name[5:-1].strip(), order + 1
     if order > 2:
-        raise InputError(f"{text}: outputs are measures, their rates and accelerations")
+        raise InputError(Message("{text}: outputs are measures, their rates and accelerations", text=text))
     return name, order
 
 
@@ -261,7 +261,9 @@ def _push_of(small: SmallMotion, name: str) -> Array:
     if name in system.parameters:
         return _push_of_parameter(small, name)
     known = [*system.loads, *system.parameters]
-    raise InputError(f"there is no load or parameter {name} to be an input.{did_you_mean(name, known)}")
+    raise InputError(
+        Message("there is no load or parameter {name} to be an input.{hint}", name=name, hint=did_you_mean(name, known))
+    )
 
 
 def _push_of_load(small: SmallMotion, name: str) -> Array:

@@ -36,7 +36,7 @@ class BodySections:
         read_frames(self.source, first=True)
         for name, value in self.source.named("bodies").items():
             if name == GROUND:
-                names.problem(Message("ground is always there; declare its points under ground"), None, "bodies", name)
+                names.problem(Message("ground is always there; declare its points under ground"), "bodies", name)
                 continue
             with names.at("bodies", name):
                 # a body that cannot be read still counts as known, so that its mistake is told once
@@ -97,7 +97,6 @@ class BodySections:
         if fixed and start.moves:
             names.problem(
                 Message("{name} is fixed, so it has no velocity at the start: leave out one of the two", name=name),
-                None,
                 "fixed",
             )
         return RigidBody(
@@ -134,9 +133,7 @@ class BodySections:
                     hint = Message(" It is for models in space: write space: true.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
-                names.problem(
-                    Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), None, key
-                )
+                names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
         if len(kinds) != 1:
             what = Message("one of {names}", names=", ".join(Shape.kinds))
             names.problem(
@@ -181,7 +178,6 @@ class BodySections:
                     name=frame,
                     hint=did_you_mean(frame, self.source.mapping("bodies")),
                 ),
-                None,
                 "frame",
             )
             return (), GROUND
@@ -193,7 +189,6 @@ class BodySections:
                         "a known rotation at the start counts from the ground; name the angles to count from "
                         "frame, e.g. turned: [psi about y], frame: shaft"
                     ),
-                    None,
                     "frame",
                 )
             return (), GROUND
@@ -205,16 +200,13 @@ class BodySections:
         if given is None:
             return ()
         if not isinstance(given, list) or len(cast("list[Any]", given)) < 2:
-            self.names.problem(
-                Message("outline is a list of points of the body, e.g. outline: [P, Q, R]"), None, "outline"
-            )
+            self.names.problem(Message("outline is a list of points of the body, e.g. outline: [P, Q, R]"), "outline")
             return ()
         corners = [str(name) for name in cast("list[Any]", given)]
         for k, name in enumerate(corners):
             if name not in points:
                 self.names.problem(
                     Message("there is no point {name}.{hint}", name=name, hint=did_you_mean(name, points)),
-                    None,
                     "outline",
                     k,
                 )

@@ -44,14 +44,13 @@ def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tu
             return point, names.components(pair, LENGTH, "at", point)
         names.problem(
             Message("there is no point {name}.{hint}", name=point, hint=did_you_mean(point, points)),
-            None,
             "at",
             point,
         )
     elif isinstance(at, list):
         return default, names.components(cast("list[Any]", at), LENGTH, "at")
     elif at is not None:
-        names.problem(Message("at is a position [x, y], or {{point: [x, y]}}"), None, "at")
+        names.problem(Message("at is a position [x, y], or {{point: [x, y]}}"), "at")
     return None
 
 
@@ -64,7 +63,7 @@ def _guess(names: Names, entry: dict[str, Any], default: str, points: Mapping[st
         with names.at("near"):
             return start_of_body(names, {k: guess[k] for k in known if k in guess}, default, points)
     if "near" in entry:
-        names.problem(Message("near is a guess, e.g. near: {{angle: 30 deg}}"), None, "near")
+        names.problem(Message("near is a guess, e.g. near: {{angle: 30 deg}}"), "near")
     return None
 
 
@@ -87,7 +86,7 @@ def _in_space(names: Names, start: Start, entry: dict[str, Any], spin: Any) -> S
             message = Message(
                 "angular_velocity is [wx, wy, wz] along the ground's axes, or {{body: [...]}} along the body's"
             )
-            names.problem(message, None, "angular_velocity")
+            names.problem(message, "angular_velocity")
         in_body = "body" in given
         spin = next(iter(given.values()), None)
     rates = names.components(spin, ANGULAR_VELOCITY, "angular_velocity")

@@ -17,7 +17,7 @@ def read_frames(source: Source, *, first: bool) -> None:
     entries = source.named("frames")
     if entries and not names.space:
         if first:
-            names.problem(Message("frames are for models in space: write space: true"), None, "frames")
+            names.problem(Message("frames are for models in space: write space: true"), "frames")
         return
     for name, value in entries.items():
         entry = cast("dict[str, Any]", value) if isinstance(value, dict) else {"turned": value}

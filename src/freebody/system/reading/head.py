@@ -39,17 +39,16 @@ def check_sections(source: Source) -> None:
     for key in source.data:
         if key not in SECTIONS:
             source.names.problem(
-                Message("there is no section {key}.{hint}", key=key, hint=did_you_mean(key, SECTIONS)), None, key
+                Message("there is no section {key}.{hint}", key=key, hint=did_you_mean(key, SECTIONS)), key
             )
     version = source.data.get("freebody", 1)
     if version != 1:
         source.names.problem(
             Message("this is freebody's file format {version}; this version reads format 1", version=repr(version)),
-            None,
             "freebody",
         )
     if not source.data.get("bodies"):
-        source.names.problem(Message("a model needs at least one body, under bodies"), None, "bodies")
+        source.names.problem(Message("a model needs at least one body, under bodies"), "bodies")
 
 
 def read_space(source: Source) -> None:
@@ -60,10 +59,10 @@ def read_space(source: Source) -> None:
         up = cast("dict[str, Any]", entry).get("up", "y")
         known_keys(names, cast("dict[str, Any]", entry), ("up",), "space", "space")
         if up not in ("x", "y", "z"):
-            names.problem(Message("up is x, y or z"), None, "space", "up")
+            names.problem(Message("up is x, y or z"), "space", "up")
             up = "y"
         names.space, names.up = True, UNIT["xyz".index(up)]
     elif entry is True:
         names.space, names.up = True, UNIT[1]
     elif entry not in (None, False):
-        names.problem(Message("space is true, or {{up: z}} for another vertical than y"), None, "space")
+        names.problem(Message("space is true, or {{up: z}} for another vertical than y"), "space")

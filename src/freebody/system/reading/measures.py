@@ -14,9 +14,7 @@ def read_measures(source: Source) -> dict[str, Measure]:
     _named_angles(source)
     for name, value in source.named("measures").items():
         if name in names.parameters:
-            names.problem(
-                Message("{name} is a parameter already; choose another name", name=name), None, "measures", name
-            )
+            names.problem(Message("{name} is a parameter already; choose another name", name=name), "measures", name)
             continue
         with names.at("measures", name):
             measure = read_measure(names, value)

@@ -37,7 +37,7 @@ def _function(names: Names, name: str, entry: dict[str, Any]) -> Parameter:
     try:
         quantity = parse_unit(unit) if unit else None
     except InputError as error:
-        names.problem(str(error), None, "unit")
+        names.problem(str(error), "unit")
         names.broken.add(name)
         quantity = None
     dimension = DIMENSIONLESS if quantity is None else quantity.dimension
@@ -59,7 +59,7 @@ def _parameter(names: Names, name: str, value: Any) -> Parameter:
         known_keys(names, entry, ("value", "unit", "sign", "about"), Message("a parameter"))
         if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
             names.problem(
-                Message("sign is positive, nonnegative or any, not {value}", value=repr(entry["sign"])), None, "sign"
+                Message("sign is positive, nonnegative or any, not {value}", value=repr(entry["sign"])), "sign"
             )
         else:
             sign = entry.get("sign", "positive")

@@ -25,7 +25,6 @@ def known_keys(names: Names, entry: Mapping[str, Any], known: Sequence[str], wha
         if key not in known:
             names.problem(
                 Message("{what} has no {key}.{hint}", what=what, key=key, hint=did_you_mean(key, known)),
-                None,
                 *path,
                 key,
             )
@@ -56,7 +55,6 @@ class Source:
         if not isinstance(value, dict):
             self.names.problem(
                 Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section),
-                None,
                 section,
             )
             return {}
@@ -68,7 +66,7 @@ class Source:
         for name, value in self.mapping(section).items():
             fault = name_problem(name)
             if fault is not None or (name == "t" and section in ("parameters", "measures")):
-                self.names.problem(fault or "t is the time; choose another name", None, section, name)
+                self.names.problem(fault or "t is the time; choose another name", section, name)
                 continue
             good[name] = value
         return good
@@ -98,7 +96,7 @@ class Source:
                         fault=fault["msg"][0].lower() + fault["msg"][1:],
                         value=repr(fault["input"]),
                     )
-                self.names.problem(message, None, *path, *where)
+                self.names.problem(message, *path, *where)
             return None
 
     def specs(self, section: str, kinds: Mapping[str, type[SpecT]]) -> dict[str, SpecT]:
@@ -125,7 +123,6 @@ class Source:
                         Message(
                             "{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=did_you_mean(kind, kinds)
                         ),
-                        None,
                         kind,
                     )
                     continue

@@ -22,7 +22,7 @@ def read_mode(source: Source) -> str | None:
     if "mode" not in start or not _is_mode(source, "mode"):
         return None
     if not isinstance(start["mode"], str):
-        source.names.problem(Message("mode is the name of an assembly mode, e.g. mode: crossed"), None, "start", "mode")
+        source.names.problem(Message("mode is the name of an assembly mode, e.g. mode: crossed"), "start", "mode")
     return str(start["mode"])
 
 
@@ -49,7 +49,6 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
             known = [*measures, *(f"rate({m})" for m in measures)]
             source.names.problem(
                 Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known)),
-                None,
                 "start",
                 key,
             )
