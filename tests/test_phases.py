@@ -12,6 +12,7 @@ import pytest
 
 import freebody as fb
 from conftest import assert_same_function
+from freebody.language.expression import evaluate
 from freebody.language.notation import to_python, to_text
 from freebody.questions.course import EnergyLost, Revolutions, Transition
 from freebody.study.answering.answer import NOT_VALID
@@ -243,7 +244,8 @@ measures: {x: {x of sledge}}
     agrees_text(shown(solved(text, "when does the sledge slip?")), "mu*m*g/c")
     after = phases(fb.System.from_text(text)).cases[0].phases[1]
     assert dict(after.forces)["friction force of contact"] is not None
-    assert [to_text(right) for _left, right in after.equations] == ["(c·t - m·μ·g)/m"]
+    # c (t + mu m g/c) - mu m g, with the time from where it begins to slip, as the times of all phases
+    assert [to_text(right) for _left, right in after.equations] == ["c·t/m"]
 
 
 def test_when_it_slips_at_once_the_time_is_zero_and_the_condition_is_told() -> None:
@@ -657,3 +659,58 @@ start: {x: 0, rate(x): v0}
     assert solution["q3"].value == pytest.approx(first + back + math.asin(d / amplitude) / w)
     assert [case.conditions for case in solution["q2"].cases] == [("m·v₀² > k·d²",), ("k·d² ≥ m·v₀²",)]
     agrees_text(to_python(solution["q2"].cases[1].expression), "pi*sqrt(m/k)")  # type: ignore[arg-type]
+
+
+def test_a_block_laid_on_a_belt_slides_until_it_is_carried_along(agrees_text: Agree) -> None:
+    """It lags behind the belt by v^2/(2 mu g) and is then carried with v: d = v t - v^2/(2 mu g). The belt goes on by
+    its own time in the second phase as in the first."""
+    text = """
+parameters: {m: 1 kg, v: 2 m/s, mu: 0.3, d: 3 m, g: 9.81 m/s^2}
+bodies:
+  belt: {body: {mass: 1 kg, inertia: 1 kg m^2}, lines: {top: {along: right}}}
+  block: {particle: {mass: m}}
+connections:
+  guide: {slider: {body: belt, along: right}}
+  motor: {driver: {measure: x of belt, follows: v*t}}
+  contact: {contact: {between: [block, belt.top], friction: mu}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block, y: x of belt}
+start: {x: 0, rate(x): 0}
+"""
+    found = solved(text, "time when x = d", "y when x = d", "power of motor when x = d")
+    agrees_text(shown(found), "d/v + v/(2*mu*g)")
+    agrees_text(shown(found, 2), "d + v**2/(2*mu*g)")
+    agrees_text(shown(found, 3), "0")
+    assert found["q1"].conditions == ("μ > v²/(2·d·g)",)
+    assert found["q1"].value == pytest.approx(3.0 / 2.0 + 2.0 / (2 * 0.3 * 9.81))
+    assert found.phases is not None
+    assert [case.what for case in found.phases.cases] == ["slides, then sticks"]
+
+
+def test_a_ball_bounces_on_a_table_that_is_driven_faster_and_faster(agrees_text: Agree) -> None:
+    """Beside the table it falls with a + g. Its second flight begins at 2 v0/(a + g), where the table has the speed
+    2 a v0/(a + g), and lasts e times as long as the first."""
+    text = """
+parameters: {m: 1 kg, a: 2 m/s^2, v0: 3 m/s, e: 0.5, b: 0.4 m, g: 9.81 m/s^2}
+bodies:
+  table: {body: {mass: 1 kg, inertia: 1 kg m^2}, lines: {top: {along: right}}}
+  ball: {particle: {mass: m}, at: [0, 0]}
+connections:
+  guide: {slider: {body: table, along: up}}
+  motor: {driver: {measure: h, follows: a*t^2/2}}
+  contact: {contact: {between: [ball, table.top], restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {y: y of ball, h: y of table}
+start: {y: 0, rate(y): v0}
+"""
+    found = solved(text, "velocity of y when contact opens", "time when y = b", "velocity of y when y = b")
+    agrees_text(shown(found), "v0")  # it is thrown up at once
+    a, v0, e, b, g = 2.0, 3.0, 0.5, 0.4, 9.81
+    assert v0**2 / (2 * g) > b
+    assert found["q2"].value == pytest.approx((v0 - math.sqrt(v0**2 - 2 * g * b)) / g)
+    second = found["q3"].cases[1]
+    begins = 2 * v0 / (a + g)
+    launched, height = a * begins + e * v0, a * begins**2 / 2
+    values = {"m": 1.0, "a": a, "v0": v0, "e": e, "b": 0.48, "g": g}
+    assert not isinstance(second.expression, tuple)
+    assert evaluate(second.expression, values) == pytest.approx(math.sqrt(launched**2 - 2 * g * (0.48 - height)))

@@ -9,10 +9,10 @@ N is a multiplier of the system itself; it enters as a symbol of its own, which 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from freebody.language.expression import Expr, Symbol, number
+from freebody.language.expression import Expr, Symbol, free_symbols, number, substitute
 from freebody.language.units import FORCE
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
@@ -98,3 +98,36 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
         brakes=(),
     )
     return alone, loads
+
+
+# -- the time ---------------------------------------------------------------------------------
+_TIME = "t"
+
+
+def depends_on_time(system: System) -> bool:
+    """Whether drivers, loads or brakes are functions of the time."""
+    return any(_TIME in free_symbols(e) for e in _over_time(system))
+
+
+def _over_time(system: System) -> Iterator[Expr]:
+    yield from (e for row in system.held for e in (row.target, row.general) if e is not None)
+    yield from (e for push in system.pushes for e in (push.law, push.general) if e is not None)
+    yield from (e for rub in system.brakes for e in (rub.static, rub.kinetic))
+
+
+def counted_from(system: System, instant: Expr) -> System:
+    """The system with its time counted from an instant on: at t it is driven by what drives it at t + instant."""
+    later = {_TIME: Symbol(_TIME) + instant}
+
+    def put(e: Expr | None) -> Expr | None:
+        return None if e is None else substitute(e, later)
+
+    def put_in(e: Expr) -> Expr:
+        return substitute(e, later)
+
+    return replace(
+        system,
+        held=tuple(replace(row, target=put(row.target), general=put(row.general)) for row in system.held),
+        pushes=tuple(replace(push, law=put_in(push.law), general=put(push.general)) for push in system.pushes),
+        brakes=tuple(replace(rub, static=put_in(rub.static), kinetic=put_in(rub.kinetic)) for rub in system.brakes),
+    )

@@ -133,9 +133,8 @@ def _in_time(
     coefficients = [way.home(leg, c) for c in course.along(element)]
     line = 0
     if not _is_told(leg, symbol):
-        line = script.line(
-            symbol, in_time(coefficients, leg.clock), why="event.in_time", args={"lines": uses}, uses=uses
-        )
+        why = "event.in_time" if uses else "event.driven"
+        line = script.line(symbol, in_time(coefficients, leg.clock), why=why, args={"lines": uses}, uses=uses)
     meaning = leg.glossary.meanings[str(getattr(leg.end, "name", ""))]
     script.add(Legend(((meaning.symbol, meaning.what, meaning.unit),)))
     used = (line,) if line else uses

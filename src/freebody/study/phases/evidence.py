@@ -109,13 +109,18 @@ def stage(tree: PhaseTree, node: PhaseNode) -> FollowedPhase:
 
 def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Evidence:
     """At the start, what slides though nothing slipped is accelerated its way, and what has opened parts: of the first
-    derivatives of a gap the first that does not vanish is positive."""
+    derivatives of a gap the first that does not vanish is positive. What is struck comes nearer just before."""
     check = CrossCheck(question.text, Message("floating-point rates and accelerations at the start"), INSTANT_TOLERANCE)
 
     def compare(k: int) -> None:
         mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(k))
-        now = mode.snapshot(q, v, 0.0)
-        if question.transition is not None and question.transition.kind == "opens":
+        now, impact = mode.snapshot(q, v, 0.0), piece.nodes[-1].impact
+        asked = "" if question.transition is None else question.transition.kind
+        if asked == "touches" and impact is not None:
+            before, _q, _v = before_impact(tree.system, impact.before.kept, tree.sets.one(k))
+            struck_rows = [tree.bound_row(name) for name in impact.hits]
+            begins = any(row.sign * before.rate(row.measure) < -ROUND_OFF for row in struck_rows)
+        elif asked == "opens":
             rows = [tree.bound_row(name) for name in (tree.closed | tree.moving) - mode.mode.closed]
             signs = [(row.sign, now.rate(row.measure), now.acceleration(row.measure)) for row in rows]
             begins = all((s * u if abs(u) > ROUND_OFF else s * a) > 0 for s, u, a in signs)
@@ -230,8 +235,8 @@ def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list
     mode, now = last.mode, last.snapshot()
     values, first = seen[0].mode.values, piece.nodes[0]
     if piece.after is not None and piece.after.impact is not None:  # the value just after an impact
-        mode = NumericMode(tree.system, stage(tree, piece.after), values)
-        now = mode.snapshot(last.q, struck(tree.system, values, last.q, last.v, piece.after.impact.hits), last.time)
+        hits, mode = piece.after.impact.hits, NumericMode(tree.system, stage(tree, piece.after), values)
+        now = mode.snapshot(last.q, struck(tree.system, values, last.q, last.v, hits, last.time), last.time)
     begin = seen[0].begin
     if first.impact is not None:
         begin, _q, _v = before_impact(tree.system, first.impact.before.kept, values)

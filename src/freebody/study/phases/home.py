@@ -27,12 +27,12 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
-from freebody.system.modes import ContactMode, ideal_bounds, in_mode, sticking_row
+from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_row
 from freebody.system.system import System
 
 _ZERO = 1e-9
 _TOUCHES = 1e-8  # a gap that is none, by the size of the system
-_LONG_ANGLE = 3
+_LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
 
@@ -49,7 +49,7 @@ class Home:
         if self.system is not system:
             self.home = Setup(in_mode(self.system, free)[0])
         self.sets = Sets(self.system)
-        self.angles: dict[str, Ratio] = {}  # symbols for angles of bodies at which later phases begin
+        self.later: dict[str, Ratio] = {}  # symbols for angles of bodies, and times, at which later phases begin
         self.constants = dict(self._constants())
         self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}
         self.assumed: list[Condition] = []
@@ -107,7 +107,7 @@ class Home:
                     Message("what {name} is at the start has no closed form; give it in start", name=c.name)
                 )
         expr = phase.model.field.expression(x)
-        return model.field.lowest_terms(model.geometry.apply(expr, {**self.angles, **self.constants}))
+        return model.field.lowest_terms(model.geometry.apply(expr, {**self.later, **self.constants}))
 
     def at_start(self, x: Ratio) -> Ratio:
         return self.home.start_instant.here(x)
@@ -161,20 +161,38 @@ class Home:
             place = pose.x + pose.cos * px - pose.sin * py, pose.y + pose.sin * px + pose.cos * py
             starts[body.name] = Start(
                 (name, (shown(place[0]), shown(place[1]))),
-                self._angle(phase, at(pose.angle)) if body.turns else None,
+                self._short(phase, at(pose.angle), _LONG_ANGLE) if body.turns else None,
                 (shown(vx), shown(vy)),
                 shown(w) if body.turns else None,
             )
-        return Placed(starts)
+        return Placed(starts, self._since(phase, values))
 
-    def _angle(self, phase: Phase | Setup, angle: Ratio) -> Expr:
-        """An angle as it is where it is short, else a symbol for it."""
-        expr = phase.model.field.expression(angle)
-        if n_operations(expr) < _LONG_ANGLE:
+    def _since(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Expr | None:
+        """The time of the motion at a state of a phase, where it matters."""
+        if not depends_on_time(self.system):
+            return None
+        f = phase.model.field
+        now = values.get(f.index(f.time))
+        if now is None:
+            raise CannotAnswer(Message("something depends on the time, and that of the event has no closed form"))
+        before = phase.placed.since if isinstance(phase, Phase) else None
+        if now.is_zero() and before is None:
+            return None
+        if any(p.form is not None for p in self.system.parameters.values()):
+            raise CannotAnswer(
+                Message("a general function of time drives it, and what follows on an event has no formula")
+            )
+        own = self._short(phase, now, _LONG_TIME)
+        return own if before is None else before + own
+
+    def _short(self, phase: Phase | Setup, x: Ratio, longest: int) -> Expr:
+        """An angle or a time as it is where it is short, else a symbol for it."""
+        expr = phase.model.field.expression(x)
+        if n_operations(expr) < longest:
             return expr
-        name = f"@angle {len(self.angles) + 1}"
-        self.angles[name] = self.to_home(phase, angle)
-        self.sets.values[name] = self.numbers(self.angles[name])
+        name = f"@later {len(self.later) + 1}"
+        self.later[name] = self.to_home(phase, x)
+        self.sets.values[name] = self.numbers(self.later[name])
         return Symbol(name)
 
 

@@ -9,9 +9,9 @@ from functools import cached_property
 from typing import Any
 
 from freebody.errors import CannotAnswer, ExpressionError
-from freebody.language.expression import ZERO, free_symbols
+from freebody.language.expression import ZERO, Expr, free_symbols
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import DIMENSIONLESS, TIME
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
@@ -27,15 +27,17 @@ from freebody.symbolic.phases.friction import named_rows, resultant, solve_loads
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
-from freebody.system.modes import ContactMode, in_mode
+from freebody.system.modes import ContactMode, counted_from, in_mode
 from freebody.system.system import System
 
 
 @dataclass(frozen=True)
 class Placed:
-    """The state in which a phase begins: that of the file, or poses and velocities of every body as formulas."""
+    """The state in which a phase begins: that of the file, or poses and velocities of every body as formulas. since:
+    the time of the motion then, where something depends on it; the phase counts its own from there."""
 
     bodies: Mapping[str, Start] | None = None
+    since: Expr | None = None
 
     def put_into(self, system: System) -> System:
         if self.bodies is None:
@@ -45,6 +47,10 @@ class Placed:
         for start in self.bodies.values():
             for name in sorted(free_symbols(start.angle or ZERO) - parameters.keys()):
                 parameters[name] = Parameter(name, DIMENSIONLESS, None, "any")
+        if self.since is not None:
+            system = counted_from(system, self.since)
+            for name in sorted(free_symbols(self.since) - parameters.keys()):
+                parameters[name] = Parameter(name, TIME, None, "nonnegative")
         return replace(system, bodies=bodies, parameters=parameters, start={}, start_rates={}, mode=None)
 
 

@@ -243,7 +243,7 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
     for c, a in zip(model.coordinates, model.accelerations, strict=True):
         second = Call("rate", Call("rate", Symbol(c.name)))
         x = model.dynamics.solved_accelerations[a]
-        equations.append((second, readable(x if course is None else course.plain(x))))
+        equations.append((second, _with_places(tree, readable(x if course is None else course.plain(x)))))
     motion: list[tuple[Expr, Expr]] = []
     if isinstance(course, UniformMotion):
         t = tree.home.model.field.time
@@ -265,8 +265,8 @@ def _motion(tree: PhaseTree, phase: Phase) -> tuple[tuple[tuple[Expr, Expr], ...
 
 
 def _with_places(tree: PhaseTree, e: Expr) -> Expr:
-    """Without the symbols that stand for angles at which later phases begin."""
-    return substitute(e, {name: readable(x) for name, x in tree.angles.items()})
+    """Without the symbols that stand for angles and times at which later phases begin."""
+    return substitute(e, {name: readable(x) for name, x in tree.later.items()})
 
 
 def _course(phase: Phase) -> ClosedFormMotion | None:
@@ -279,7 +279,7 @@ def _course(phase: Phase) -> ClosedFormMotion | None:
 def _shown(tree: PhaseTree, phase: Phase, x: Ratio) -> Expr:
     """By the parameters alone where nothing moves in it."""
     if phase.model.field.ingredients(x) & phase.model.moving:
-        return readable(x)
+        return _with_places(tree, readable(x))
     return readable(tree.to_home(phase, x))
 
 

@@ -176,7 +176,7 @@ class PhaseTree(Home):
         values = {**collision.start.values, **blow.speeds}
         after = SymbolicState(collision.model, values)
         try:
-            placed = self.placed(collision.setup, values)
+            placed = replace(self.placed(collision.setup, values), since=instant.placed.since)
             rates = {
                 b.name: b.row.sign * self.to_home(collision.setup, after.rate(b.row.measure)) for b in collision.hits
             }

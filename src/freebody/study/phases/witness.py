@@ -317,7 +317,9 @@ def _signs(first: Array) -> Sequence[Array]:
 
 
 # -- impacts ----------------------------------------------------------------------------------
-def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str]) -> Array:
+def struck(
+    base: System, values: Mapping[str, float], q: Array, v: Array, hits: Sequence[str], time: float = 0.0
+) -> Array:
     """The velocities just after a collision, by the contact problem in velocities (`numeric/contact`). Raises
     CannotAnswer where it has no solution."""
     from freebody.numeric.contact.transition import InstantTransition
@@ -329,7 +331,7 @@ def struck(base: System, values: Mapping[str, float], q: Array, v: Array, hits: 
     assert bounded is not None
     y = bounded.free.state(*simulator.reference.by_body(q, v))
     touched = [k for k, barrier in enumerate(bounded.barriers) if barrier.name in hits]
-    after = InstantTransition(bounded, Law.NEWTON).after(y, 0.0, simulator.engine.near(), None, touched)
+    after = InstantTransition(bounded, Law.NEWTON).after(y, time, simulator.engine.near(), None, touched)
     if not after.impacts:
         raise CannotAnswer(Message("the impact has no solution in numbers"))
     return simulator.reference.by_column(bounded.free.coordinates(after.y)[1])
@@ -367,7 +369,7 @@ def follow(
     for k, (stage, end) in enumerate(zip(stages, until, strict=True)):
         if k:
             mode = NumericMode(base, stage, values)
-            v = struck(base, values, q, v, stage.hits) if stage.hits else v
+            v = struck(base, values, q, v, stage.hits, time) if stage.hits else v
         seen = mode.run(q, v, time, end, asked)
         found.append(seen)
         time, q, v = seen.time, seen.q, seen.v

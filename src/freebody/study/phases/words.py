@@ -7,6 +7,7 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import DryFriction
 from freebody.study.phases.phase import Phase, PhaseWatch
+from freebody.symbolic.first_integrals import is_driven
 
 ROLLING = "rolling resistance"
 _AT_STOP = Message("at the stop"), Message("free")
@@ -49,7 +50,8 @@ def verb(phase: Phase, rub: DryFriction, state: int) -> str:
         return Message("slides")
     if rolls(rub) and phase.model.coordinates:
         return Message("rolls")
-    return Message("holds") if not phase.model.coordinates else Message("sticks")
+    is_still = not phase.model.coordinates and not is_driven(phase.model)
+    return Message("holds") if is_still else Message("sticks")
 
 
 def rolls(rub: DryFriction) -> bool:
