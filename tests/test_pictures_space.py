@@ -24,6 +24,10 @@ from freebody.numeric.rotation import matrix
 from freebody.present.corner import round_length
 from freebody.present.figures import Array, hull
 from freebody.present.names import footprints, names
+from freebody.present.picture.arrows import Arrows, acting_at
+from freebody.present.picture.forces import Force
+from freebody.present.picture.label import name as symbol
+from freebody.present.picture.sketch import Sketch
 from freebody.present.scene import Scene
 from freebody.present.space import solids
 from freebody.present.space.animation import write_animation
@@ -34,6 +38,7 @@ from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
 from freebody.present.space.stills import draw
 from freebody.present.view import View
+from freebody.study.pictures.picture import picture
 from freebody.system.kinds import register_kinds
 from freebody.system.system import System
 
@@ -653,3 +658,33 @@ def test_a_ball_without_a_radius_is_drawn_as_a_point(tmp_path: Path) -> None:
     file.write_text(text, encoding="utf-8")
     subprocess.run([sys.executable, "-m", "freebody", "draw", str(file), "-o", str(picture)], check=True)
     assert "<svg" in picture.read_text(encoding="utf-8")
+
+
+# -- the plane is the view along z ------------------------------------------------------------
+def test_forces_and_couples_seen_along_z_are_those_of_the_plane() -> None:
+    def drawn(
+        force: tuple[float, ...], moment: tuple[float, ...], center: tuple[float, ...]
+    ) -> list[tuple[float, ...]]:
+        sketch = Sketch(100.0, np.zeros(2))
+        loads = [
+            Force("F", symbol("F"), "b", center, force, (0.0,) * len(moment)),
+            Force("M", symbol("M"), "b", center, (0.0,) * len(force), moment),
+        ]
+        Arrows(sketch, acting_at(sketch, {"b": np.array(center)})).draw(loads)
+        return [tuple(shape.points.ravel().round(9).tolist()) for shape in sketch.shapes]
+
+    flat = drawn((0.6, 0.8), (-2.0,), (0.1, 0.2))
+    assert flat == drawn((0.6, 0.8, 0.0), (0.0, 0.0, -2.0), (0.1, 0.2, 0.0))
+    assert len(flat) == 4  # a shaft and an arc, each with its head
+
+
+def test_joined_points_and_springs_have_their_names_in_space_too() -> None:
+    system = System.from_text("""
+space: true
+parameters: {k: 10 N/m, m: 1 kg}
+ground: {points: {O: [0, 0, 0]}}
+bodies: {p: {particle: {mass: m}, at: [1 m, 0, 0]}}
+loads: {s: {spring: {first: ground.O, second: p, stiffness: k}}}
+""")
+    said = {word.label.text for word in picture(system).words}
+    assert {"k", "O", "p"} <= said

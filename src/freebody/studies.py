@@ -62,10 +62,15 @@ class Option:
             return word
         home, _, name = self.read.rpartition(".")
         reading = getattr(import_module(home), name)
-        try:
-            return reading(word) if self.kind is str else [reading(each) for each in cast("list[str]", word)]
-        except InputError as error:
-            raise InputError(f"{self.flags[-1]} {word}: {error}") from error
+
+        def read(text: str) -> Any:
+            try:
+                return reading(text)
+            except InputError as error:
+                where = self.flags[-1] if str(error).startswith(text) else f"{self.flags[-1]} {text}:"
+                raise InputError(f"{where} {error}") from error
+
+        return read(word) if self.kind is str else [read(each) for each in word]
 
 
 @dataclass(frozen=True)
@@ -109,7 +114,7 @@ def study(
     return entered
 
 
-_SECONDS = "freebody.study.given.seconds"
+SECONDS = "freebody.study.given.seconds"
 _GUESS = "freebody.study.given.guess_of"
 
 
@@ -184,7 +189,7 @@ class Studies:
                 metavar="BODY",
                 is_list=True,
             ),
-            Option("at", ("--at",), "In motion at this time, as 2.5 or 200 ms.", read=_SECONDS),
+            Option("at", ("--at",), "In motion at this time, as 2.5 or 200 ms.", read=SECONDS),
             Option(
                 "show",
                 ("--show",),

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from freebody.narrative.words import languages
+from freebody.studies import SECONDS, Option
 
 ModelFile = Annotated[Path, typer.Argument(metavar="FILE", help="A model file (YAML).")]
 ReportFile = Annotated[
@@ -43,10 +44,4 @@ def assignment(text: str) -> tuple[str, str]:
 
 def seconds_of(text: str, option: str) -> float:
     """A time: a number of seconds, or a number with a unit."""
-    from freebody.errors import InputError
-    from freebody.study.given import seconds
-
-    try:
-        return seconds(text)
-    except InputError as error:
-        raise InputError(f"{option} {text}: {error}") from error
+    return Option("", (option,), "", read=SECONDS).given(text)

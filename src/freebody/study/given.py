@@ -54,7 +54,7 @@ def seconds(text: str) -> float:
     except ValueError:
         quantity = parse_quantity(text)
     if quantity.dimension != TIME:
-        raise InputError(Message("this is no time; write 10 or 200 ms"))
+        raise InputError(Message("{text} is no time; write 10 or 200 ms", text=text))
     return float(quantity.value)
 
 

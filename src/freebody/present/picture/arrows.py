@@ -6,7 +6,7 @@ An arrow begins at its point of action; one that would run into the body ends th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +28,6 @@ _HEAD_ON, _SHORTEST = 0.2, 0.45  # shares of its length that an arrow of space i
 INKS = {"weight": Ink("force"), "load": Ink("force"), "reaction": Ink("reaction")}
 
 Where = Callable[[Force], tuple[Array, Array]]  # the point of action and the middle of the body, in points
-Seen = Callable[[tuple[float, ...]], Array]  # (3,) a vector as it is seen: to the right, upwards, towards the viewer
 
 
 @dataclass(frozen=True)
@@ -41,13 +40,10 @@ class Drawn:
 
 
 class Arrows:
-    """Draws forces into a sketch. where: on paper; lengths: [points] by the force, else all alike; seen: how vectors of
-    space are seen, nothing in the plane."""
+    """Draws forces into a sketch. where: on paper; lengths: [points] by the force, else all alike."""
 
-    def __init__(
-        self, sketch: Sketch, where: Where, lengths: Callable[[Force], float] | None = None, seen: Seen | None = None
-    ) -> None:
-        self.sketch, self.where, self.seen = sketch, where, seen
+    def __init__(self, sketch: Sketch, where: Where, lengths: Callable[[Force], float] | None = None) -> None:
+        self.sketch, self.where = sketch, where
         self.lengths = lengths or _usual_length
         self.taken: list[tuple[Array, Array]] = []  # points and ways of arrows
         self.couples: list[Array] = []
@@ -56,23 +52,21 @@ class Arrows:
     def draw(self, forces: Sequence[Force]) -> None:
         ordered = sorted(forces, key=lambda force: force.kind != "weight")
         for force in ordered:
-            if force.is_couple and self.seen is None:
-                self._couple(force)
+            vector = np.array(force.moment if force.is_couple else force.force)
+            seen = self.sketch.vector(vector / float(np.linalg.norm(vector)))
+            if float(np.hypot(*seen[:2])) > _HEAD_ON:
+                self._arrow(force, seen[:2])
+            elif force.is_couple:
+                self._couple(force, float(seen[2]))
             else:
-                self._arrow(force)
+                self._head_on(force, float(seen[2]))
 
     # -- forces -------------------------------------------------------------------------------
-    def _arrow(self, force: Force) -> None:
+    def _arrow(self, force: Force, seen: Array) -> None:
+        """seen: (2,) of a unit vector."""
         at, middle = self.where(force)
-        vector = np.array(force.moment if force.is_couple else force.force)
-        share = 1.0
-        if self.seen is not None:
-            seen = self.seen(tuple((vector / float(np.linalg.norm(vector))).tolist()))
-            share, vector = float(np.hypot(*seen[:2])), seen[:2]
-            if share < _HEAD_ON:
-                self._head_on(force, at, float(seen[2]))
-                return
-        way = vector / float(np.hypot(*vector))
+        share = float(np.hypot(*seen))
+        way = seen / share
         inwards = middle - at
         depth = float(np.hypot(*inwards))
         is_into = depth > 1.0 and float(way @ inwards) > _INTO * depth and not force.is_couple
@@ -97,8 +91,9 @@ class Arrows:
         unit = tuple((a, w / float(np.hypot(*w))) for a, w in places)
         self.sketch.wish(Wish(labelled(force), unit, 11.0, ink, weight=5.0))
 
-    def _head_on(self, force: Force, at: Array, towards: float) -> None:
+    def _head_on(self, force: Force, towards: float) -> None:
         """An arrow along the view: a circle with a dot where it comes, with a cross where it goes."""
+        at, _middle = self.where(force)
         at = at + 6.0 * sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples) * np.array((1.0, 1.0))
         self.couples.append(at)
         ink = INKS[force.kind]
@@ -116,12 +111,13 @@ class Arrows:
         return is_into, False
 
     # -- couples ------------------------------------------------------------------------------
-    def _couple(self, force: Force) -> None:
+    def _couple(self, force: Force, towards: float) -> None:
+        """An arc about an axis along the view, counter-clockwise where it comes."""
         at, _middle = self.where(force)
         others = sum(float(np.hypot(*(at - other))) < 3.0 for other in self.couples)
         self.couples.append(at)
         radius = _RADIUS + _WIDER * others
-        sense = math.copysign(1.0, force.moment[-1])
+        sense = math.copysign(1.0, towards)
         begin = math.pi / 2 - sense * (0.62 * _TURN + 0.5 * others)
         ink = INKS[force.kind]
         self.sketch.add(curved_arrow(at, radius, begin, sense * _TURN, ink))
@@ -129,6 +125,16 @@ class Arrows:
         spots = np.concatenate((spots, arc(at, radius, begin, sense * 0.5 * _TURN)[::3]))
         places = tuple((spot, (spot - at) / radius) for spot in spots)
         self.sketch.wish(Wish(labelled(force), places, 11.0, ink, weight=5.0))
+
+
+def acting_at(sketch: Sketch, centers: Mapping[str, Array]) -> Where:
+    """Forces at their points. centers: (2 or 3,) [m] of the bodies as they are drawn."""
+
+    def where(force: Force) -> tuple[Array, Array]:
+        center = centers[force.body]
+        return sketch.seen(center + np.array(force.at)), sketch.seen(center)
+
+    return where
 
 
 def _usual_length(_force: Force) -> float:

@@ -44,7 +44,7 @@ def free_body_picture(
     def where(force: Force) -> tuple[Array, Array]:
         figure = figures[force.body]
         middle = positions(drawing.poses, figure.center)[0] if figure.radius else center(figure)
-        return sketch.seen(center(figure) + np.array(force.at[:2])), sketch.seen(middle)
+        return sketch.seen(center(figure) + np.array(force.at)), sketch.seen(middle)
 
     sketch.add(_cut_joints(scene, bodies, drawing, sketch))
     for figure in part.figures:

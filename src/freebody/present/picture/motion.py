@@ -8,7 +8,6 @@ import numpy as np
 
 from freebody.present.corner import round_length
 from freebody.present.figures import Array
-from freebody.present.picture.arrows import Seen
 from freebody.present.picture.label import Label, Run, words
 from freebody.present.picture.placer import Wish
 from freebody.present.picture.shapes import Ink
@@ -27,7 +26,6 @@ def add_vectors(
     ink: Ink,
     letter: str,
     unit: str,
-    seen: Seen | None = None,
 ) -> None:
     """Arrows at feet (2,) [points], by body, in proportion to vectors (2 or 3,), with a scale below."""
     sizes = {body: float(np.linalg.norm(vector)) for body, vector in vectors.items()}
@@ -36,7 +34,7 @@ def add_vectors(
         return
     per_point = largest / LONGEST
     for body, vector in vectors.items():
-        along = (vector if seen is None else seen(tuple(vector.tolist()))[:2]) / per_point
+        along = sketch.vector(vector)[:2] / per_point
         if float(np.hypot(*along)) < _LEAST:
             continue
         foot = feet[body]

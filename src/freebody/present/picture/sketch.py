@@ -33,9 +33,12 @@ class Sketch:
         flat = places.shape[-1] == 2
         return self.at(self.view.seen(np.insert(places, 2, 0.0, axis=-1) if flat else places)[..., :2])
 
-    def vector(self, components: tuple[float, ...]) -> Array:
-        """(3,) of a vector in space: to the right, upwards, towards the viewer."""
-        return self.view.axes @ np.array(components)
+    def vector(self, components: Array) -> Array:
+        """(3,) of a vector as it is seen: to the right, upwards, towards the viewer. In the plane it has two
+        components, that of a couple one."""
+        full = np.zeros(3)
+        full[slice(2, 3) if len(components) == 1 else slice(len(components))] = components
+        return self.view.axes @ full
 
     def add(self, *shapes: Shape | Iterable[Shape]) -> None:
         for shape in shapes:

@@ -8,18 +8,20 @@ from itertools import islice, zip_longest
 
 import numpy as np
 
-from freebody.model.glyphs import Equation, ForceArrow, MomentArrow
+from freebody.model.glyphs import ForceArrow, MomentArrow
 from freebody.present.corner import corner_marks
-from freebody.present.figures import Array
+from freebody.present.figures import Array, Place
 from freebody.present.names import footprints, names
 from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.bodies_free import description as described_forces
 from freebody.present.picture.forces import Force
-from freebody.present.picture.label import equation, name, words
+from freebody.present.picture.label import name, words
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.placer import Wish, around
 from freebody.present.picture.shapes import Ink, Shape, Word
 from freebody.present.picture.sketch import Sketch
+from freebody.present.picture.whole import Whole
+from freebody.present.places import Places
 from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing, shells_of
 from freebody.present.space.figures import Poses
@@ -27,6 +29,7 @@ from freebody.present.space.looks import OF_BODIES
 from freebody.present.space.painter import paint, painted_shot, shots
 from freebody.present.space.shells import Shells
 from freebody.present.space.symbols import arrow, curved_arrow
+from freebody.system.system import System
 
 _LETTER, _SIZE = 0.56, 9.0  # width of a letter by its height; points
 _ROOM = 350.0, 260.0  # [points]
@@ -134,18 +137,38 @@ _N_STRAIGHT = len(list(arrow(np.eye(3)[0], 0.0, 1.0, 1.0)))
 _N_CURVED = len(list(curved_arrow(np.eye(3)[0], np.eye(3)[2], 1.0, 1.0)))
 
 
-def whole_in_space(
-    drawing: Drawing, loads: Sequence[Force], angles: tuple[float, float], *, perspective: bool
-) -> SpaceSketch:
-    """A system in space."""
-    sketch = SpaceSketch(drawing, angles, perspective=perspective)
-    sketch.name_loads(loads)
-    for sign in drawing.scene.signs:
-        if isinstance(sign, Equation):
-            at = sketch.seen(drawing.poses.place(sign.at, 0))
-            sketch.wish(Wish(equation(sign.text), around(at, (1.0, -1.0)), 9.5, Ink("measure"), weight=2.5))
-    sketch.add_corner()
-    return sketch
+class WholeInSpace(Whole):
+    """One instant of a system in space, of which the drawing has the loads as solid arrows."""
+
+    def __init__(
+        self,
+        system: System,
+        places: Places,
+        poses: tuple[Array, Array],
+        loads: Sequence[Force],
+        angles: tuple[float, float],
+        *,
+        perspective: bool,
+    ) -> None:
+        """poses: (1, n_moving, 3) centres and (1, n_moving, 3, 3) axes."""
+        drawing = Drawing.of(Scene.of(system, places.number), *poses)
+        sketch = SpaceSketch(drawing, angles, perspective=perspective)
+        centers = {form.name: drawing.poses.centers[0, form.index] for form in drawing.scene.figures}
+        super().__init__(system, places, drawing.scene, sketch, centers)
+        self.poses, self.in_space, self.solid = drawing.poses, sketch, loads
+
+    def at(self, place: Place) -> Array:
+        return self.sketch.seen(self.poses.place(place, 0))
+
+    def draw_signs(self) -> None:
+        """There are none."""
+
+    def name_bodies(self) -> None:
+        """They have their names from the sketch on; loads get them here."""
+        self.in_space.name_loads(self.solid)
+
+    def draw_corner(self) -> None:
+        self.in_space.add_corner()
 
 
 def free_body_in_space(
@@ -176,7 +199,7 @@ def free_body_in_space(
         apart = _apart(scene, drawing.poses, shells, partners.get(force.name, frozenset()), index[force.body])
         return sketch.seen(center + np.array(force.at) + apart), sketch.seen(center)
 
-    Arrows(sketch, where, seen=sketch.vector).draw(forces)
+    Arrows(sketch, where).draw(forces)
     for form in part.figures:
         middle = sketch.seen(drawing.poses.centers[0, form.index])
         places = tuple((at + 8.0 * way, way) for at, way in around(middle))

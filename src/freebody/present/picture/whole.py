@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from freebody.measures.displacement import Displacement
 from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.glyphs import Equation, Spring
 from freebody.present.figures import Array, Place, positions
-from freebody.present.picture.arrows import Arrows, axes_cross
+from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import name_beside
 from freebody.present.picture.coordinates import Coordinates
 from freebody.present.picture.dimensions import Dimensions
@@ -34,47 +35,48 @@ _LEAST = 190.0, 105.0
 _CORNER = 64.0, 34.0  # [points] what the axes and the arrow of gravity take
 
 
-class Whole:
-    """One instant of a system. pose: (n_moving_bodies, 3); loads: those that are drawn as arrows."""
+class Whole(ABC):
+    """One instant of a system on paper. centers: (2 or 3,) [m] of its bodies, as they are drawn; loads: what is drawn
+    as arrows, with their lengths [points]."""
 
-    def __init__(self, system: System, places: Places, pose: Array, loads: Sequence[Force]) -> None:
-        self.system, self.places, self.loads = system, places, loads
+    moved: tuple[str, ...] = ()  # bodies that are drawn aside of their places
+
+    def __init__(
+        self, system: System, places: Places, scene: Scene, sketch: Sketch, centers: Mapping[str, Array]
+    ) -> None:
+        self.system, self.places, self.scene, self.sketch, self.centers = system, places, scene, sketch, centers
+        self.loads: Sequence[Force] = ()
         self.lengths: Callable[[Force], float] = lambda _force: _LENGTH
-        self.scene = Scene.of(system, places.number)
-        self.drawing, self.sketch = sketched(self.scene, pose, _ROOMS.get(len(self.scene.figures), _ROOM), _LEAST)
+
+    @abstractmethod
+    def at(self, place: Place) -> Array:
+        """(2,) [points]"""
+
+    @abstractmethod
+    def draw_signs(self) -> None:
+        """What is left out where something is drawn over the system: coordinates and dimensions."""
+
+    @abstractmethod
+    def name_bodies(self) -> None: ...
+
+    @abstractmethod
+    def draw_corner(self) -> None:
+        """Axes and gravity."""
 
     def drawn(self, *, with_signs: bool = True) -> Sketch:
         """The sketch with everything on it, before words are placed; with coordinates and dimensions or without."""
-        figures = {figure.name: figure for figure in self.scene.figures}
-
-        def where(force: Force) -> tuple[Array, Array]:
-            figure = figures[force.body]
-            center = positions(self.drawing.poses, figure.mass_center)[0]
-            return self.sketch.seen(center + np.array(force.at[:2])), self.sketch.seen(center)
-
-        Arrows(self.sketch, where, self.lengths).draw(self.loads)
+        Arrows(self.sketch, acting_at(self.sketch, self.centers), self.lengths).draw(self.loads)
         if with_signs:
-            self._draw_signs()
-        for figure in self.scene.figures:
-            name_beside(self.sketch, figure, self.drawing.poses)
+            self.draw_signs()
+        self.name_bodies()
         self._name_springs()
         for sign in self.scene.signs:
             if isinstance(sign, Equation):
-                at = self._at(sign.at)
-                self.sketch.wish(Wish(equation(sign.text), around(at, (1.0, -1.0)), 9.5, Ink("measure"), weight=2.5))
+                places = around(self.at(sign.at), (1.0, -1.0))
+                self.sketch.wish(Wish(equation(sign.text), places, 9.5, Ink("measure"), weight=2.5))
         self._name_points()
-        gravity = self.scene.gravity
-        corner_signs(self.sketch, None if gravity is None else gravity[:2])
+        self.draw_corner()
         return self.sketch
-
-    def _draw_signs(self) -> None:
-        """Angles of inclines, coordinates, dimensions."""
-        dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
-        dimensions.draw_inclines()
-        coordinates = Coordinates(self.sketch, self.drawing, self.places)
-        for called, measure in self.system.measures.items():
-            coordinates.draw(called, measure)
-        dimensions.draw()
 
     # -- names --------------------------------------------------------------------------------
     def _name_springs(self) -> None:
@@ -83,7 +85,7 @@ class Whole:
             label = next((label for push in own if (label := constants_of(push)) is not None), None)
             if not isinstance(shown.sign, Spring) or label is None:
                 continue
-            a, b = self._at(shown.sign.first), self._at(shown.sign.second)
+            a, b = self.at(shown.sign.first), self.at(shown.sign.second)
             length = float(np.hypot(*(b - a)))
             if length < 8.0:
                 continue
@@ -106,15 +108,42 @@ class Whole:
                     named.setdefault(place, called)
         seen: set[tuple[str, int, int]] = set()
         for place, called in named.items():
-            at = self._at(place)
+            at = self.at(place)
             key = called, round(at[0]), round(at[1])
             if key not in seen:
                 seen.add(key)
                 places = tuple((spot + 2.0 * way, way) for spot, way in around(at, (-1.0, 1.0)))
                 self.sketch.wish(Wish(words(called), places, 9.5, Ink(), is_needed=False, weight=2.0))
 
-    def _at(self, place: Place) -> Array:
+
+class WholeInPlane(Whole):
+    """pose: (n_moving_bodies, 3)."""
+
+    def __init__(self, system: System, places: Places, pose: Array, loads: Sequence[Force]) -> None:
+        scene = Scene.of(system, places.number)
+        self.drawing, sketch = sketched(scene, pose, _ROOMS.get(len(scene.figures), _ROOM), _LEAST)
+        centers = {f.name: positions(self.drawing.poses, f.mass_center)[0] for f in scene.figures}
+        super().__init__(system, places, scene, sketch, centers)
+        self.loads, self.moved = loads, self.drawing.moved
+
+    def at(self, place: Place) -> Array:
         return self.sketch.seen(positions(self.drawing.poses, place)[0])
+
+    def draw_signs(self) -> None:
+        dimensions = Dimensions(self.system, self.sketch, self.drawing, self.places)
+        dimensions.draw_inclines()
+        coordinates = Coordinates(self.sketch, self.drawing, self.places)
+        for called, measure in self.system.measures.items():
+            coordinates.draw(called, measure)
+        dimensions.draw()
+
+    def name_bodies(self) -> None:
+        for figure in self.scene.figures:
+            name_beside(self.sketch, figure, self.drawing.poses)
+
+    def draw_corner(self) -> None:
+        gravity = self.scene.gravity
+        corner_signs(self.sketch, None if gravity is None else gravity[:2])
 
 
 def corner_signs(sketch: Sketch, gravity: Array | None) -> None:

@@ -16,6 +16,8 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture, checked_path
+from freebody.present.picture.whole import Whole, WholeInPlane, described
+from freebody.present.places import Places
 from freebody.study.pictures.free_body import FreeBody, checked_bodies
 from freebody.study.pictures.instant import Instant, instant_of
 from freebody.study.pictures.touching import closed_bounds
@@ -46,11 +48,18 @@ def picture(
     title = system.title if not at else f"{system.title}, t = {at:g} s"
     moving = [body.name for body in system.moving]
     acting = FreeBody(found.snapshot, moving).loads() if moving else ()
+    whole: Whole
     if system.space:
-        from freebody.study.pictures.picture_in_space import drawn_in_space
+        from freebody.study.pictures.picture_in_space import whole_in_space
 
-        return drawn_in_space(found, acting, show, title, view=view, perspective=perspective)
-    return _in_the_plane(found, acting, show, title)
+        whole = whole_in_space(found, acting, view, perspective=perspective)
+    else:
+        whole = _in_the_plane(found, acting)
+    if show:
+        from freebody.study.pictures.shown import add_shown
+
+        add_shown(whole, found, show)
+    return whole.drawn(with_signs=not show).finished(title, described(system, whole.moved))
 
 
 @in_words
@@ -89,7 +98,6 @@ def free_body(
     from freebody.present.picture.bodies_free import free_body_picture
     from freebody.present.picture.dimensions import Dimensions
     from freebody.present.picture.sketch import Sketch
-    from freebody.present.places import Places
     from freebody.present.scene import Scene
 
     number = found.snapshot.reference.number
@@ -154,19 +162,11 @@ def _valued(force: Force, found: Instant) -> Force:
     return replace(force, value=value)
 
 
-def _in_the_plane(found: Instant, acting: Sequence[Force], show: Sequence[str], title: str) -> Picture:
-    from freebody.present.picture.whole import Whole, described
-    from freebody.present.places import Places
-
+def _in_the_plane(found: Instant, acting: Sequence[Force]) -> WholeInPlane:
     system, reference = found.snapshot.reference.system, found.snapshot.reference
     # dry friction that slides is a load of its own
     arrow = (ForceArrow, MomentArrow, Coil)
     shown = {s.owner for s in system.glyphs if s.is_load and isinstance(s.sign, arrow)}
     arrows = {push.name for push in system.pushes if push.load in shown or push.load not in system.loads}
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
-    whole = Whole(system, Places(system, reference.number), poses_of(found.snapshot), loads)
-    if show:
-        from freebody.study.pictures.shown import add_shown
-
-        add_shown(whole, found, show)
-    return whole.drawn(with_signs=not show).finished(title, described(system, whole.drawing.moved))
+    return WholeInPlane(system, Places(system, reference.number), poses_of(found.snapshot), loads)

@@ -7,33 +7,23 @@ from collections.abc import Sequence
 import numpy as np
 
 from freebody.numeric.jets import Array
-from freebody.present.picture.arrows import Arrows
 from freebody.present.picture.forces import Force
 from freebody.present.picture.picture import Picture
-from freebody.present.picture.space import SpaceSketch, free_body_in_space, whole_in_space
-from freebody.present.picture.whole import described
+from freebody.present.picture.space import WholeInSpace, free_body_in_space
 from freebody.present.places import Places
 from freebody.present.scene import Scene
-from freebody.present.space.drawing import Drawing
 from freebody.study.pictures.instant import Instant
 from freebody.study.pictures.points import points_of
-from freebody.study.pictures.shown import add_motion, forces_in_numbers, lengths_of
 
 View = tuple[float, float]
 
 
-def drawn_in_space(
-    found: Instant, acting: Sequence[Force], show: Sequence[str], title: str, *, view: View, perspective: bool
-) -> Picture:
+def whole_in_space(found: Instant, acting: Sequence[Force], view: View, *, perspective: bool) -> WholeInSpace:
     """A system in space at an instant."""
-    system, number = found.snapshot.reference.system, found.snapshot.reference.number
-    scene = Scene.of(system, number)
-    drawing = Drawing.of(scene, *poses_of(found))
+    system = found.snapshot.reference.system
+    places = Places(system, found.snapshot.reference.number)
     loads = [force for force in acting if force.kind == "load"]
-    sketch = whole_in_space(drawing, loads, view, perspective=perspective)
-    if show:
-        _add_shown(sketch, found, show)
-    return sketch.finished(title, described(system, ()))
+    return WholeInSpace(system, places, poses_of(found), loads, view, perspective=perspective)
 
 
 def free_body(
@@ -56,22 +46,6 @@ def free_body(
     return free_body_in_space(
         scene, poses_of(found), bodies, forces, title, view, perspective=perspective, partners=partners
     )
-
-
-def _add_shown(sketch: SpaceSketch, found: Instant, show: Sequence[str]) -> None:
-    """Velocities, accelerations and forces over a drawing."""
-    drawing = sketch.drawing
-    index = {form.name: form.index for form in drawing.scene.figures}
-    feet = {body: sketch.seen(drawing.poses.centers[0, k]) for body, k in index.items()}
-    add_motion(sketch, feet, found, show, sketch.vector)
-    if "force" in show:
-        forces = forces_in_numbers(found)
-
-        def where(force: Force) -> tuple[Array, Array]:
-            center = drawing.poses.centers[0, index[force.body]]
-            return sketch.seen(center + np.array(force.at)), sketch.seen(center)
-
-        Arrows(sketch, where, lengths_of(forces), sketch.vector).draw(forces)
 
 
 def poses_of(found: Instant) -> tuple[Array, Array]:

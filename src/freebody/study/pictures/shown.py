@@ -1,8 +1,8 @@
-"""What of a motion is drawn over a planar system: velocities, accelerations, forces in numbers, instant centres."""
+"""What of a motion is drawn over a system: velocities, accelerations, forces in numbers, instant centres."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,13 +12,10 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
 from freebody.numeric.jets import Array
-from freebody.present.figures import positions
-from freebody.present.picture.arrows import Seen
 from freebody.present.picture.forces import Force
 from freebody.present.picture.label import name
 from freebody.present.picture.motion import add_centres, add_vectors
 from freebody.present.picture.shapes import Ink
-from freebody.present.picture.sketch import Sketch
 from freebody.present.picture.whole import Whole
 from freebody.questions.vectors import place
 from freebody.study.mobility.centres import instant_centres
@@ -33,23 +30,16 @@ _NOTHING = 1e-6  # of the largest force
 def add_shown(whole: Whole, found: Instant, show: Sequence[str]) -> None:
     """Adds what is wanted to a picture. Raises CannotAnswer for instant centres that there are not."""
     system = found.snapshot.reference.system
-    feet = {f.name: whole.sketch.seen(positions(whole.drawing.poses, f.mass_center)[0]) for f in whole.scene.figures}
-    add_motion(whole.sketch, feet, found, show)
+    feet = {body: whole.sketch.seen(center) for body, center in whole.centers.items()}
+    for word, letter, unit in (("velocity", "v", "m/s"), ("acceleration", "a", "m/s²")):
+        if word in show:
+            vectors = {body.name: vector_of(found, body, word) for body in system.moving}
+            add_vectors(whole.sketch, feet, vectors, Ink(word), letter, unit)
     if "force" in show:
         whole.loads = forces_in_numbers(found)
         whole.lengths = lengths_of(whole.loads)
     if "instant-centres" in show:
         add_centres(whole.sketch, [(pair, whole.sketch.seen(at)) for pair, at in _centres(system, found)])
-
-
-def add_motion(
-    sketch: Sketch, feet: Mapping[str, Array], found: Instant, show: Sequence[str], seen: Seen | None = None
-) -> None:
-    """Adds velocities and accelerations of the mass centres, which are at feet (2,) [points]."""
-    for word, letter, unit in (("velocity", "v", "m/s"), ("acceleration", "a", "m/s²")):
-        if word in show:
-            vectors = {body.name: vector_of(found, body, word) for body in found.snapshot.reference.system.moving}
-            add_vectors(sketch, feet, vectors, Ink(word), letter, unit, seen)
 
 
 def lengths_of(forces: Sequence[Force]) -> Callable[[Force], float]:
