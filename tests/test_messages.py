@@ -339,3 +339,54 @@ def test_a_place_asks_for_forms_that_there_are(language: str) -> None:
             formats = dict(PLACE.findall(key))
             for name, form in PLACE.findall(text):
                 assert form == formats[name] or (not formats[name] and form in known), key
+
+
+# -- only the cause is told -------------------------------------------------------------------
+GOOD = {
+    "parameters": "{m: 1 kg, R: 1 m, k: 5 N/m, F: 1 N}",
+    "bodies": "{a: {disk: {mass: m, radius: R}}, b: {particle: {mass: m}, at: [3 m, 0]}}",
+    "connections": "{p: {pin: [ground.A, a]}, rail: {slider: {body: b, along: right}}}",
+    "loads": "{s: {spring: {first: ground.A, second: b, stiffness: k}}, d: {law: {measure: x, force: -k*x}}}",
+    "measures": "{x: x of b, y: {expression: 2*x}, phi: angle of a}",
+    "start": "{rate(x): 1 m/s, phi: 0}",
+    "questions": "[reaction of p, normal force of rail, moment of p, force in s, power of s, acceleration of x, y, "
+    "velocity of phi, angle of a, velocity of b, range of normal force of rail, time when x = 2 m, "
+    "extremes of x over a turn of phi, work of s until x = 2 m, largest F so that it stays at rest]",
+}
+LINE = "rail: {slider: {body: b, along: right}}"
+BROKEN = [  # a section, what stands there instead, the one place with a problem, what is told there
+    ("connections", f"{{p: {{pin: [ground.A, c]}}, {LINE}}}", "p", "there is no body c"),
+    ("connections", f"{{p: {{pim: [ground.A, a]}}, {LINE}}}", "p", "pim is no kind of connection"),
+    ("connections", f"{{p: {{pin: {{first: a}}}}, {LINE}}}", "p", "pin needs second"),
+    ("connections", "[p, rail]", "connections", "must be a mapping of names"),
+    ("loads", "{s: {spring: {first: ground.A, second: c, stiffness: k}}}", "s", "there is no body c"),
+    ("loads", "{s: {sprung: {first: ground.A, second: b, stiffness: k}}}", "s", "sprung is no kind of load"),
+    ("loads", "{s: {spring: {first: ground.A, second: b, stiffness: F}}}", "s", "'F' has the unit"),
+    ("loads", "[s]", "loads", "must be a mapping of names"),
+    ("measures", "{x: x on b, y: {expression: 2*x}, phi: angle of a}", "x", "cannot read the measure"),
+    ("measures", "{x: {expression: 2*}, y: {expression: 2*x}, phi: angle of a}", "x", "the expression ends"),
+    ("measures", "[x, y, phi]", "measures", "must be a mapping of names"),
+    ("bodies", "{a: {disc: {mass: m, radius: R}}, b: {particle: {mass: m}}}", "a", "a body has no disc"),
+    ("bodies", "{a: 3, b: {particle: {mass: m}}}", "a", "say what a is"),
+    ("bodies", "[a, b]", "bodies", "must be a mapping of names"),
+    ("parameters", "{m: 1 kilo, R: 1 m, k: 5 N/m, F: 1 N}", "m", "the unit 'kilo' is not known"),
+    ("parameters", "[m, R, k]", "parameters", "must be a mapping of names"),
+]
+
+
+def read(sections: dict[str, str]) -> fb.System:
+    return fb.System.from_text("\n".join(f"{section}: {text}" for section, text in sections.items()))
+
+
+def test_what_the_tests_of_causes_ask_can_be_read() -> None:
+    assert len(read(GOOD).questions) == 15
+
+
+@pytest.mark.parametrize(("section", "text", "where", "what"), BROKEN, ids=[f"{b[0]}: {b[3]}" for b in BROKEN])
+def test_only_the_cause_is_told_of_what_cannot_be_read(section: str, text: str, where: str, what: str) -> None:
+    """Not what asks for it, holds it, starts it or is made of it."""
+    with pytest.raises(errors.ModelError) as caught:
+        read(GOOD | {section: text})
+    (problem,) = caught.value.problems
+    assert where in problem.path
+    assert what in problem.message

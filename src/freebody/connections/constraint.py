@@ -60,6 +60,8 @@ connections: {it: {velocity_constraint: rate(y)*cos(theta) - rate(x)*sin(theta)}
     def rows(self, names: Names) -> list[ConstraintRow]:
         try:
             expr = parse(self.expression)
+            if free_symbols(expr) & names.broken:
+                return []
             known = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}
             dimension = dimension_of(expr, known)
         except (ExpressionError, UnitError) as error:

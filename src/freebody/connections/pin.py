@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection, coincidence
-from freebody.connections.standing import quietly, stands_at
+from freebody.connections.standing import stands_at
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -47,7 +47,7 @@ connections: {it: {pin: [ground.A, rod.start]}}
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         if point.body not in self.mentions(names):
             return None
-        with quietly(names):
+        with names.quietly():
             first, second = names.point(self.first, "first"), names.point(self.second, "second")
         for own, other in ((first, second), (second, first)):
             if (own.body, own.offset) == (point.body, point.offset):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from freebody.connections.base import Connection
-from freebody.connections.standing import along_of, is_parallel, quietly, stands_at
+from freebody.connections.standing import along_of, is_parallel, stands_at
 from freebody.language.expression import Expr, multiply
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH
@@ -127,7 +127,7 @@ connections: {it: {slider: {body: block, along: right}}}
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         if point.body != self.body.partition(".")[0]:
             return None
-        with quietly(names):
+        with names.quietly():
             guided, body = names.point(self.body, "body"), names.known(point.body)
             normal = names.direction(self.along, "along", body=self.on).normal()
             if guided.offset != point.offset or not is_parallel(names, normal, along):

@@ -7,8 +7,6 @@ read from the model alone, in its parameters.
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import Expr, add, evaluate, multiply
@@ -67,16 +65,6 @@ def place_of(names: Names, point: Point) -> tuple[float, float] | None:
         return number_of(names, place[0]), number_of(names, place[1])
     x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
     return None if x is None or y is None else (number_of(names, x), number_of(names, y))
-
-
-@contextmanager
-def quietly(names: Names) -> Generator[None]:
-    """Problems noted inside are told elsewhere."""
-    n_before = len(names.problems)
-    try:
-        yield
-    finally:
-        del names.problems[n_before:]
 
 
 def is_parallel(names: Names, first: Direction, second: Direction) -> bool:

@@ -17,7 +17,7 @@ from freebody.connections.hanging import Hook, askew, hooks_of
 from freebody.connections.pin import Pin
 from freebody.connections.planar import Planar
 from freebody.connections.slider import Slider
-from freebody.connections.standing import is_parallel, number_of, place_of, quietly, stands_at
+from freebody.connections.standing import is_parallel, number_of, place_of, stands_at
 from freebody.connections.string_node import StringNode
 from freebody.connections.weld import Weld
 from freebody.language.expression import Expr, add, multiply, negate, number
@@ -426,14 +426,14 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
 
     def hanging(self, names: Names) -> set[str]:
         """The bodies that can hang on it."""
-        with quietly(names):
+        with names.quietly():
             laid = self._laid(names)
         return set() if laid is None else {body for body, hook in laid.hooks.items() if hook.hangs}
 
     def keeps_at(self, names: Names, point: Point, along: Direction, seen: frozenset[str]) -> Expr | None:
         if point.body not in self.mentions(names) or any(other is self for other in names.laying):
             return None
-        with quietly(names):
+        with names.quietly():
             laid = self._laid(names)
         hook = None if laid is None else laid.hooks.get(point.body)
         if hook is None or (hook.point.offset != point.offset and names.known(point.body).turns):

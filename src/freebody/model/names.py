@@ -78,7 +78,8 @@ class Names:
         self.assumptions: list[str] = []
         self._path: tuple[str | int, ...] = ()
         self.connections: Mapping[str, Joining] = {}
-        self.broken: set[str] = set()  # parameters and measures that could not be read
+        self.broken: set[str] = set()  # what could not be read: told where it stands, and nowhere else
+        self.is_cut_short = False  # a whole section of names could not be read
         self.held: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
         self.pushes: list[AppliedLoad] = []  # what the loads push, known before the connections say what they hold
@@ -123,6 +124,29 @@ class Names:
         finally:
             self._path = before
 
+    @contextmanager
+    def reading(self, section: str, name: str, *path: str | int) -> Generator[None]:
+        """As `at`; a name of which a problem is noted inside is broken."""
+        n_before = len(self.problems)
+        with self.at(section, name, *path):
+            yield
+        if len(self.problems) > n_before:
+            self.broken.add(name)
+
+    @contextmanager
+    def quietly(self) -> Generator[None]:
+        """Problems noted inside are told elsewhere."""
+        n_before = len(self.problems)
+        try:
+            yield
+        finally:
+            del self.problems[n_before:]
+
+    def unknown(self, name: str, message: str, *path: str | int) -> None:
+        """Notes a problem of a name that stands for nothing, but not where that follows from another problem."""
+        if name not in self.broken and not self.is_cut_short:
+            self.problem(message, *path)
+
     def problem(self, message: str, *path: str | int) -> None:
         noted = Problem(self._path + path, message)
         if noted not in self.problems:
@@ -162,9 +186,9 @@ class Names:
             expr = parse(value)
         except ExpressionError as error:
             return self._quantity(value, dimension, path, str(error))
-        if free_symbols(expr) & self.broken:
-            return ZERO
         unknown = sorted(free_symbols(expr) - set(known))
+        if free_symbols(expr) & self.broken or (unknown and self.is_cut_short):
+            return ZERO
         if unknown and unknown[0] in self.parameters:
             message = Message(
                 "{name} is a function of time; it may stand in drivers and in the laws of loads only", name=unknown[0]
@@ -255,7 +279,7 @@ class Names:
         found = self.bodies.get(name)
         if found is None:
             hint = did_you_mean(name, self.bodies)
-            self.problem(Message("there is no body {name}.{hint}", name=name, hint=hint), *path)
+            self.unknown(name, Message("there is no body {name}.{hint}", name=name, hint=hint), *path)
             return placeholder(name)
         return found
 

@@ -148,15 +148,14 @@ def _turn(names: Names, found: Found, path: Path) -> Measure:
 def _of_joint(names: Names, body: str, base: str, axis: Direction) -> Measure | None:
     """The angle of the joint between two bodies, if it turns about that axis; it counts from where the joint is at
     zero."""
-    n_before = len(names.problems)
     found: Measure | None = None
     for connection in names.connections.values():
-        joint = connection.attitude(names) if {body, base} <= connection.mentions(names) | {GROUND} else None
+        with names.quietly():  # of a connection they are told where it stands
+            joint = connection.attitude(names) if {body, base} <= connection.mentions(names) | {GROUND} else None
         if joint is None or (joint.first, joint.second) != (base, body) or len(joint.turns) != 1:
             continue
         if axis.body == base and joint.before[2] == axis.components and joint.turns[0][0] == (ZERO, ZERO, ONE):
             found = joint.turns[0][2]
-    del names.problems[n_before:]  # of a connection they are told where it stands
     return found
 
 
@@ -236,7 +235,8 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
 
     close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
     forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
-    names.problem(
+    names.unknown(
+        text,
         Message(
             "cannot read the measure '{text}'. Did you mean: {forms}"
             if close
@@ -255,6 +255,8 @@ def composed(names: Names, text: str, *path: str | int) -> Measure | None:
         expr = parse(text)
     except ExpressionError as error:
         names.problem(str(error), *path)
+        return None
+    if free_symbols(expr) & names.broken:
         return None
     used = sorted(free_symbols(expr) & set(names.measures))
     dimensions = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}

@@ -112,7 +112,9 @@ def _load_force(names: Names, found: Found, path: Path) -> Quantity | None:
             ways = "; ".join(f"{reaction} of {of}" for reaction in reactions)
             names.problem(Message("{of} is a connection; ask for: {ways}", of=of, ways=ways), *path)
         else:
-            names.problem(Message("there is no load {name}.{hint}", name=of, hint=did_you_mean(of, names.loads)), *path)
+            names.unknown(
+                of, Message("there is no load {name}.{hint}", name=of, hint=did_you_mean(of, names.loads)), *path
+            )
         return None
     return LoadForce(of, names.loads[of])
 
@@ -122,6 +124,7 @@ def _power(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     known = [*names.loads, *names.connections]
     if of not in known:
-        names.problem(Message("there is no load or driver {name}.{hint}", name=of, hint=did_you_mean(of, known)), *path)
+        told = Message("there is no load or driver {name}.{hint}", name=of, hint=did_you_mean(of, known))
+        names.unknown(of, told, *path)
         return None
     return Power(of) if found["what"] == "power" else Work(of)

@@ -261,14 +261,10 @@ def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
         return OfMeasure(names.measures[of], order, of)
     body_name, _, _point_name = of.partition(".")
     if re.fullmatch(POINT, of) and (body_name in names.bodies or not _is_phrase(of)):
-        if of in names.broken:
-            return None
         if body_name not in names.bodies:
             known = [*names.measures, *names.bodies]
-            names.problem(
-                Message("{of} is no measure, body or point.{hint}", of=of, hint=did_you_mean(body_name, known)),
-                *path,
-            )
+            told = Message("{of} is no measure, body or point.{hint}", of=of, hint=did_you_mean(body_name, known))
+            names.unknown(body_name, told, *path)
             return None
         point = names.point(of, *path)
         along = None if found["along"] is None else names.direction(found["along"], *path)

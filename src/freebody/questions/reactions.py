@@ -215,7 +215,7 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
     if of in names.loads:
         return LoadForce(of, names.loads[of])
-    if not _has_connection(names, of, path):
+    if not has_connection(names, of, path):
         return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     part = str(found["part"] or "")
@@ -235,7 +235,7 @@ def _reaction(names: Names, found: Found, path: Path) -> Quantity | None:
 )
 def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
     of = str(found["of"])
-    if not _has_connection(names, of, path):
+    if not has_connection(names, of, path):
         return None
     on = None if found["on"] is None else names.body(str(found["on"]), *path).name
     about = None if found["about"] is None else names.point(found["about"], *path)
@@ -254,6 +254,8 @@ def _moment(names: Names, found: Found, path: Path) -> Quantity | None:
 )
 def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what = str(found["of"]), str(found["what"])
+    if of in names.broken:
+        return None
     if of not in names.connections:
         close = difflib.get_close_matches(what, _OPENINGS, n=1, cutoff=0.7)
         if close and close[0] != what:
@@ -273,7 +275,7 @@ def _multiplier(names: Names, found: Found, path: Path) -> Quantity | None:
                 *path,
             )
             return None
-    if not _has_connection(names, of, path):
+    if not has_connection(names, of, path):
         return None
     rows = [row for row in names.held if row.connection == of]
     kinds = sorted({row.reaction for row in rows})
@@ -329,14 +331,13 @@ def _places(row: ConstraintRow) -> list[tuple[ConstraintRow, StringStretch]]:
     return [(row, stretch) for stretch in row.stretches or (StringStretch(bodies),)]
 
 
-def _has_connection(names: Names, name: str, path: Path) -> bool:
-    if name in names.connections:
+def has_connection(names: Names, name: str, path: Path) -> bool:
+    """Whether a connection of that name could be read."""
+    if name in names.connections and name not in names.broken:
         return True
     if name in names.loads:
         names.problem(Message("{name} is a load; ask for: force in {name}", name=name), *path)
         return False
-    names.problem(
-        Message("there is no connection {name}.{hint}", name=name, hint=did_you_mean(name, names.connections)),
-        *path,
-    )
+    told = Message("there is no connection {name}.{hint}", name=name, hint=did_you_mean(name, names.connections))
+    names.unknown(name, told, *path)
     return False

@@ -53,7 +53,8 @@ class Question:
 def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     if text in names.measures:
         return OfMeasure(names.measures[text], 0, text)
-    if text in names.broken:
+    rate = re.fullmatch(r"rate\((\w+)\)", text)
+    if (text if rate is None else rate[1]) in names.broken:
         return None
     if any(phrase.pattern.match(text) for phrase in PHRASES) and not text.startswith("angle of"):
         measure = read_measure(names, text, *path)
@@ -65,7 +66,6 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
     words = text.split(" of ", maxsplit=1)[0]
     openings = {w: f.form for f in FORMS for w in re.split(r"[|,;]", f.form.split(" of ")[0])}
     close = difflib.get_close_matches(words, [w.strip() for w in openings], n=1, cutoff=0.6)
-    rate = re.fullmatch(r"rate\((\w+)\)", text)
     if rate is not None and rate[1] in names.measures:
         names.problem(
             Message("cannot read '{text}'. Did you mean: velocity of {measure}", text=text, measure=rate[1]), *path
@@ -77,8 +77,8 @@ def read_quantity(names: Names, text: str, path: Path) -> Quantity | None:
         names.problem(Message("cannot read '{text}'", text=text), *path)
     else:
         askable = "\n    ".join(f.form for f in FORMS)
-        names.problem(
-            Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
+        names.unknown(
+            text, Message("cannot read '{text}'. One can ask for\n    {askable}", text=text, askable=askable), *path
         )
     return None
 

@@ -14,6 +14,7 @@ from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import ConstraintRow, Parameter
 from freebody.model.names import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.reactions import has_connection
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -184,10 +185,8 @@ def _failure(names: Names, found: Found, path: Path) -> Quantity | None:
 def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
     parameter = names.parameters.get(name)
     if parameter is None:
-        names.problem(
-            Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, names.parameters)),
-            *path,
-        )
+        told = Message("there is no parameter {name}.{hint}", name=name, hint=did_you_mean(name, names.parameters))
+        names.unknown(name, told, *path)
         return None
     if parameter.form is not None:
         names.problem(Message("{name} is a function of time; ask for a parameter", name=name), *path)
@@ -213,10 +212,7 @@ def _holds(names: Names, found: Found, path: Path) -> Quantity | None:
 )
 def _reaction_range(names: Names, found: Found, path: Path) -> Quantity | None:
     of, what, at = found["of"], found["what"], found["at"]
-    if of not in names.connections:
-        names.problem(
-            Message("there is no connection {name}.{hint}", name=of, hint=did_you_mean(of, names.connections)), *path
-        )
+    if not has_connection(names, of, path):
         return None
     rows = [row for row in names.held if row.connection == of]
     kinds = sorted({row.reaction for row in rows})

@@ -206,7 +206,7 @@ def _extremes(names: Names, found: Found, path: Path) -> Quantity | None:
                 name=over,
                 hint=did_you_mean(over, angles),
             )
-            names.problem(told, *path)
+            names.unknown(over, told, *path)
             return None
     of = _of_instant(names, found["of"], path)
     return None if of is None else Extremes(of, over)

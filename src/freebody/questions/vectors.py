@@ -38,9 +38,8 @@ def read_basis(names: Names, name: str | None, path: Path) -> Basis | None:
         return None
     if name not in names.bodies and name not in names.frames:
         known = [*names.bodies, *names.frames]
-        names.problem(
-            Message("there is no body or frame {name}.{hint}", name=name, hint=did_you_mean(name, known)), *path
-        )
+        told = Message("there is no body or frame {name}.{hint}", name=name, hint=did_you_mean(name, known))
+        names.unknown(name, told, *path)
         return None
     x, y, z = (names.fixed_in(name, along, f"{name}.{axis}") for along, axis in zip(UNIT, "xyz", strict=True))
     return x, y, z

@@ -85,6 +85,9 @@ class BodySections:
         entry = cast("dict[str, Any]", value)
         shape = self._shape(name, entry)
         if shape is None:
+            with names.quietly():  # the angles that it would name
+                chain = read_chain(names, entry.get("turned", []), named=True)
+            names.broken |= {turn.name for turn in chain if turn.name}
             return None
         with names.at(shape.kind):
             build = self.source.open.completed(shape, name).build(names)
@@ -134,13 +137,12 @@ class BodySections:
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
                 names.problem(Message("{what} has no {key}.{hint}", what=Message("a body"), key=key, hint=hint), key)
-        if len(kinds) != 1:
+        if len(kinds) > 1:
+            names.problem(Message("{name} has two shapes: {kinds}", name=name, kinds=kinds))
+        elif not kinds and entry.keys() <= {*options}:  # else a shape may be among the keys that mean nothing
             what = Message("one of {names}", names=", ".join(Shape.kinds))
-            names.problem(
-                Message("{name} needs a shape: {what}", name=name, what=what)
-                if not kinds
-                else Message("{name} has two shapes: {kinds}", name=name, kinds=kinds)
-            )
+            names.problem(Message("{name} needs a shape: {what}", name=name, what=what))
+        if len(kinds) != 1:
             return None
         return self.source.spec(Shape.kinds[kinds[0]], entry[kinds[0]], kinds[0])
 

@@ -72,9 +72,8 @@ def _in_space(names: Names, start: Start, entry: dict[str, Any], spin: Any) -> S
     `{body: [...]}` along the body's own."""
     turned = entry.get("turned")
     if turned is not None:
-        n_before = len(names.problems)
-        chain = read_chain(names, turned, "turned", named=True)
-        del names.problems[n_before:]  # they are told where the chain is read
+        with names.quietly():  # they are told where the chain is read
+            chain = read_chain(names, turned, "turned", named=True)
         if not any(turn.name for turn in chain):
             start = replace(start, turned=chain)
     if spin is None:

@@ -25,7 +25,7 @@ def read_rows(
     rows: list[ConstraintRow] = []
     offered: list[tuple[str, Measure]] = []
     for name, connection in connections.items():
-        with names.at("connections", name, connection.kind):
+        with names.reading("connections", name, connection.kind):
             n_before = len(names.problems)
             if names.space and connection.is_in_plane(names):
                 _check_plane(names, connection, connections)
@@ -77,7 +77,7 @@ def read_bounds(
     brakes: list[DryFriction] = []
     by_form = forms(names)
     for name, connection in connections.items():
-        with names.at("connections", name, connection.kind):
+        with names.reading("connections", name, connection.kind):
             if isinstance(connection, Contact):
                 contacts += connection.pairs(names, name)
                 continue

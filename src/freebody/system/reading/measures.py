@@ -16,7 +16,7 @@ def read_measures(source: Source) -> dict[str, Measure]:
         if name in names.parameters:
             names.problem(Message("{name} is a parameter already; choose another name", name=name), "measures", name)
             continue
-        with names.at("measures", name):
+        with names.reading("measures", name):
             measure = read_measure(names, value)
         if measure is None:
             names.broken.add(name)

@@ -57,6 +57,7 @@ class Source:
                 Message("{section} must be a mapping of names, e.g. {section}: {{a: ...}}", section=section),
                 section,
             )
+            self.names.is_cut_short = True
             return {}
         return cast("dict[str, Any]", value)
 
@@ -66,7 +67,8 @@ class Source:
         for name, value in self.mapping(section).items():
             fault = name_problem(name)
             if fault is not None or (name == "t" and section in ("parameters", "measures")):
-                self.names.problem(fault or "t is the time; choose another name", section, name)
+                self.names.problem(fault or Message("t is the time; choose another name"), section, name)
+                self.names.broken.add(name)
                 continue
             good[name] = value
         return good
@@ -102,7 +104,7 @@ class Source:
     def specs(self, section: str, kinds: Mapping[str, type[SpecT]]) -> dict[str, SpecT]:
         found: dict[str, SpecT] = {}
         for name, value in self.named(section).items():
-            with self.names.at(section, name):
+            with self.names.reading(section, name):
                 if isinstance(value, str) and value in kinds:
                     value = {value: None}
                 if not isinstance(value, dict) or len(cast("dict[str, Any]", value)) != 1:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
@@ -30,29 +30,28 @@ def read_start(source: Source, measures: Mapping[str, Measure]) -> tuple[dict[st
     """`start: {theta: 30 deg, rate(theta): 0}`; theta' and theta_dot also mean the rate."""
     start: dict[str, Expr] = {}
     rates: dict[str, Expr] = {}
+    names = source.names
     for key, value in source.mapping("start").items():
         if _is_mode(source, key):
             continue
-        name, target, per_time = key, start, False
-        for before, after in (
-            ("rate(", ")"),
-            ("", "'"),
-            ("", "_dot"),
-            ("rate of ", ""),
-            ("velocity of ", ""),
-        ):
-            if key not in measures and key.startswith(before) and key.endswith(after) and before + after:
-                inner = key[len(before) : len(key) - len(after)]
-                if inner in measures:
-                    name, target, per_time = inner, rates, True
+        name = key if key in measures else _of_rate(key, {*measures, *names.broken})
         if name not in measures:
             known = [*measures, *(f"rate({m})" for m in measures)]
-            source.names.problem(
-                Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known)),
-                "start",
-                key,
-            )
+            told = Message("{key} is no named measure or rate of one.{hint}", key=key, hint=did_you_mean(key, known))
+            names.unknown(name, told, "start", key)
             continue
         dimension = measures[name].dimension
-        target[name] = source.names.formula(value, dimension / TIME if per_time else dimension, "start", key)
+        if name == key:
+            start[name] = names.formula(value, dimension, "start", key)
+        else:
+            rates[name] = names.formula(value, dimension / TIME, "start", key)
     return start, rates
+
+
+def _of_rate(key: str, known: Container[str]) -> str:
+    """What a key is the rate of; the key itself where it is none of these."""
+    for before, after in (("rate(", ")"), ("", "'"), ("", "_dot"), ("rate of ", ""), ("velocity of ", "")):
+        inner = key.removeprefix(before).removesuffix(after)
+        if len(inner) == len(key) - len(before + after) and inner in known:
+            return inner
+    return key
