@@ -33,6 +33,7 @@ from freebody.study.pictures.instant import start_of
 from freebody.study.pictures.picture import picture, poses_of
 from freebody.study.pictures.picture_in_space import poses_of as poses_in_space
 from freebody.system.kinds import register_kinds
+from freebody.testing.conformance import check_connection, check_load
 
 register_kinds()
 GROOVE = '''"""A pin in a circular groove."""
@@ -165,6 +166,33 @@ def test_a_new_connection_and_a_new_load_are_in_every_kind_of_file(added: Path) 
     path = write_animation(scene, np.zeros(1), poses_of(found.snapshot)[None], added / "a.html", title="bead")
     (data,) = re.findall(r'<script type="application/json" id="data">([^<>]*)</script>', path.read_text("utf-8"))
     assert "slot" in {stroke["style"] for stroke in json.loads(data)["strokes"]}
+
+
+def test_a_new_connection_and_a_new_load_are_solved_derived_simulated_and_told_in_german(added: Path) -> None:
+    check_connection("circular_groove")
+    check_load("wind")
+    system = fb.System.from_text("""
+parameters: {m: 2 kg, R: 1 m, v: 2 m/s, c: 0.5 N s/m}
+bodies: {bead: {particle: {mass: m}, at: [R, 0], velocity: [0, v]}}
+connections: {it: {circular_groove: {pin: bead, center: ground.O, radius: R}}}
+loads: {gust: {wind: {at: bead, along: up, drag: c}}}
+questions: {force: normal force of it at start, slower: acceleration of bead along up at start}
+""")
+    # at (R, 0) the bead goes up with v: along the distance from the centre the groove
+    # pushes with -m v^2/R, and the gust slows the bead down by c v
+    solution = system.solve()
+    assert solution["force"].to_plain()["expression"] == "-m*v**2/R"
+    assert solution["slower"].to_plain()["expression"] == "-v*c/m"
+    german = system.explain(language="de")
+    assert german.is_complete
+    assert "Freischneiden" in german.to_text()
+    (page,) = german.write(added / "page.html")
+    assert "Ergebnis" in page.read_text(encoding="utf-8")
+    motion = system.simulate(0.5)
+    assert motion.is_complete
+    assert np.hypot(*motion.course.poses[:, 0, :2].T) == pytest.approx(1.0, abs=1e-12)
+    assert motion.summary()["energy_error_relative"] < 1e-8
+    assert system.conserved().to_text()
 
 
 @pytest.mark.usefixtures("added")
