@@ -36,9 +36,8 @@ from freebody.present.space.motion import at_times, between, matrices, quaternio
 from freebody.present.space.order import back_to_front, overlap, seen_ball, seen_solid
 from freebody.present.space.painter import paint, painted, shots
 from freebody.present.space.solids import Solid
-from freebody.present.space.stills import draw
 from freebody.present.view import View
-from freebody.study.pictures.picture import picture
+from freebody.study.pictures.picture import draw, picture
 from freebody.system.kinds import register_kinds
 from freebody.system.system import System
 
@@ -403,12 +402,12 @@ def test_names_stand_in_the_picture_and_not_on_each_other(name: str, angles: tup
 @pytest.mark.parametrize(("suffix", "start"), [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF")])
 @pytest.mark.parametrize("dark", [False, True])
 def test_a_picture_is_written_by_its_suffix(tmp_path: Path, suffix: str, start: bytes, dark: bool) -> None:
-    path = draw(*_instant(TOP), tmp_path / f"top{suffix}", title="A top", dark=dark)
+    path = draw(System.from_text(TOP), tmp_path / f"top{suffix}", dark=dark)
     assert path.read_bytes().startswith(start)
 
 
 def test_an_svg_is_well_formed_and_says_what_it_shows(tmp_path: Path) -> None:
-    path = draw(*_instant(SLIDER_CRANK), tmp_path / "a.svg", title="Crank <1> & rod")
+    path = draw(System.from_text(SLIDER_CRANK.replace("Spatial slider-crank", "Crank <1> & rod")), tmp_path / "a.svg")
     root = ET.parse(path).getroot()
     space = "{http://www.w3.org/2000/svg}"
     title, desc = root.find(f"{space}title"), root.find(f"{space}desc")
@@ -422,7 +421,7 @@ def test_an_svg_is_well_formed_and_says_what_it_shows(tmp_path: Path) -> None:
 
 def test_another_view_and_perspective_give_other_pictures(tmp_path: Path) -> None:
     pictures = {
-        draw(*_instant(GYRO), tmp_path / f"{k}.png", **options).read_bytes()
+        draw(System.from_text(GYRO), tmp_path / f"{k}.png", **options).read_bytes()
         for k, options in enumerate([{}, {"view": (70.0, 10.0)}, {"perspective": True}, {"dark": True}])
     }
     assert len(pictures) == 4
@@ -430,7 +429,7 @@ def test_another_view_and_perspective_give_other_pictures(tmp_path: Path) -> Non
 
 def test_dark_paper_is_dark(tmp_path: Path) -> None:
     for dark in (False, True):
-        path = draw(*_instant(TOP), tmp_path / "a.png", dark=dark)
+        path = draw(System.from_text(TOP), tmp_path / "a.png", dark=dark)
         corner = np.asarray(Image.open(path).convert("L"))[5, 5]
         assert corner < 50 if dark else corner > 200
 
@@ -438,20 +437,7 @@ def test_dark_paper_is_dark(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("name", "message"), [("a.docx", ".svg, .png, .pdf"), ("no/a.png", "cannot be written")])
 def test_a_picture_that_cannot_be_written_says_why(tmp_path: Path, name: str, message: str) -> None:
     with pytest.raises(InputError, match=re.escape(message)):
-        draw(*_instant(TOP), tmp_path / name)
-
-
-def test_poses_that_do_not_fit_are_refused_with_their_shapes(tmp_path: Path) -> None:
-    scene, center, axes = _instant(TOP)
-    with pytest.raises(InputError, match=re.escape("(1, 1, 3)")):
-        draw(scene, np.zeros((2, 3)), axes, tmp_path / "a.png")
-    with pytest.raises(InputError, match="finite"):
-        draw(scene, center * np.nan, axes, tmp_path / "a.png")
-
-
-def _instant(text: str) -> tuple[Scene, Array, Array]:
-    scene, centers, axes = posed(text)
-    return scene, centers[0], axes[0]
+        draw(System.from_text(TOP), tmp_path / name)
 
 
 # -- motions ----------------------------------------------------------------------------------
@@ -575,6 +561,7 @@ def test_films_are_written(tmp_path: Path, suffix: str, start: bytes) -> None:
         ({"times": np.array([0.0, -1.0])}, "ascend"),
         ({"times": np.zeros(0)}, "needs times"),
         ({"centers": np.zeros((2, 3, 3))}, "(2, 1, 3)"),
+        ({"centers": np.full((2, 1, 3), np.nan)}, "finite"),
     ],
 )
 def test_motions_that_do_not_fit_are_refused(tmp_path: Path, change: dict[str, Any], message: str) -> None:

@@ -15,7 +15,7 @@ from freebody.present.scene import Scene
 from freebody.present.space.drawing import Drawing
 from freebody.present.space.motion import at_times, largest_turn, matrices, quaternions
 from freebody.present.space.page import page
-from freebody.present.space.stills import checked, show_of_space
+from freebody.present.space.stills import show_of_space
 from freebody.present.stage import Show
 from freebody.present.view import AZIMUTH, ELEVATION
 
@@ -71,13 +71,20 @@ class _Turning:
 
 
 def _checked(scene: Scene, times: Array, centers: Array, axes: Array) -> _Turning:
-    times, axes = np.asarray(times, dtype=np.float64), np.asarray(axes, dtype=np.float64)
-    if axes.ndim == 3 and axes.shape[-1] == 4:
-        axes = matrices(axes / np.linalg.norm(axes, axis=-1, keepdims=True))
+    n = len(scene.names)
+    times, centers, axes = (np.asarray(given, dtype=np.float64) for given in (times, centers, axes))
     if times.ndim != 1 or not len(times):
         raise InputError(f"an animation needs times (n_times,), not {times.shape}")
-    centers, axes = checked(scene, centers, axes, len(times))
-    if not np.isfinite(times).all() or (np.diff(times) < 0).any():
-        raise InputError("the times of an animation must ascend, and be finite")
+    if axes.ndim == 3 and axes.shape[-1] == 4:
+        axes = matrices(axes / np.linalg.norm(axes, axis=-1, keepdims=True))
+    if centers.shape != (len(times), n, 3) or axes.shape != (len(times), n, 3, 3):
+        raise InputError(
+            f"an animation of {n} moving bodies needs centres ({len(times)}, {n}, 3) and axes ({len(times)}, {n}, 3, "
+            f"3), not {centers.shape} and {axes.shape}"
+        )
+    if not all(np.isfinite(given).all() for given in (times, centers, axes)):
+        raise InputError("the times and poses of an animation must be finite numbers")
+    if (np.diff(times) < 0).any():
+        raise InputError("the times of an animation must ascend")
     last = np.append(np.diff(times) > 0, True)
     return _Turning(times[last], centers[last], quaternions(axes[last]))
