@@ -198,3 +198,8 @@ def test_a_new_study_is_one_file_and_its_line(tmp_path: Path, monkeypatch: pytes
     finally:
         STUDIES.pop("total_mass")
         sys.modules.pop("freebody.study.total_mass", None)
+
+
+def test_every_study_is_a_function_of_the_package_by_its_name() -> None:
+    assert set(STUDIES) <= set(fb.__all__)
+    assert all(getattr(fb, name).__name__ == name for name in STUDIES)

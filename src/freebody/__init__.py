@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from freebody.api import System
     from freebody.budgets import effort
     from freebody.errors import CannotAnswer, FreebodyError, InputError, ModelError, RoutesDisagree
+    from freebody.narrative.explain import explain
     from freebody.numeric.options import SimulationOptions
     from freebody.study.answering.answer import Answer
     from freebody.study.answering.solution import Solution
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
     from freebody.study.mobility.mobility import Mobility, mobility
+    from freebody.study.phases.result import phases
+    from freebody.study.pictures.picture import draw, free_body, picture
     from freebody.study.simulation.simulate import Simulation, simulate
     from freebody.study.simulation.simulator import Simulator
     from freebody.study.small_motion.equilibrium import equilibria
@@ -70,12 +73,17 @@ __all__ = [
     "Statics",
     "System",
     "conserved",
+    "draw",
     "effort",
     "equations_of_motion",
     "equilibria",
+    "explain",
+    "free_body",
     "inverse_dynamics",
     "mobility",
     "modes",
+    "phases",
+    "picture",
     "simulate",
     "solve",
     "statics",

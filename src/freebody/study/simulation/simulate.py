@@ -86,33 +86,20 @@ class Simulation(MeasuredMotion, Result):
             save(figure, Path(path))
         return figure
 
-    def _animate_in_space(self, path: Path, speed: float) -> Path:
-        from freebody.present.scene import Scene
-        from freebody.present.space.animation import write_animation
-
-        course = self.course
-        assert course.rotation is not None
-        scene = Scene.of(self.system, self.simulator.reference.number)
-        turned = course.rotation.quaternions[:, :-1]
-        centers = course.poses[:, :-1, :3]
-        return write_animation(scene, course.times, centers, turned, path, title=self.system.title, speed=speed)
-
     def animate(self, path: str | Path, *, speed: float = 1.0) -> Path:
         """Writes an animation: a player (.html), .gif or .mp4."""
-        from freebody.present.animation import write_animation
+        from freebody.present import animation as plane
         from freebody.present.marks import ContactTrack
         from freebody.present.scene import Scene
+        from freebody.present.space import animation as space
 
-        number = self.simulator.reference.number
-        if self.system.space:
-            return self._animate_in_space(Path(path), speed)
-        scene = Scene.of(self.system, number)
-        poses = self.course.poses[:, :-1]
-        contacts = ContactTrack.of(self.system, number, self.course.contact)
-        write_animation(
-            scene, self.course.times, poses, Path(path), title=self.system.title, speed=speed, contacts=contacts
-        )
-        return Path(path)
+        course, number, title = self.course, self.simulator.reference.number, self.system.title
+        scene, poses = Scene.of(self.system, number), course.poses[:, :-1]
+        if course.rotation is not None:
+            turned = course.rotation.quaternions[:, :-1]
+            return space.write_animation(scene, course.times, poses[:, :, :3], turned, path, title=title, speed=speed)
+        contacts = ContactTrack.of(self.system, number, course.contact)
+        return plane.write_animation(scene, course.times, poses, path, title=title, speed=speed, contacts=contacts)
 
 
 @in_words
