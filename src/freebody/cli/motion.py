@@ -9,7 +9,7 @@ import typer
 
 from freebody.cli.options import Json, ModelFile, assignment, seconds_of
 from freebody.cli.output import print_result, print_written
-from freebody.numeric.options import methods
+from freebody.numeric.engine.integrators import integrators  # their names alone
 
 if TYPE_CHECKING:
     from freebody.study.simulation.simulate import Simulation
@@ -35,7 +35,7 @@ def simulate(
     tolerance: Annotated[
         float, typer.Option("--tolerance", help="Error allowed in a step, by the system's size.")
     ] = 1e-9,
-    method: Annotated[str, typer.Option("--method", help=f"{', '.join(methods()[:-1])} or {methods()[-1]}.")] = "auto",
+    method: Annotated[str, typer.Option("--method", help=f"auto, {', '.join(integrators())} or moreau.")] = "auto",
     step: Annotated[str | None, typer.Option("--step", help="The step of a fixed-step method, as 1 ms.")] = None,
     every: Annotated[str | None, typer.Option("--every", help="Distance of output times, as 10 ms.")] = None,
     max_step: Annotated[str | None, typer.Option("--max-step", help="No step is longer, as 0.01 or 10 ms.")] = None,
