@@ -16,7 +16,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import zeros_of
+from freebody.symbolic.zeros import reals, zeros_of
 
 Need = tuple[Ratio, str]
 Places = list[tuple[Ratio, list[float]]]  # a place as a formula, and at every sample
@@ -80,11 +80,11 @@ class EnergyPath:
         places = self._places(self.square - wanted * wanted)
         if side == way:
             at = self._nearest(places, self._numbers(self.q0), way)
-            needs, says = self._over(self.q0, at, [*needs, *_real(at)])
+            needs, says = self._over(self.q0, at, [*needs, *((x, ">") for x in reals(at))])
             return at, needs, says
         turn, more, says = self._turning
         at = self._nearest(places, self._numbers(turn), -way)
-        needs, words = self._over(self.q0, at, [*needs, *more, *_real(at)])
+        needs, words = self._over(self.q0, at, [*needs, *more, *((x, ">") for x in reals(at))])
         return at, needs, [*says, *words]
 
     # -- the direction and the end ------------------------------------------------------------
@@ -108,7 +108,7 @@ class EnergyPath:
         """The place at which the coordinate turns first, and what that needs."""
         way, _needs = self._way
         turn = self._nearest(self._places(self.square), self._numbers(self.q0), way)
-        needs, says = self._over(self.q0, turn, _real(turn))
+        needs, says = self._over(self.q0, turn, [(x, ">") for x in reals(turn)])
         return turn, needs, says
 
     # -- places -------------------------------------------------------------------------------
@@ -195,16 +195,3 @@ class EnergyPath:
 
     def _numbers(self, x: Ratio) -> list[float]:
         return self.model.samples.at_starts(x)
-
-
-def _real(place: Ratio) -> list[Need]:
-    """What makes a place a real number, and u^2 cross zero there instead of touching it."""
-    f = place.field
-    found: list[Need] = []
-    for g in sorted(f.ingredients(place)):
-        name, argument = f.arguments.get(g, ("", f.one))
-        if name in ("acos", "asin"):
-            found.append((1 - argument * argument, ">"))
-        if f.generators[g].kind == "root" and f.generators[g].made_of:
-            found.append((f.radicand(g), ">"))
-    return found

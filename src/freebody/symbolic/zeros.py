@@ -20,6 +20,19 @@ def solve_linear(x: Ratio, index: int) -> Ratio | None:
     return -parts[0] / parts[1]
 
 
+def reals(place: Ratio) -> tuple[Ratio, ...]:
+    """What must be positive for a zero to be a real number, and one at which the function crosses zero."""
+    f = place.field
+    found: list[Ratio] = []
+    for g in sorted(f.ingredients(place)):
+        name, argument = f.arguments.get(g, ("", f.one))
+        if name in ("acos", "asin"):
+            found.append(1 - argument * argument)
+        if f.generators[g].kind == "root" and f.generators[g].made_of:
+            found.append(f.radicand(g))
+    return tuple(found)
+
+
 def zeros_of(model: SymbolicModel, F: Ratio, c: Coordinate, *, quadratic: bool = False) -> list[Ratio]:
     """Zeros of F in one coordinate: linear factors (quadratic ones if wanted), and a cos + b sin + r = 0. What repeats
     after whole turns is given once."""
@@ -52,10 +65,12 @@ def _quadratic_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[R
 def _trigonometric_zeros(model: SymbolicModel, base: Ratio, c: Coordinate) -> list[Ratio]:
     """a cos(k q + d) + b sin(k q + d) + r = 0."""
     f = model.field
-    pairs = [p for p in f.pairs(base.generators()) if f.generators[p[0]].made_of == frozenset({c.index})]
+    pairs = [p for p in f.pairs(base.generators()) if c.index in f.generators[p[0]].made_of]
     if len(pairs) != 1 or c.index in base.generators():
         return []
     cos, sin = pairs[0]
+    if any(c.index in f.generators[g].made_of for g in base.generators() - {cos, sin}):
+        return []
     # the angle is k q + d; its zeros give those of q
     angle = f.angles[cos]
     if solve_linear(angle, c.index) is None:

@@ -26,7 +26,7 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws import Decay, Growth, MotionLaw, Oscillation
 from freebody.symbolic.model import SymbolicModel
-from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, UniformMotion
+from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion
 from freebody.symbolic.signs import sign_of
 
 _NOW = 1e-9  # a zero at the very start, relative to what the function can become
@@ -40,6 +40,8 @@ def in_time(course: UniformMotion, watches: Sequence[PhaseWatch], sets: Sets, in
     model, found = course.model, PossibleEnds()
     mine = np.zeros(sets.n, dtype=bool)
     mine[indices] = True
+    if any(course.periods(watch.element) for watch in watches):
+        return by_laws(course, watches, sets, indices)
     for watch in watches:
         try:
             coefficients = course.along(watch.element)
@@ -122,7 +124,7 @@ def _times_in_order(course: ClosedFormMotion, candidates: Sequence[PossibleEnd],
 
 
 # -- along laws of the time -----------------------------------------------------------------------
-def by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> PossibleEnds:
+def by_laws(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets, indices: Chosen) -> PossibleEnds:
     """Zeros in closed form; that there are no others before the first of them is seen along the motion."""
     model, found = course.model, PossibleEnds()
     mine = np.zeros(sets.n, dtype=bool)
@@ -148,7 +150,7 @@ def by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indice
         if all(c.watch is not watch for c in found.candidates):
             found.unsure.append(())
     ends = np.min([c.reached for c in found.candidates], axis=0) if found.candidates else np.full(sets.n, np.inf)
-    horizon = _LONG * np.max([_unit_of_time(model, law, sets) for law in course.laws], axis=0)
+    horizon = _LONG * np.max(_units_of_time(course, watches, sets), axis=0, initial=0.0)
     until = np.where(np.isfinite(ends), ends, horizon)
     for watch in watches:
         seen = np.array([at(watch, share * until) for share in _SHARES])
@@ -160,6 +162,15 @@ def by_laws(course: LawMotion, watches: Sequence[PhaseWatch], sets: Sets, indice
             )
     found.tests = _times_in_order(course, found.candidates, sets) + found.tests
     return found
+
+
+def _units_of_time(course: MotionInTime, watches: Sequence[PhaseWatch], sets: Sets) -> Array:
+    """[s] (n_units, n_sets) in which laws, or the waves that drive the motion, do what they do."""
+    if isinstance(course, UniformMotion):
+        periods = [period for watch in watches for period in course.periods(watch.element)]
+        return np.array([np.abs(sets.evaluate(course.model, period)) for period in periods]).reshape(-1, sets.n)
+    laws = course.laws if isinstance(course, LawMotion) else ()
+    return np.array([_unit_of_time(course.model, law, sets) for law in laws]).reshape(-1, sets.n)
 
 
 def _unit_of_time(model: SymbolicModel, law: MotionLaw, sets: Sets) -> Array:

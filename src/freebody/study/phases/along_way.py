@@ -30,6 +30,7 @@ from freebody.study.phases.words import occurs
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
 from freebody.symbolic.signs import sign_of
+from freebody.symbolic.zeros import reals
 
 _NOW = 1e-9  # a place at the very end of the way, relative to it
 _HERE = 1e-7  # a place that is the one of the start
@@ -189,7 +190,7 @@ class EnergyRoad:
             for x in c.exists:
                 add(x, ">", Message("it happens"), Message("no event ends it"))
         for place, _at in self.turns:
-            for x in self.course.real(place):
+            for x in reals(place):
                 add(x)
         add(self.push if self.speed.is_zero() else self.speed)
         places = [c.zero.at for c in candidates if c.zero.at is not None]

@@ -25,7 +25,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
-from freebody.symbolic.zeros import solve_linear, zeros_of
+from freebody.symbolic.zeros import reals, solve_linear, zeros_of
 
 TAU = "@since"  # the time since a phase began, as a generator
 
@@ -66,16 +66,28 @@ class ClosedFormMotion:
         return f.lowest_terms(f.follow(self.model.in_independent_speeds(x), self.still))
 
 
-class UniformMotion(ClosedFormMotion):
+class MotionInTime(ClosedFormMotion):
+    """The coordinates are functions of the time."""
+
+    @cached_property
+    def tau(self) -> Ratio:
+        return self.model.field.parameter(TAU)
+
+    def values(self, time: Ratio) -> dict[int, Ratio]:
+        """Coordinates and speeds at a time, by generator, and the time."""
+        raise NotImplementedError
+
+    def over_time(self, x: Ratio) -> Ratio:
+        """A function of the state as one of the time `tau`."""
+        return self.model.field.follow(self.model.in_independent_speeds(x), self.values(self.tau))
+
+
+class UniformMotion(MotionInTime):
     """Constant accelerations."""
 
     @property
     def kind(self) -> str:
         return "uniform" if self.model.coordinates else "rest"
-
-    @cached_property
-    def tau(self) -> Ratio:
-        return self.model.field.parameter(TAU)
 
     @cached_property
     def accelerations(self) -> dict[int, Ratio]:
@@ -98,7 +110,7 @@ class UniformMotion(ClosedFormMotion):
         """Raises CannotAnswer where the function is no polynomial in the time."""
         f = self.model.field
         index = f.index(self.tau)
-        x = f.follow(self.model.in_independent_speeds(x), self.values(self.tau))
+        x = self.over_time(x)
         if index in f.ingredients(x.denominator()) or any(
             index in f.generators[g].made_of for g in x.generators() if g != index
         ):
@@ -107,10 +119,30 @@ class UniformMotion(ClosedFormMotion):
         return [f.lowest_terms(c / below) for c in x.numerator().coefficients(index)] or [f.zero]
 
     def zeros(self, x: Ratio) -> list[CourseZero]:
-        return [CourseZero(t, self.values(t)) for t in polynomial_roots(self.model, self.along(x))]
+        try:
+            times = polynomial_roots(self.model, self.along(x))
+        except CannotAnswer:
+            return self._in_waves(x)
+        return [CourseZero(t, self.values(t)) for t in times]
+
+    def _in_waves(self, x: Ratio) -> list[CourseZero]:
+        """Of what is driven in a wave of the time; an instant before the start comes again a period later."""
+        f, own = self.model.field, Coordinate(TAU, self.model.field.index(self.tau), -1, is_angle=False)
+        places = zeros_of(self.model, self.over_time(x).numerator(), own)
+        later = [f.zero, *(way * period for period in self.periods(x) for way in (1, -1))]
+        times = [f.lowest_terms(place + shift) for place in places for shift in later]
+        return [CourseZero(t, self.values(t), needs=reals(t)) for t in times]
+
+    def periods(self, x: Ratio) -> list[Ratio]:
+        """Of the waves of the time in a function of the state; their sign is not known."""
+        f, index = self.model.field, self.model.field.index(self.tau)
+        inside = f.ingredients(self.over_time(x))
+        angles = [f.angles[cos] for cos, _sin in f.pairs(inside) if index in f.ingredients(f.angles[cos])]
+        slopes = [f.partial(angle, index) for angle in angles]
+        return [2 * f.pi / k for k in slopes if not k.is_zero()]
 
 
-class LawMotion(ClosedFormMotion):
+class LawMotion(MotionInTime):
     """Every coordinate moves by a law of its own, whatever the others do."""
 
     def __init__(self, model: SymbolicModel, start: StartState, laws: Sequence[MotionLaw]) -> None:
@@ -121,10 +153,6 @@ class LawMotion(ClosedFormMotion):
     def kind(self) -> str:
         return "laws"
 
-    @cached_property
-    def tau(self) -> Ratio:
-        return self.model.field.parameter(TAU)
-
     def values(self, time: Ratio) -> dict[int, Ratio]:
         """Coordinates and speeds at a time."""
         f = self.model.field
@@ -132,10 +160,6 @@ class LawMotion(ClosedFormMotion):
         for c, law in zip(self.model.coordinates, self.laws, strict=True):
             found[c.index], found[c.speed] = map(f.lowest_terms, law.at(time))
         return found
-
-    def over_time(self, x: Ratio) -> Ratio:
-        """A function of the state as one of the time `tau`."""
-        return self.model.field.follow(self.model.in_independent_speeds(x), self.values(self.tau))
 
     def along(self, x: Ratio) -> list[Ratio]:
         raise CannotAnswer(Message("it is no polynomial in the time"))
@@ -263,20 +287,8 @@ class EnergyMotion(ClosedFormMotion):
         what makes the place a real number."""
         assert zero.at is not None
         speed = zero.values.get(self.coordinate.speed)
-        found = (*self.real(zero.at), *(() if speed is None else (speed**2,)))
+        found = (*reals(zero.at), *(() if speed is None else (speed**2,)))
         return tuple(x for x in found if not x.is_zero())
-
-    def real(self, place: Ratio) -> tuple[Ratio, ...]:
-        """What must be positive for a place to be a real number."""
-        f = self.model.field
-        found: list[Ratio] = []
-        for g in sorted(f.ingredients(place)):
-            name, argument = f.arguments.get(g, ("", f.one))
-            if name in ("acos", "asin"):
-                found.append(1 - argument * argument)
-            if f.generators[g].kind == "root" and f.generators[g].made_of:
-                found.append(f.radicand(g))
-        return tuple(found)
 
     @cached_property
     def _law(self) -> MotionLaw | None:
