@@ -108,3 +108,60 @@ questions: [time when phi = a]
     phi = turn - nodes**2
     expected = float(weights @ (2.0 * nodes / np.sqrt(2.0 * 9.81 * (np.cos(phi) - math.cos(turn)))))
     assert fb.System.from_text(text).solve()["q1"].value == pytest.approx(expected, rel=1e-8)
+
+
+def numbers_of(text: str, *questions: str) -> list[float]:
+    asked = ", ".join(questions)
+    answers = fb.System.from_text(f"{text}questions: [{asked}]").solve().answers
+    assert all(answer.expression is None for answer in answers)
+    return [answer.value for answer in answers]  # type: ignore[misc]
+
+
+def test_without_a_closed_form_all_quantities_have_numbers_where_contacts_are() -> None:
+    """A pendulum in air that is stopped: its speed says what the force in the rod, the powers and the energies are."""
+    text = """
+parameters: {m: 1 kg, L: 1 m, phi0: 60 deg, a: 10 deg, c: 0.3 kg/s, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections:
+  rod: {link: {first: ground.origin, second: bob, length: L}}
+  stop: {stop: {measure: phi, min: a, restitution: 0.5}}
+loads: {weight: {gravity: g}, air: {law: {measure: phi, force: -c*L*L*rate(phi)}}}
+measures: {phi: {angle of line from ground.origin to bob from down}}
+start: {phi: phi0}
+"""
+    at = ("velocity of phi", "tension of rod", "kinetic energy", "power of weight", "acceleration of phi")
+    rate, tension, kinetic, power, acceleration = numbers_of(text, *(f"{what} when phi = a" for what in at))
+    a, g = math.radians(10.0), 9.81
+    assert -math.sqrt(2 * g * (math.cos(a) - 0.5)) < rate < 0.0
+    assert tension == pytest.approx(rate**2 + g * math.cos(a))
+    assert kinetic == pytest.approx(rate**2 / 2)
+    assert power == pytest.approx(-g * math.sin(a) * rate)
+    assert acceleration == pytest.approx(-g * math.sin(a) - 0.3 * rate)
+
+
+def test_without_a_closed_form_friction_has_its_number() -> None:
+    """A block that slides through air of quadratic resistance: mu m g against its way, and the heat of both."""
+    text = """
+parameters: {m: 2 kg, c: 0.5 kg/m, mu: 0.2, v0: 4 m/s, d: 0.5 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [block, floor], friction: mu}}}
+loads: {weight: {gravity: g}, air: {law: {measure: x, force: -c*rate(x)*abs(rate(x))}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v0}
+"""
+    friction, normal, rate, acceleration, power = numbers_of(
+        text,
+        "friction force of contact when x = d",
+        "normal force of contact when x = d",
+        "velocity of x when x = d",
+        "acceleration of x when x = d",
+        "power of contact when x = d",
+    )
+    assert power == pytest.approx(-0.2 * 2.0 * 9.81 * rate)
+    assert abs(friction) == pytest.approx(0.2 * 2.0 * 9.81)
+    assert normal == pytest.approx(2.0 * 9.81)
+    # v dv/dx = -mu g - c v^2/m, so that v^2 + mu g m/c falls by exp(-2 c x/m)
+    shift, share = 0.2 * 9.81 * 2.0 / 0.5, math.exp(-2 * 0.5 * 0.5 / 2.0)
+    assert rate == pytest.approx(math.sqrt((16.0 + shift) * share - shift))
+    assert acceleration == pytest.approx(-0.2 * 9.81 - 0.5 * rate**2 / 2.0)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial, singledispatch
+from typing import Any
 
 import numpy as np
 
@@ -21,16 +23,20 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.small_motion import LinearisationPoint, SmallMotion
 from freebody.questions.base import Quantity
+from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
 from freebody.questions.reading import Question, QuestionEvent
 from freebody.questions.small_motion import SmallOscillations
+from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.witness import TOLERANCE, motion_to
 from freebody.study.mobility.centres import moving_for
+from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
 from freebody.study.setup import Setup
 from freebody.study.simulation.at_rest import is_unstable_rest
+from freebody.study.simulation.instant import SimulatedInstant, with_all_held
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.study.simulation.observed import observed
 from freebody.study.simulation.simulator import Simulator
@@ -152,12 +158,12 @@ def places_at(setup: Setup, equilibrium: dict[int, Ratio], draw: Draw) -> list[t
     return [(measure, element_at(setup, x, draw, start)[0]) for measure, x in wanted]
 
 
-def number_with_changes(system: System, question: Question) -> float | None:
+def number_with_changes(system: System, question: Question) -> Value:
     """What a motion in which contacts and dry friction change their states gives, at its start or at the first event
-    within a minute: a measure, a rate, an acceleration or the time; None for what is none of these, or does not come.
-    Raises BudgetExhausted where the event was not reached within the budget of steps."""
+    within a minute; None where that does not come. Just before an impact, where the event is one. Raises
+    BudgetExhausted where the event was not reached within the budget of steps, CannotAnswer where it has no number."""
     quantity, event = question.quantity, question.event
-    if not system.has_values or question.transition is not None or not (quantity.is_of_event or quantity.watched):
+    if not system.has_values or question.transition is not None or not quantity.is_of_state:
         return None
     simulator = Simulator(system, events=() if event is None else (f"stop when {event.text}",))
     options = SimulationOptions(method="dop853", tolerance=TOLERANCE, max_steps=allowed(_STEPS))
@@ -167,12 +173,46 @@ def number_with_changes(system: System, question: Question) -> float | None:
         raise BudgetExhausted(course.message)
     if event is not None and course.status is not Status.EVENT:
         return None
-    if quantity.is_of_event:
-        return course.t_end
-    assert quantity.watched is not None
-    measure, order = quantity.watched
-    seen = observed(SimulatedMotion(system, simulator, course, options), {"it": measure})["it"]
-    return float(seen[order][-1 if event is not None else 0])
+    motion, k = SimulatedMotion(system, simulator, course, options), 0 if event is None else -1
+    if quantity.watched is not None:  # angles are counted along the motion
+        measure, order = quantity.watched
+        return float(observed(motion, {"it": measure})["it"][order][k])
+    reference = simulator.reference
+    q, v = map(reference.by_column, simulator.engine.coordinates(simulator.start))
+    begin = reference.snapshot(q, v)
+    values = as_parts(quantity.counted(_WithChanges(system, begin, SimulatedInstant(motion, k), course.t_end)))
+    return values[0] if len(values) == 1 else values
+
+
+@dataclass(frozen=True)
+class _WithChanges:
+    """A simulated motion with contacts, of which the instants at both ends are known."""
+
+    system: System
+    begin: Snapshot
+    now: Snapshot
+    end: float
+
+    def time(self) -> float:
+        return self.end
+
+    def change(self, measure: Measure) -> float:
+        return self.now.value(measure) - self.begin.value(measure)
+
+    def work(self, load: str) -> float:
+        return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.pushes if p.load == load)
+
+    def heat(self) -> float:
+        if not only_friction_takes_energy(self.system):
+            raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
+        before, after = (float(Energy("total").value(self.system, s)) for s in (self.begin, self.now))
+        return before - after
+
+    def revolutions(self, body: str) -> float:
+        raise CannotAnswer(Message("how often {body} turns is not counted here", body=body))
+
+    def there(self, quantity: Quantity) -> Any:
+        return value_in_mode(quantity, self.system, with_all_held(self.system), self.now)
 
 
 def _rests(setup: Setup) -> bool:

@@ -52,7 +52,10 @@ def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -
 @_value.register(Power)
 def _power(quantity: Power, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.of, base):
-        return sum((state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)), _zero(state))
+        slides = [r for r in system.held if r.connection == quantity.of and any(r is rub.row for rub in base.rubs)]
+        powers = [state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)]
+        powers += [state.multiplier(row) * state.rate(row.measure) for row in slides]  # as a simulation has them
+        return sum(powers, _zero(state))
     return quantity.value(plain(system), state)
 
 

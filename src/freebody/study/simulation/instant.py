@@ -1,0 +1,41 @@
+"""One instant of a simulated motion, as quantities are evaluated in it: forces are those that the simulation found."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freebody.errors import CannotAnswer
+from freebody.language.sentences import Message
+from freebody.model.elements import ConstraintRow
+from freebody.numeric.jets import Array
+from freebody.numeric.reference import Snapshot
+from freebody.study.simulation.motion import SimulatedMotion
+from freebody.system.system import System
+
+
+class SimulatedInstant(Snapshot):
+    """The k-th state of a motion; the reactions of contacts and dry friction are multipliers like all others."""
+
+    def __init__(self, motion: SimulatedMotion, k: int) -> None:
+        reference, engine, course = motion.simulator.reference, motion.simulator.engine, motion.course
+        q, v = map(reference.by_column, engine.coordinates(engine.state_at(course, k)))
+        at = reference.snapshot(q, v, float(course.times[k]))
+        super().__init__(reference, at.geometry, q, v, at.t)
+        self._course, self._k = course, k
+        self._places = {row.name: j for j, row in enumerate(motion.rows)}
+
+    @property
+    def accelerations(self) -> Array:
+        return self.reference.by_column(self._course.accelerations[self._k])
+
+    def multiplier(self, row: ConstraintRow) -> float:
+        j = self._places[row.name]
+        if not self._course.unique[self._k, j]:
+            raise CannotAnswer(Message("the {reaction} of {row} is not unique", reaction=row.reaction, row=row.name))
+        return float(self._course.multipliers[self._k, j])
+
+
+def with_all_held(system: System) -> System:
+    """The system with the rows of contacts and dry friction among those that are held, for questions about forces: what
+    is open has the force zero, what slides the force of its friction."""
+    return replace(system, held=tuple(system.rows), contacts=(), limits=(), brakes=())
