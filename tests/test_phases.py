@@ -714,3 +714,103 @@ start: {y: 0, rate(y): v0}
     values = {"m": 1.0, "a": a, "v0": v0, "e": e, "b": 0.48, "g": g}
     assert not isinstance(second.expression, tuple)
     assert evaluate(second.expression, values) == pytest.approx(math.sqrt(launched**2 - 2 * g * (0.48 - height)))
+
+
+HITS = """
+parameters: {m: 2 kg, k: 200 N/m, d: 0.1 m, v0: 3 m/s, e: 0.5, h: 1 m, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}, ball: {particle: {mass: m}, at: [0, h]}}
+connections:
+  guide: {slider: {body: block, along: right}}
+  stop: {stop: {measure: x, max: d, restitution: e}}
+  contact: {contact: {between: [ball, floor], restitution: e}}
+loads: {weight: {gravity: g}, spring: {law: {measure: x, force: -k*x}}}
+measures: {x: x of block, u: x of ball, y: y of ball}
+start: {x: 0, rate(x): v0, u: 0, rate(u): v0, y: h, rate(y): 0}
+"""
+
+
+def test_one_may_ask_for_the_instant_at_which_something_is_hit(agrees_text: Agree) -> None:
+    """Velocities are those just before, also where the motion begins with the impact."""
+    found = solved(
+        HITS,
+        "time when block hits the stop",
+        "velocity of x when block strikes stop",
+        "when does the ball land?",
+        "speed of ball when contact closes",
+        "change of u until ball lands on the floor",
+    )
+    agrees_text(shown(found), "asin(sqrt(k/m)*d/v0)/sqrt(k/m)")
+    agrees_text(shown(found, 2), "sqrt(v0**2 - k*d**2/m)")
+    agrees_text(shown(found, 3), "sqrt(2*h/g)")
+    agrees_text(shown(found, 4), "sqrt(v0**2 + 2*g*h)")
+    agrees_text(shown(found, 5), "v0*sqrt(2*h/g)")
+    assert "just before the impact of stop" in found["q2"].notes
+    thrown_down = HITS.replace("at: [0, h]", "at: [0, 0]").replace("y: h, rate(y): 0", "y: 0, rate(y): -v0")
+    at_once = solved(thrown_down, "time when ball lands", "velocity of y when ball lands")
+    agrees_text(shown(at_once), "0")
+    agrees_text(shown(at_once, 2), "-v0")
+
+
+def test_what_cannot_meet_is_not_hit() -> None:
+    with pytest.raises(fb.ModelError, match="ball and stop have no contact with each other"):
+        solved(HITS, "time when ball hits the stop")
+    with pytest.raises(fb.ModelError, match="there is no connection or body wall"):
+        solved(HITS, "time when ball hits the wall")
+
+
+def test_what_a_law_needs_is_a_condition_with_contacts_as_without(agrees_text: Agree) -> None:
+    """A load sqrt(x - b) and one 1/(x - b) say something for x > b only, whatever else acts."""
+    text = """
+parameters: {m: 2 kg, c: 3 N, b: {value: 0.4 m, sign: any}, a: 1 m, mu: 0.1, v0: 1 m/s, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {hold: HOLD}
+loads:
+  weight: {gravity: g}
+  odd: {law: {measure: x, force: c*sqrt(x/a - b/a)}}
+  near: {law: {measure: x, force: c*a/(x - b)}}
+measures: {x: x of block}
+start: {x: a, rate(x): v0}
+"""
+    for hold in ("{contact: {between: [block, floor], friction: mu}}", "{slider: {body: block, along: right}}"):
+        found = solved(text.replace("HOLD", hold), "acceleration of x", "acceleration of x at start", "power of odd")
+        general, at_start, power = (a.conditions for a in found.answers)
+        assert general == power == ("at every pose of the motion with x > b (law of near, law of odd)",)
+        assert [c.partition(" (")[0] for c in at_start] == ["a > b"]
+
+
+def test_a_divisor_that_may_vanish_is_a_condition_of_the_time_of_an_event(agrees_text: Agree) -> None:
+    """x'' = -(mu g + F/m): for F = -mu m g it goes on evenly, and the time has another formula."""
+    text = """
+parameters: {m: 2 kg, a: 1 m, mu: 0.1, v0: 5 m/s, F: {value: 4 N, sign: any}, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [block, floor], friction: mu}}}
+loads: {weight: {gravity: g}, push: {force: {at: block, along: left, magnitude: F}}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v0}
+"""
+    (answer,) = solved(text, "time when x = a").answers
+    assert answer.conditions == ("μ < (m·v₀² - 2·a·F)/(2·m·a·g)", "m·μ·g + F ≠ 0")
+
+
+def test_a_table_that_is_driven_in_a_wave_throws_off_what_lies_on_it(agrees_text: Agree) -> None:
+    """The force m (g - A w^2 sin(w t)) is first zero at sin(w t) = g/(A w^2), if that is less than one."""
+    text = """
+parameters: {m: 1 kg, A: 0.05 m, w: 20 rad/s, u: 1 m/s, d: 0.02 m, g: 9.81 m/s^2}
+bodies: {table: {body: {mass: 1 kg, inertia: 1 kg m^2}, lines: {top: {along: right}}}, block: {particle: {mass: m}}}
+connections:
+  guide: {slider: {body: table, along: up}}
+  motor: {driver: {measure: y of table, follows: A*sin(w*t)}}
+  contact: {contact: {between: [block, table.top]}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): u}
+"""
+    found = solved(text, "time when contact opens", "time when x = d", "normal force of contact when x = d")
+    agrees_text(shown(found), "asin(g/(A*w**2))/w")
+    assert found["q1"].conditions == ("A·w² > g",)
+    assert found["q1"].value == pytest.approx(math.asin(9.81 / 20.0) / 20.0)
+    agrees_text(shown(found, 2), "d/u")
+    agrees_text(shown(found, 3), "m*(g - A*w**2*sin(w*d/u))")

@@ -1,7 +1,8 @@
 """Questions about what comes together from the start to an event, and events of contacts and dry friction.
 
 time when ...        energy lost until ...        turns of BODY until ...        change of MEASURE until ...
-... when rolling begins | slipping ends | slipping begins | NAME slips | NAME leaves the surface | rope goes slack
+... when rolling begins | slipping ends | slipping begins | NAME slips | NAME leaves the surface | rope goes slack |
+NAME hits the stop
 """
 
 from __future__ import annotations
@@ -21,14 +22,14 @@ from freebody.questions.base import Described, Found, Passage, Path, Quantity, a
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-TransitionKind = Literal["rolls", "slip ends", "slips", "opens"]
+TransitionKind = Literal["rolls", "slip ends", "slips", "opens", "touches"]
 RANK = 90
 
 
 @dataclass(frozen=True)
 class Transition:
-    """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens. `of`
-    are the connections that are meant; none means any."""
+    """A change of the state of a contact: it begins to roll (or to stick), stops slipping, begins to slip, opens, is
+    touched. `of` are the connections that are meant; none means any."""
 
     kind: TransitionKind
     of: tuple[str, ...]
@@ -155,6 +156,7 @@ questions: {it: change of x until rolling begins}
 # -- events -----------------------------------------------------------------------------------
 _NAME = r"(?P<of>[A-Za-z_]\w*)"
 _SUBJECT = rf"(?:it|the motion|(?:the )?{_NAME})"
+_ON = r"(?: (?:on |against )?(?:the )?(?P<on>[A-Za-z_]\w*))?"
 _BEGINS = r"(?:begins?|starts?|sets? in|is established)"
 _ENDS = r"(?:ends?|stops?|ceases?)"
 _SLIDING = r"(?:slip|slipping|sliding|to slip|to slide)"
@@ -173,6 +175,8 @@ _WORDS: tuple[tuple[str, TransitionKind], ...] = (
     (rf"{_SUBJECT} leaves?(?: (?:the )?[A-Za-z_]\w*)?", "opens"),
     (rf"{_SUBJECT} (?:goes?|becomes?|is) slack", "opens"),
     (rf"contact(?: of {_NAME})? is lost", "opens"),
+    (rf"{_SUBJECT} (?:touch(?:es)?|hits?|strikes?|lands?){_ON}", "touches"),
+    (rf"{_SUBJECT} (?:closes?|(?:goes?|becomes?|is) taut)", "touches"),
 )
 _TRANSITIONS: list[tuple[re.Pattern[str], TransitionKind]] = [
     (re.compile(rf"^{pattern}$"), kind) for pattern, kind in _WORDS
@@ -190,7 +194,15 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             return Transition(kind, (), text)
         if name in names.measures:
             return None
-        return Transition(kind, _connections(names, name, path), text)
+        of, on = _connections(names, name, path), found.groupdict().get("on")
+        is_line = on is not None and any(on in body.lines for body in names.bodies.values())
+        if on is not None and not is_line:
+            both = _connections(names, on, path)
+            if both and not set(of) & set(both):
+                told = Message("{name} and {other} have no contact with each other", name=name, other=on)
+                names.problem(told, None, *path)
+            of = tuple(connection for connection in of if connection in both)
+        return Transition(kind, of, text)
     return None
 
 

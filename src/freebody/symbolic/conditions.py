@@ -72,6 +72,11 @@ def _is_negative(e: Expr) -> bool:
     return isinstance(e, ProductOf) and isinstance(e.factors[0], Number) and e.factors[0].value < 0
 
 
+def both(one: str, other: str) -> str:
+    """What two relations of the same element to zero come to; of `=` there is no other."""
+    return one if one == other else ">"
+
+
 def require(x: Ratio, relation: str, purpose: str = "") -> tuple[Condition | None, bool]:
     """The condition that `x relation 0` comes to, or None; and whether it can hold at all."""
     verdict = decide(x, relation)

@@ -15,7 +15,7 @@ from dataclasses import replace
 from freebody.language.expression import Call, n_operations
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message, in_turn, turns
-from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
+from freebody.symbolic.conditions import Condition, both, relation_text, require, with_purposes
 from freebody.symbolic.decide import decide, possible, sign_given
 from freebody.symbolic.existence import FORMAL
 from freebody.symbolic.field import Field, Ratio
@@ -117,9 +117,8 @@ def _merged(parts: Sequence[Condition]) -> list[Condition]:
             found.append(part)
             continue
         old = found[k]
-        strict = {old.relation, part.relation} not in ({">="}, {"!="})
         kept = part if part.relation == ">" or old.relation == "!=" else old
-        relation = ">" if strict else old.relation
+        relation = both(old.relation, part.relation)
         found[k] = Condition(kept.element, relation, _both_purposes(old.purpose, part.purpose))
     return found
 

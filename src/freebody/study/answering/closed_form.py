@@ -13,13 +13,13 @@ from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.expression import ZERO, Expr, number
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, further
-from freebody.measures.combination import Composed
 from freebody.questions.base import Quantity
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
+from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
@@ -30,13 +30,11 @@ from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
-from freebody.symbolic.existence import exists
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import texts
-from freebody.symbolic.written import has_values
 
 _ROUND_OFF = 1e-12  # of an assembled pose, by the size of what is added up
 
@@ -100,7 +98,7 @@ class QuestionSolver:
     def _find(self) -> Finding:
         q = self.question.quantity
         if self.question.at_start or self.question.event is not None:
-            self._as_written(q, self.setup.start_instant)  # refuses a start at which the file says nothing
+            as_written(self.setup, self.question, self.setup.start_instant)  # refuses where the file says nothing
         if q.scope == "steady motion":
             from freebody.study.steady.ask import find
 
@@ -165,7 +163,7 @@ class QuestionSolver:
             event,
             x,
             reached.time,
-            [*conditions, *self._root_conditions(x)],
+            [*conditions, *real(x)],
             [*begins, *ends],
         )
         return Finding(x, evidence, conditions + ends, reached.notes, says=reached.says)
@@ -251,10 +249,6 @@ class QuestionSolver:
         return [reworded(verdict, where)]
 
     # -- conditions ---------------------------------------------------------------------------
-    def _root_conditions(self, x: Elements) -> list[Condition]:
-        """Every divisor, root and arc in the shown form."""
-        return exists(x if isinstance(x, tuple) else (x,))
-
     def _finish(self, found: Finding) -> Answer:
         q = self.question
         if isinstance(found.element, Fraction):
@@ -297,38 +291,17 @@ class QuestionSolver:
         q = self.question.quantity
         conditions = [*found.conditions]
         if not found.may_be_complex:
-            conditions += self._root_conditions(element)
+            conditions += real(element)
         at_start = self.question.at_start
         state = self.setup.start_instant if at_start else self.setup.state
         if q.is_of_state:
-            judges_contacts = bool(self.system.pushes) or not self._is_kinematic(q)
-            conditions += self.setup.holding(state, with_contacts=judges_contacts) + self.setup.closing(state)
+            judges_contacts = bool(self.system.pushes) or not is_kinematic(self.setup, q)
+            conditions += at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))
-        conditions += self._as_written(q, state)
+        else:
+            conditions += as_written(self.setup, self.question, state)
         return self.setup.in_free_coordinates(conditions, state)
-
-    def _as_written(self, q: Quantity, state: SymbolicState) -> list[Condition]:
-        """Where the file's own expressions have values: in the state that is asked for, and where an event is asked
-        for at the start."""
-        measures = [m for m in (getattr(q, "measure", None),) if isinstance(m, Composed)]
-        rests = q.scope == "small motion"
-        if not (rests or q.is_of_state):
-            return []
-        if rests:
-            values = find_equilibrium(self.model, self.setup.start, stable_first=q.is_about_stable).values
-            still = {c.speed: self.model.field.zero for c in self.model.coordinates}
-            state = SymbolicState(self.model, values | still)
-        elif self.question.event is not None:
-            state = self.setup.start_instant
-        with_loads = not self._is_kinematic(q) or self.question.event is not None
-        found = has_values(state, measures, with_loads=with_loads)
-        return [*found, *self.setup.reserves(state)] if rests else found
-
-    def _is_kinematic(self, q: Quantity) -> bool:
-        """Whether the quantity follows from geometry alone."""
-        order = q.kinematic_order
-        return order is not None and (order < 2 or self.model.degrees_of_freedom == 0)
 
     def _violated(self, conditions: list[Condition]) -> list[str]:
         """Conditions that the model's own numbers break at the start; the answer is not true of that model."""

@@ -25,7 +25,9 @@ from freebody.study.phases.pieces import AnswerBranch, pieces
 from freebody.study.phases.result import relations
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import action, happening, in_phase
+from freebody.symbolic.conditions import Condition, both, relation_text
 from freebody.symbolic.relations import SolvedRelation, readable
+from freebody.symbolic.validity import texts, validity
 
 _ROUND_OFF = 1e-12
 
@@ -86,8 +88,8 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(
             Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
         )
-    if tree.system.has_values and 0 not in own.sets:
-        broken = _broken(tree, own)
+    broken = _broken(tree, own) if tree.system.has_values else ""
+    if broken:
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))
         value = None
     cases = tuple(AnswerCase(_shown(r.piece), r.conditions, action(r.piece.phase)) for r in regions)
@@ -118,14 +120,24 @@ class _Region:
     relations: tuple[SolvedRelation, ...]
     sets: Chosen
 
+    @classmethod
+    def of(cls, tree: PhaseTree, piece: AnswerBranch, conditions: list[Condition], sets: Chosen) -> _Region:
+        """What makes it the branch that is taken, and what its formula needs."""
+        needs = validity(piece.needs) if piece.is_home else []
+        strict = {n.element: n for n in needs}
+        own = [replace(c, relation=both(c.relation, strict.pop(c.element, c).relation)) for c in conditions]
+        return cls(piece, tuple(relations(tree, [*own, *strict.values()])), sets)
+
     @property
     def conditions(self) -> tuple[str, ...]:
-        return tuple(r.text() for r in self.relations)
+        """Those on the parameters, then those on the state in which a general answer holds."""
+        of_state = [] if self.piece.is_home else texts(self.piece.needs)
+        return (*(r.text() for r in self.relations), *of_state)
 
 
 def _regions(tree: PhaseTree, group: list[AnswerBranch]) -> list[_Region]:
     """Pieces with one answer by the fewest regions that their own inequalities cut out; else piece by piece."""
-    alone = [_Region(p, tuple(relations(tree, p.conditions)), p.sets) for p in group]
+    alone = [_Region.of(tree, p, p.conditions, p.sets) for p in group]
     if len(group) < 2:
         return alone
     inside = np.full(tree.sets.n, NOTHING)
@@ -139,15 +151,20 @@ def _regions(tree: PhaseTree, group: list[AnswerBranch]) -> list[_Region]:
     for cell in found:
         conditions = [*tree.assumed, *tree.conditions(cell.cuts, cell.sets)]
         piece = next(p for p in group if cell.sets[0] in p.sets)
-        regions.append(_Region(piece, tuple(relations(tree, conditions)), cell.sets))
+        regions.append(_Region.of(tree, piece, conditions, cell.sets))
     return regions
 
 
 def _broken(tree: PhaseTree, region: _Region) -> str:
-    for r in region.relations:
-        if not holds(r, tree.numbers(r.element))[0]:
-            return reworded(Message("{condition} is not true there", condition=r.text()), r.text())
-    return Message("the model takes another way there")
+    """Why an answer is none at the model's own values; nothing where it is."""
+    is_taken = 0 in region.sets
+    needs = [n for n in region.piece.needs if region.piece.is_home] if is_taken else region.relations
+    for r in needs:
+        x = tree.numbers(r.element)
+        if np.isfinite(x[0]) and not holds(r, np.where(np.abs(x) < _ROUND_OFF, 0.0, x))[0]:
+            text = relation_text(readable(r.element), r.relation) if isinstance(r, Condition) else r.text()
+            return reworded(Message("{condition} is not true there", condition=text), text)
+    return "" if is_taken else Message("the model takes another way there")
 
 
 def _value(tree: PhaseTree, piece: AnswerBranch) -> Value:

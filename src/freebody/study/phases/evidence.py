@@ -32,7 +32,7 @@ from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.passage import turned_through
 from freebody.study.answering.spread import disagreement
 from freebody.study.phases.nodes import PhaseNode
-from freebody.study.phases.pieces import AnswerBranch
+from freebody.study.phases.pieces import AnswerBranch, is_before_impact
 from freebody.study.phases.quantities import frictions, only_friction_takes_energy, plain, value_in_mode
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.witness import (
@@ -77,11 +77,13 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
         with without_numbers():
             mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(k))
             reference = mode.references[0]
-            begin = reference.snapshot(q, v)
+            begin, node = reference.snapshot(q, v), piece.nodes[-1]
             draw = Draw(mode.values, reference, q)
             if not at_start:
                 q, v = reference.wander(q, np.random.default_rng(SEED + n), 0.1)
             now = mode.snapshot(q, v, 0.0)
+            if is_before_impact(question) and node.impact is not None:
+                now, _q, _v = before_impact(tree.system, node.impact.before.kept, tree.sets.one(k))
             numeric = value_in_mode(question.quantity, tree.system, mode.system, now)
         exact = (
             _home_numbers(tree, piece, k)

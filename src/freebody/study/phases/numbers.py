@@ -19,6 +19,7 @@ from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
+from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.relations import SolvedRelation
@@ -72,7 +73,7 @@ def _far(p: Parameter, center: float, share: Array, width: Array) -> Array:
     return (center or 1.0) * np.exp(share * (np.minimum(width, _SPREAD) if p.is_angle else width))
 
 
-def holds(r: SolvedRelation, numbers: Array) -> Mask:
+def holds(r: SolvedRelation | Condition, numbers: Array) -> Mask:
     """Where a relation is satisfied, by the values of its element. One that was solved is turned where its divisor is
     negative; the element is not."""
     if r.relation in ("=", "!="):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
@@ -12,6 +13,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.course import Transition
 from freebody.questions.reading import Question, QuestionEvent
+from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, why
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.events import first_events
@@ -42,6 +44,7 @@ class AnswerBranch:
     time: Ratio | None = None  # of the event, since the start
     notes: list[str] = field(default_factory=list[str])
     after: PhaseNode | None = None  # the phase behind the impact that the event is: the value is that just after it
+    needs: list[Condition] = field(default_factory=list[Condition])  # without which it has no value, in the same field
 
     @property
     def phase(self) -> Phase:
@@ -66,6 +69,22 @@ def pieces(tree: PhaseTree, question: Question) -> list[AnswerBranch]:
     if not found:
         raise CannotAnswer(_not_found(tree, question, met))
     found.sort(key=lambda p: int(p.sets[0]))
+    return [replace(piece, needs=_needs(tree, question, piece)) for piece in found]
+
+
+def _needs(tree: PhaseTree, question: Question, piece: AnswerBranch) -> list[Condition]:
+    """What the formula needs, and the state in which the motion begins or something is asked for, beside what makes
+    it the branch that is taken."""
+    at_event = piece.first is not None or piece.at_start
+    setup = piece.nodes[0].phase.setup if at_event else piece.phase.setup
+    state = setup.state if not (at_event or question.at_start) else piece.nodes[0].phase.start_instant
+    own = as_written(setup, question, state) if at_event else at_instant(setup, question, state, with_contacts=False)
+    if not piece.is_home:
+        return [*real(piece.value), *setup.in_free_coordinates(own, state)]
+    found = real(piece.value)
+    for c in own:
+        with suppress(CannotAnswer):
+            found.append(replace(c, element=tree.to_home(setup, c.element)))
     return found
 
 
@@ -156,13 +175,18 @@ def _rebounds(node: PhaseNode, asked: Transition) -> bool:
 
 
 def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
-    """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, or what touches parts."""
+    """Why what is asked for happens at the start: nothing slips and yet friction cannot hold, what touches parts, or it
+    begins with an impact."""
     phase = node.phase
     if asked.kind == "slips":
         for name, state in phase.mode.states.items():
             is_still = name in tree.slips and tree.slips[name].is_zero()
             if state and is_still and _is_named(asked, name.partition(".")[0]):
                 return Message("{contact} cannot hold at the start: it slips at once", contact=label(name))
+    hits = () if node.impact is None or asked.kind != "touches" else node.impact.hits
+    for name in hits:
+        if _is_named(asked, name.partition(".")[0]):
+            return Message("{contact} is struck at once", contact=label(name))
     if asked.kind == "opens":
         for name in sorted((tree.closed | tree.moving) - phase.mode.closed):
             if _is_named(asked, name.partition(".")[0]):
@@ -172,8 +196,10 @@ def _at_once(tree: PhaseTree, asked: Transition, node: PhaseNode) -> str:
 
 def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str) -> AnswerBranch:
     zero = tree.home.model.field.zero
-    notes = [why] if way.last.impact is None else [why, _just_after(way.last)]
-    if way.last.impact is None and question.quantity.kinematic_order in (0, 1):
+    notes, is_given = [why], way.last.impact is None or is_before_impact(question)
+    if not is_given:
+        notes.append(_just_after(way.last))
+    if is_given and question.quantity.kinematic_order in (0, 1):
         # places and velocities are those of the start, as it is written there
         given: Any = question.quantity.value(tree.home.system, tree.home.start_instant)
         f = tree.home.model.field
@@ -184,6 +210,12 @@ def _at_the_start(tree: PhaseTree, question: Question, way: WayToPhase, why: str
     else:
         value = question.quantity.counted(passage_of(tree, way, zero, way.last.sets))
     return AnswerBranch(value, True, [way.last], None, list(way.conditions), way.last.sets, zero, notes)
+
+
+def is_before_impact(question: Question) -> bool:
+    """Whether a place or a velocity is asked for where something is struck: it is that just before."""
+    asked = question.transition
+    return asked is not None and asked.kind == "touches" and question.quantity.kinematic_order in (0, 1)
 
 
 def _is_named(asked: Transition, connection: str) -> bool:
@@ -277,6 +309,8 @@ def _piece(
         )
     if after is not None:
         notes.append(_just_after(after))
+    elif is_before_impact(question) and question.quantity.kinematic_order == 1:
+        notes.append(Message("just before the impact of {contact}", contact=label(first.watch.name)))
     elif hits := [other for other in first.together if other.kind == "touches" and first.watch.kind == "is reached"]:
         notes.append(
             Message("just before the impact of {contact}, which comes at the same instant", contact=label(hits[0].name))
