@@ -213,6 +213,47 @@ def test_values_stand_beside_forces_that_are_wanted_in_numbers() -> None:
     assert any(text.endswith("= 29.4 N") for text in texts)
 
 
+ON_SPRINGS = """
+parameters: {m: 1 kg, k: 20 N/m, R: 0.5 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], T: [0, R]}}
+bodies:
+  bead: {particle: {mass: m}}
+  cart: {rectangle: {mass: 2 kg, width: 1 m, height: 0.4 m}, at: [2 m, -0.2 m]}
+connections:
+  ring: {link: {first: ground.O, second: bead, length: R}}
+  rail: {slider: {body: cart, along: right}}
+loads:
+  s: {spring: {first: ground.T, second: bead, stiffness: k, length: 0}}
+  c: {spring: {first: bead, second: cart, stiffness: k, length: 0}}
+  w: {gravity: g}
+measures: {phi: {angle of line from ground.O to bead from down}}
+start: {phi: 60 deg, rate(phi): 0}
+"""
+
+
+def test_a_spring_of_length_0_pulls_with_one_arrow_along_itself() -> None:
+    system = System.from_text(ON_SPRINGS)
+    loads = [force for force in cut(start_of(system), "bead") if force.kind == "load"]
+    assert [force.label.text for force in loads] == ["F_s", "F_c"]
+    bead, top, cart = np.array([0.25 * 3**0.5, -0.25]), np.array([0.0, 0.5]), np.array([2.0, -0.2])
+    for force, end in zip(loads, (top, cart), strict=True):
+        assert np.array(force.force) == pytest.approx((end - bead) / np.linalg.norm(end - bead))
+        assert force.at == (0.0, 0.0)
+        value = FreeBody(start_of(system).snapshot, ["bead"]).load_value(force.name)
+        assert value == pytest.approx(20.0 * float(np.linalg.norm(end - bead)))
+    both = free_body(system, "bead", "cart")
+    assert not any(word.label.text == "F_c" for word in both.words)
+
+
+def test_a_spring_of_length_0_pulls_at_nothing_where_its_ends_meet() -> None:
+    system = System.from_text(
+        ON_SPRINGS.replace("first: ground.T", "first: ground.B").replace(
+            "points: {", "points: {B: [sqrt(3)*R/2, -R/2], "
+        )
+    )
+    assert [force.label.text for force in cut(start_of(system), "bead") if force.kind == "load"] == ["F_c"]
+
+
 # -- words ------------------------------------------------------------------------------------
 @each_example
 def test_no_two_words_overlap_and_all_are_in_the_picture(path: Path) -> None:

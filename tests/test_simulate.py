@@ -694,3 +694,24 @@ loads: {g: {gravity: 9.81}}
     assert (result.events[0].time, result.events[0].kind) == (0.0, "goes slack")
     assert float(result.dataset["s.tension"][0]) == 0.0
     assert result.course.poses[-1, 0, :2] == pytest.approx([0.1, 1.0 - G * 0.1**2 / 2], rel=1e-9)
+
+
+def test_a_pose_that_is_searched_disturbs_nothing_that_it_need_not() -> None:
+    """The bead is described in the middle of its ring, which is no place on it: what nothing says of the others, and
+    what a guide keeps, is as it is described without it."""
+    system = fb.System.from_text("""
+ground: {points: {O: [0, 0]}}
+bodies:
+  bead: {particle: {mass: 1 kg}}
+  cart: {rectangle: {mass: 2 kg, width: 1 m, height: 0.4 m}}
+  wheel: {disk: {mass: 1 kg, radius: 0.1 m}}
+connections:
+  ring: {link: {first: ground.O, second: bead, length: 0.5 m}}
+  rail: {slider: {body: cart, along: right}}
+  hub: {pin: [wheel.center, bead]}
+loads: {c: {spring: {first: bead, second: cart, stiffness: 5 N/m, length: 1 m}}}
+""")
+    start = system.simulate(0.01).dataset.isel(time=0)
+    angles = start.body_angle.sel(body=["cart", "wheel"]).values
+    assert angles == pytest.approx([0.0, 0.0], abs=1e-15)
+    assert abs(start.body_position.sel(body="cart", axis="y").item()) < 1e-15

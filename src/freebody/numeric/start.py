@@ -7,7 +7,7 @@ system, J v = wanted rates, by the least kinetic energy.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -77,7 +77,7 @@ def _assembled_part(reference: NumericSystem, extra: Wanted, guess: Array | None
     loose[own] = 0.0
     placing = replace(reference.placing, sizes=replace(reference.sizes, small_moves=loose))
     fit = placing.fit(q, _equations(reference, extra), 0.0, {})
-    if fit is not None and fit.error <= ACCEPTED and next(turned_over(reference, fit.q), None) is None:
+    if fit is not None and _stands(reference, fit):
         return fit
     return _assembled_whole(reference, extra, guess, n_starts)
 
@@ -119,14 +119,16 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
     guess = described if guess is None else guess
     best: Fit | None = None
     facing: Attitude | None = None  # a joint that was found turned over
-    # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; so is what a
-    # guide keeps
-    guided = [*_guided(reference, described), *_body_equations(reference, _guessed)]
-    if guided:
-        fit = reference.placing.fit(guess, [*equations, *guided], 0.0, {})
-        if fit is not None and fit.error <= ACCEPTED and next(turned_over(reference, fit.q), None) is None:
+    # a guess is kept where the rest fits to it, so that bodies of which nothing is said do not pull at it; what a guide
+    # keeps also without that
+    guides, near = _guided(reference, described), _body_equations(reference, _guessed)
+    wishes = [wish for wish in ([*guides, *near] if near else [], guides) if wish]
+    for wish in wishes:
+        fit = reference.placing.fit(guess, [*equations, *wish], 0.0, {})
+        if fit is not None and _stands(reference, fit):
             return fit
     left = allowed(MOST_STEPS)
+    q = guess
     for q in _starts(reference, guess, n_starts):
         fit = reference.placing.fit(q, equations, 0.0, {}, min(N_STEPS, left))
         left -= 1 if fit is None else fit.n_steps
@@ -136,6 +138,8 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             best = fit
         if left <= 0 or (best is not None and best.error <= TOLERANCE):
             break
+    if best is not None and best.error <= ACCEPTED and q is not guess:
+        best = _settled(reference, best, guess, wishes)
     if best is None and facing is not None:
         raise CannotAnswer(
             Message(
@@ -166,6 +170,22 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             )
         raise CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
     return best
+
+
+def _settled(reference: NumericSystem, found: Fit, guess: Array, wishes: Iterable[Sequence[PoseEquation]]) -> Fit:
+    """A pose without the disturbance of its guess: what no equation touches is as it was guessed, and the first of some
+    wishes that can be fulfilled is."""
+    q = np.where(found.rows.any(axis=0), found.q, guess)
+    for wish in (*wishes, ()):
+        fit = reference.placing.fit(q, [*found.equations, *wish], 0.0, found.branches)
+        if fit is not None and _stands(reference, fit):
+            return fit
+    return found
+
+
+def _stands(reference: NumericSystem, fit: Fit) -> bool:
+    """Whether a pose fulfils everything, and no joint in it is turned over."""
+    return fit.error <= ACCEPTED and next(turned_over(reference, fit.q), None) is None
 
 
 def _guided(reference: NumericSystem, described: Array) -> list[PoseEquation]:

@@ -8,6 +8,7 @@ see `Action`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -25,6 +26,7 @@ from freebody.measures.geometry import GROUND
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Rope
 from freebody.model.names import did_you_mean
+from freebody.numeric.instant import law
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.present.picture.forces import Force, Kind
@@ -93,19 +95,20 @@ class FreeBody:
 
     def loads(self) -> tuple[Force, ...]:
         """The loads, those between the bodies too."""
-        return tuple(force for push in self.system.pushes for force in self._load(push))
+        return tuple(self._loads(only_outside=False))
 
     def load_value(self, called: str) -> float | None:
         """[N] or [N m] of the symbol of a load, by its name."""
-        for push in self.system.pushes:
-            if push.name == called:
-                return self.load_symbols.of(push)[1] * self.snapshot.law(push)
+        for pushes in self._pushes():
+            if len(pushes) > 1 and pushes[0].load == called:
+                return self._total(pushes)
+            for push in pushes:
+                if push.name == called:
+                    return self.load_symbols.of(push)[1] * self.snapshot.law(push)
         return None
 
     def _all(self, *, only_outside: bool) -> Iterator[Force]:
-        for push in self.system.pushes:
-            if not (only_outside and self._is_internal(push.measure)):
-                yield from self._load(push)
+        yield from self._loads(only_outside=only_outside)
         for _connection, group in groupby(self.rows, key=lambda row: row.connection):
             yield from self._connection(list(group), only_outside=only_outside)
 
@@ -177,6 +180,58 @@ class FreeBody:
         return name(symbol.name if given is None else given)
 
     # -- loads --------------------------------------------------------------------------------
+    def _loads(self, *, only_outside: bool) -> Iterator[Force]:
+        for pushes in self._pushes():
+            if len(pushes) > 1:
+                yield from self._resultant(pushes, only_outside=only_outside)
+            elif not (only_outside and self._is_internal(pushes[0].measure)):
+                yield from self._load(pushes[0])
+
+    def _pushes(self) -> Iterator[Sequence[AppliedLoad]]:
+        """In the order of the model; those together that are components of one force, as of a spring of length 0."""
+        for load, group in groupby(self.system.pushes, key=lambda push: push.load):
+            pushes = list(group)
+            own = self.system.loads.get(load)
+            if own is not None and own.pulls_with([0.0] * len(pushes), math.sqrt) is not None:
+                yield pushes
+            else:
+                yield from ([push] for push in pushes)
+
+    def _total(self, pushes: Sequence[AppliedLoad]) -> float:
+        """[N] of the force that several pushes are the components of."""
+        own = self.system.loads[pushes[0].load]
+        return float(own.pulls_with([self.snapshot.law(push) for push in pushes], math.sqrt))
+
+    def _resultant(self, pushes: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[Force]:
+        """A force of several components in the sense in which it acts in this pose: where it is zero it has none."""
+        total = self._total(pushes)
+        if total < sum(self._unsettled(push) for push in pushes):
+            return
+        parts = {push: self.snapshot.law(push) / total for push in pushes}
+
+        def wrench(body: str) -> tuple[Array, Array]:
+            both = [(part, *self.action.wrench(push.measure, body)) for push, part in parts.items()]
+            return np.sum([part * f for part, f, _m in both], axis=0), np.sum(
+                [part * m for part, _f, m in both], axis=0
+            )
+
+        pushed = {body for push in pushes for body in push.measure.bodies()}
+        small = ON_LINE * self.size
+        if only_outside and all(np.abs(np.hstack(wrench(body))).max() < small for body in pushed - set(self.bodies)):
+            return
+        whole = replace(pushes[0], component="")
+        label, _sign = self.load_symbols.of(whole)
+        for body in self.bodies:
+            if body in pushed:
+                found = self._placed(whole, (), body, *wrench(body), label, "load")
+                yield from (replace(force, about=f"load {whole.load}") for force in found)
+
+    def _unsettled(self, push: AppliedLoad) -> float:
+        """[N] by how much a law changes where its measure changes by less than a picture shows."""
+        reference, geometry = self.reference, self.snapshot.geometry
+        here = reference.jet(geometry, push.measure)
+        return abs(law(reference, geometry, push, here + ON_LINE * self.size) - law(reference, geometry, push, here))
+
     def _load(self, push: AppliedLoad) -> Iterator[Force]:
         is_weight = isinstance(self.system.loads.get(push.load), Gravity)
         label, sign = self.load_symbols.of(push)
