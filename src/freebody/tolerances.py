@@ -9,6 +9,10 @@ digits (2.2e-16); what is lost of them decides how small a number must be to cou
 # this in doubles: seven of sixteen digits may go, in sums of many terms and in solutions with condition numbers to 1e6.
 ROUND_OFF = 1e-9
 
+# Beside the terms it is made of [1; SI for numbers of about one]. What a few operations on doubles leave of an exact
+# zero: four of sixteen digits, where nothing was solved for.
+ROUNDED = 1e-12
+
 # A divisor is at least this [any unit]: 0/0 becomes 0, and no other quotient of doubles changes.
 LEAST = 1e-300
 

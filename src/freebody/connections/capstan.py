@@ -31,11 +31,12 @@ from freebody.measures.geometry import GROUND, ONE, ZERO, Direction
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.model.friction import Friction, read_friction
 from freebody.model.phrases import direction_angle
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_NO_WRAP = 1e-9
+_NO_WRAP = ROUND_OFF  # [rad] a string that is wrapped by less does not touch
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import Line, RigidBody, Span
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -196,7 +197,7 @@ def _turns(names: Names, body: RigidBody, corners: list[str]) -> list[float]:
     for k, (bx, by) in enumerate(points):
         (ax, ay), (cx, cy) = points[k - 1], points[(k + 1) % len(points)]
         found.append((bx - ax) * (cy - by) - (by - ay) * (cx - bx))
-    return [turn for turn in found if abs(turn) > 1e-12 * max(map(abs, found))]
+    return [turn for turn in found if abs(turn) > ROUNDED * max(map(abs, found))]
 
 
 __all__ = ["KINDS", "Hollow", "Outline", "Part", "RoundPart", "Straight", "read_outline"]

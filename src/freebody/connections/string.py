@@ -34,7 +34,7 @@ from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow, DryFriction, StringStretch, UnilateralConstraint
 from freebody.model.glyphs import Glyph
 from freebody.model.spec import Formula, Heading
-from freebody.tolerances import ROUND_OFF
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Joining, Names
@@ -345,8 +345,8 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
                 continue
             into_pulley = b.way != "end" if a.way == "end" else False
             ex, ey = _numbers(names, along)
-            wanted = ey if abs(ey) > 1e-12 else ex
-            upward = (into_pulley and wanted > 0) or (not into_pulley and (-ey if abs(ey) > 1e-12 else ex) > 0)
+            wanted = ey if abs(ey) > ROUNDED else ex
+            upward = (into_pulley and wanted > 0) or (not into_pulley and (-ey if abs(ey) > ROUNDED else ex) > 0)
             found.append(along if upward else along.reversed())
         return found
 
@@ -379,7 +379,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
             if abs(turn) > ROUND_OFF and leads[k - 1] is not None and leads[k] is not None:
                 turns.append(1 if turn > 0 else -1)
                 continue
-            if start is not None and end is not None and abs(end[0] - start[0]) > 1e-12:
+            if start is not None and end is not None and abs(end[0] - start[0]) > ROUNDED:
                 rightward = end[0] - start[0]
             over = -1 if rightward > 0 else 1
             turns.append(-over if node.way == "under" else over)

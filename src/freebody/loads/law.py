@@ -32,6 +32,7 @@ from freebody.model.glyphs import Glyph
 from freebody.model.phrases import measure_of
 from freebody.model.rotations import vector_product
 from freebody.model.spec import Formula
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -137,7 +138,7 @@ def _is_free_of(expr: Expr, name: str) -> bool:
     for _ in range(5):
         values = {symbol: rng.uniform(0.3, 1.7) for symbol in sorted(free_symbols(expr) | {name})}
         try:
-            if abs(float(evaluate(slope, values))) > 1e-9:
+            if abs(float(evaluate(slope, values))) > ROUND_OFF:
                 return False
         except (ValueError, ArithmeticError, InputError):
             return False

@@ -24,6 +24,7 @@ from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Directi
 from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
 from freebody.model.rotations import UNIT, Columns, applied
 from freebody.model.spec import Spec
+from freebody.tolerances import LEAST
 
 ZERO = number(0)
 PI = Symbol("pi")
@@ -403,7 +404,7 @@ class Names:
 
     def unit_direction(self, body: str, along: Components, *path: str | int) -> Direction:
         numbers = [self.numeric(c) for c in along]
-        if all(n is not None and abs(n) < 1e-300 for n in numbers):
+        if all(n is not None and abs(n) < LEAST for n in numbers):
             self.problem(Message("a direction must not be {x}; it needs a length", x=[0] * len(along)), *path)
             return self.compass["right"]
         square: Expr = ZERO

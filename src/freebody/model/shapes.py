@@ -27,6 +27,7 @@ from freebody.language.units import INERTIA, LENGTH, MASS
 from freebody.measures.geometry import Components
 from freebody.model.spec import Formula, Heading, Spec
 from freebody.model.tensors import read_tensor
+from freebody.tolerances import ROUNDED
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -366,7 +367,7 @@ def _is_zero(x: Expr) -> bool:
     for _ in range(3):
         values = {name: rng.uniform(0.5, 2.0) for name in sorted(free_symbols(x))}
         terms = [float(evaluate(term, values)) for term in (x.terms if isinstance(x, Sum) else (x,))]
-        if abs(sum(terms)) > 1e-12 * sum(map(abs, terms)):
+        if abs(sum(terms)) > ROUNDED * sum(map(abs, terms)):
             return False
     return True
 

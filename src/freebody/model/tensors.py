@@ -10,6 +10,7 @@ from freebody.language.expression import ONE, ZERO, Expr
 from freebody.language.sentences import Message
 from freebody.language.units import INERTIA, LENGTH
 from freebody.measures.geometry import Components
+from freebody.tolerances import LEAST
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -130,7 +131,7 @@ def principal_moments(tensor: Sequence[float]) -> tuple[float, float, float]:
     q = (xx + yy + zz) / 3.0
     off = xy * xy + xz * xz + yz * yz
     p = math.sqrt(((xx - q) ** 2 + (yy - q) ** 2 + (zz - q) ** 2 + 2.0 * off) / 6.0)
-    if p <= 1e-300:
+    if p <= LEAST:
         return q, q, q
     a, b, c, d, e, f = (v / p for v in (xx - q, yy - q, zz - q, xy, xz, yz))
     half = (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e)) / 2.0

@@ -17,9 +17,10 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
 MOST = 4  # cases that are told
-SMALL = 1e-6
+SMALL = 1e-6  # of its own value: a parameter in place of zero, and one over it in place of infinity
 _PURPOSE = re.compile(r" \([a-z][a-z ]*\)$")  # what an inequality is needed for
 _INEQUALITY = re.compile(r"(?P<left>[^<>≤≥≠]+) (?P<relation>[<>≤≥]) (?P<right>[^<>≤≥≠]+)")
 
@@ -79,7 +80,7 @@ def _holds(condition: str, values: dict[str, float]) -> bool:
         left, right = (float(evaluate(parse(found[k]), values)) for k in ("left", "right"))
     except (ExpressionError, ValueError, ArithmeticError):
         return True
-    room = 1e-9 * max(abs(left), abs(right))
+    room = ROUND_OFF * max(abs(left), abs(right))
     return {">": left > right, "≥": left >= right - room, "<": left < right, "≤": left <= right + room}[
         found["relation"]
     ]

@@ -17,6 +17,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
+from freebody.tolerances import LEAST
 
 _ORDER_8 = (4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0)
 _ORDER_6 = (3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0, 0.0)
@@ -36,7 +37,7 @@ def derivative(f: Callable[[float], Array], scale: Array) -> Array:
             continue
         if not (gap > 0.0).any():
             return slope
-        if before is not None and h == _STEPS[-1] and bool((gap <= 0.2 * before[1] + 1e-300).all()):
+        if before is not None and h == _STEPS[-1] and bool((gap <= 0.2 * before[1] + LEAST).all()):
             return (10.0 * slope - before[0]) / 9.0
         before = slope, gap
     raise CannotAnswer(

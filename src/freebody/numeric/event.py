@@ -12,6 +12,9 @@ from typing import Any, cast
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot, snapshot_of
+from freebody.tolerances import WATCHED_ZERO
+
+_OF_TIMES, _LAST_DIGIT = 1e-13, 1e-15  # of the time of an event, [s] and relative
 
 
 class EventWatch:
@@ -26,7 +29,7 @@ class EventWatch:
     def _see(self, s: Snapshot, step: Snapshot) -> bool:
         """Whether the event has changed its sign since it was last seen not to be zero."""
         value = self._value(s)
-        if abs(value) <= 1e-12:
+        if abs(value) <= WATCHED_ZERO:
             return False
         if self._before * value < 0.0:
             return True
@@ -60,7 +63,7 @@ class EventWatch:
             # rounding took the sign of one end: that end is the root
             return at(self._from, early if abs(value(early)) < abs(value(late)) else late)
         find: Callable[..., float] = cast("Any", optimize).brentq
-        return at(self._from, find(value, early, late, xtol=1e-13, rtol=1e-15))
+        return at(self._from, find(value, early, late, xtol=_OF_TIMES, rtol=_LAST_DIGIT))
 
     def _value(self, s: Snapshot) -> float:
         with named("the event"):

@@ -32,11 +32,12 @@ from freebody.numeric.instant import forces
 from freebody.numeric.jets import TIME, Array, JetGeometry
 from freebody.numeric.reference import Reference
 from freebody.numeric.split import stack
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _optimize: Any = optimize  # SciPy tells no types
 
-ROUND_OFF = 1e-9  # of the largest force
-_FREE = 1e-9  # a load along a direction in which nothing resists, of the largest load
+_FREE = ROUND_OFF  # a load along a direction in which nothing resists, of the largest load
+_RCOND, _POLISH = 1e-11, 1e-5  # of the constraints that decide, solved once more; a step that is larger is no polish
 _ACTIVE = 1e-7  # a dual variable above this part of the largest marks a constraint that decides
 
 
@@ -153,7 +154,7 @@ class Scaled:
         self.problem = problem
         J = problem.J * problem.moves
         sizes = np.linalg.norm(J, axis=1)
-        self.row_scale = 1.0 / np.where(sizes > 1e-12 * float(sizes.max(initial=1.0)), sizes, 1.0)
+        self.row_scale = 1.0 / np.where(sizes > ROUNDED * float(sizes.max(initial=1.0)), sizes, 1.0)
         self.unit = unit or problem.force
         self.A: Array = (self.row_scale[:, None] * J).T
         self.b: Array = -problem.Q * problem.moves / self.unit
@@ -211,7 +212,7 @@ def unresisted(problem: RestProblem) -> Array | None:
     """A motion (n,) that no row resists and that the loads drive; None if there is none."""
     A = Scaled(problem).A
     b = problem.Q * problem.moves / problem.force
-    rest = b - A @ np.linalg.lstsq(A, b, rcond=1e-12)[0] if A.size else b
+    rest = b - A @ np.linalg.lstsq(A, b, rcond=ROUNDED)[0] if A.size else b
     return rest * problem.moves if float(np.abs(rest).max(initial=0.0)) > _FREE else None
 
 
@@ -318,8 +319,8 @@ def _solved(cost: Array, A: Array, b: Array, G: Array, h: Array, bounds: Bounds)
         lines.append(np.eye(len(x))[k : k + 1])
         right.append(np.array([float(bounds[k][1] or 0.0)]))
     E, e = np.vstack(lines), np.concatenate(right)
-    step: Array = np.asarray(np.linalg.lstsq(E, e - E @ x, rcond=1e-11)[0], dtype=np.float64)
-    if float(np.abs(step).max(initial=0.0)) < 1e-5 * max(1.0, float(np.abs(x).max(initial=0.0))):
+    step: Array = np.asarray(np.linalg.lstsq(E, e - E @ x, rcond=_RCOND)[0], dtype=np.float64)
+    if float(np.abs(step).max(initial=0.0)) < _POLISH * max(1.0, float(np.abs(x).max(initial=0.0))):
         x = x + step
     return x, duals, float(cost @ x)
 

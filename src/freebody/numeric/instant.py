@@ -28,8 +28,9 @@ from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import TIME, Array, Jet, JetGeometry
 from freebody.numeric.split import RANK_CUT, Split, stack
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
-_CANCELS = 1e-12  # terms that come to less than this part of their sizes come to zero
+_CANCELS = ROUNDED  # terms that come to less than this part of their sizes come to zero
 
 
 @dataclass(frozen=True)
@@ -148,7 +149,7 @@ def _law_names(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, meas
 
 def _check_consistent(reference: NumericSystem, split: Split, gaps: Array, b: Array) -> None:
     gaps, b = split.row_scale * np.abs(gaps), split.row_scale * np.abs(b)
-    if gaps.size and gaps.max() > 1e-6 * b.max() + 1e-9 * split.row_scale.max() * reference.sizes.length:
+    if gaps.size and gaps.max() > 1e-6 * b.max() + ROUND_OFF * split.row_scale.max() * reference.sizes.length:
         k = int(gaps.argmax())
         raise CannotAnswer(
             Message(

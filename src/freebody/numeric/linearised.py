@@ -22,6 +22,11 @@ from freebody.numeric.jets import Array, Branch
 from freebody.numeric.placing import PoseEquation
 from freebody.numeric.start import start_velocities
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUND_OFF
+
+_PULL, _OF_MOVED = 1e-7, 1e-5  # of the loads, and of what they come to a thousandth of the size away: what is left of
+# their balance at an equilibrium that was found by iteration
+_BY_DIFFERENCES = 1e-7  # of the largest stiffness: what finite differences leave of a zero
 
 
 def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, float]) -> tuple[Array, Array]:
@@ -52,7 +57,7 @@ def linearised(reference: NumericSystem, q: Array, branches: Mapping[Branch, flo
         z[i] = h
         moved = max(moved, float(np.linalg.norm(force(z))))
         K[:, i] = -(8.0 * (force(z) - force(-z)) - (force(2.0 * z) - force(-2.0 * z))) / (12.0 * h)
-    if np.linalg.norm(pull) > 1e-7 * scale + 1e-5 * moved:
+    if np.linalg.norm(pull) > _PULL * scale + _OF_MOVED * moved:
         if start_velocities(reference, g, (), with_start=False).any():
             raise CannotAnswer(
                 Message(
@@ -78,14 +83,14 @@ def frequencies(mass: Array, K: Array) -> Array:
     root = np.linalg.inv(np.linalg.cholesky(mass))
     A = root @ K @ root.T
     largest = float(np.abs(A).max())
-    if np.abs(A - A.T).max() <= 1e-7 * largest:
+    if np.abs(A - A.T).max() <= _BY_DIFFERENCES * largest:
         squares = np.linalg.eigvalsh((A + A.T) / 2.0)
     else:
         eigenvalues = np.linalg.eigvals(A)
-        if np.abs(eigenvalues.imag).max() > 1e-7 * largest:
+        if np.abs(eigenvalues.imag).max() > _BY_DIFFERENCES * largest:
             raise CannotAnswer(Message("the loads have no potential, and the motion about this pose grows (flutter)"))
         squares = np.sort(eigenvalues.real)
-    squares[np.abs(squares) < 1e-9 * largest] = 0.0
+    squares[np.abs(squares) < ROUND_OFF * largest] = 0.0
     if squares[0] < 0.0:
         raise CannotAnswer(
             Message("the equilibrium is unstable: a small motion grows at {rate:.6g} 1/s", rate=math.sqrt(-squares[0]))

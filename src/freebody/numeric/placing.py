@@ -32,6 +32,9 @@ ACCEPTED = 1e-11  # up to which it is accepted where rounding stops the improvem
 # the slope of the gaps, by their size and steepness, at which they are taken to be stationary; where a singular pose
 # fulfils everything the slope is as small as its square root of the gaps, 1e-3 at the least where this is asked
 STATIONARY = 1e-6
+_NEWTON = 1e-6  # by the size of the system: from gaps below this Newton's steps close them
+_EQUAL = 1e-6  # relative: gaps that round-off does not tell apart
+_RCOND = 1e-13  # of equations that say the same thing
 N_STEPS = 200
 
 
@@ -90,7 +93,7 @@ class Fit:
     def worst(self) -> str:
         sizes = np.abs(self.weights * self.gaps)
         # of gaps that are equally large round-off does not choose one, nor does their order
-        largest = np.flatnonzero(sizes >= (1.0 - 1e-6) * sizes.max())
+        largest = np.flatnonzero(sizes >= (1.0 - _EQUAL) * sizes.max())
         k = min(largest.tolist(), key=lambda n: self.equations[n].name)
         equation = self.equations[k]
         return Message(
@@ -135,7 +138,7 @@ class Placing:
             if here.error <= TOLERANCE:
                 break
             A, F = here.weights[:, None] * here.rows * D, here.weights * here.gaps
-            is_close = here.error < 1e-6
+            is_close = here.error < _NEWTON
             if is_close:
                 step = -Split(here.rows, self.sizes.small_moves).least(here.gaps)
             else:
@@ -175,5 +178,5 @@ def _damped(square: Array, mu: float, F: Array) -> Array:
     try:
         x = np.linalg.solve(damped, F)
     except np.linalg.LinAlgError:
-        x = np.linalg.lstsq(damped, F, rcond=1e-13)[0]
+        x = np.linalg.lstsq(damped, F, rcond=_RCOND)[0]
     return x

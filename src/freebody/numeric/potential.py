@@ -22,6 +22,7 @@ from freebody.model.elements import RATE, VALUE, AppliedLoad, NonholonomicForm
 from freebody.numeric.checks import finite, named
 from freebody.numeric.jets import Array
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUNDED
 
 
 def potential(reference: NumericSystem, push: AppliedLoad, value: Callable[[Measure], float]) -> float:
@@ -85,6 +86,6 @@ def _integral(f: Callable[[Array], Array], upper: float) -> float:
         for first, second in ((1, 2), (80, 100)):
             coarse, _ = panels(np.append(0.0, 0.5 ** np.arange(first - 1.0, -1.0, -1.0)))
             fine, size = panels(np.append(0.0, 0.5 ** np.arange(second - 1.0, -1.0, -1.0)))
-            if abs(fine - coarse) <= 1e-12 * size:
+            if abs(fine - coarse) <= ROUNDED * size:
                 return finite(fine)
     raise ValueError("its law cannot be integrated from 0")

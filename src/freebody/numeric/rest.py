@@ -32,7 +32,7 @@ from freebody.numeric.placing import ACCEPTED, PoseEquation
 from freebody.numeric.potential import potential
 from freebody.numeric.small_motion import LinearisationPoint
 from freebody.numeric.split import Split, stack
-from freebody.tolerances import LEAST
+from freebody.tolerances import LEAST, ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.numeric.reference import Reference
@@ -41,6 +41,9 @@ SAME = 1e-5  # poses nearer than this, by the size of the system, are one
 FAR, FAR_ROUND = 1e5, 300.0  # beyond so many sizes, or radians, from where it began a search is given up
 _REACH = 0.5  # of the first step of a search, in sizes or radians
 _N_ITERATIONS = 80
+_STEP = 1e-7  # by the size of the system: a difference ahead keeps half of the digits
+_SMALL = 1e-13  # the same: a step after which nothing changes any more
+_DOWN = 1e-6  # of the loads: from where what is left of them is balanced by Newton's steps
 
 
 @dataclass(frozen=True)
@@ -128,7 +131,7 @@ class RestFinder:
         K = np.zeros((N.shape[1], N.shape[1]))
         rest = here.forces + here.J.T @ here.multipliers
         for k, direction in enumerate(N.T):
-            h = 1e-7 / float(reference.sizes.relative(direction).max())
+            h = _STEP / float(reference.sizes.relative(direction).max())
             K[:, k] = -(N.T @ (pull(reference.frame.moved(here.pose.q, h * direction)) - rest)) / h
         return K
 
@@ -196,7 +199,7 @@ class RestFinder:
             if there is not None and there.error < here.error:
                 # a step that keeps what it promises may be followed by a longer one
                 reach = 2.0 * reach if there.error <= (1.0 - 0.5 * part) * here.error else _REACH
-                small = float(self.reference.sizes.relative(step).max()) < 1e-13
+                small = float(self.reference.sizes.relative(step).max()) < _SMALL
                 ratio, here, damping = there.error / here.error, there, max(0.1 * damping, 1e-10)
                 if small:
                     break
@@ -219,7 +222,7 @@ class RestFinder:
             return True
         K, N = self.stiffness(here), here.split.null
         off = 1e-3 / max(float(self.reference.sizes.relative(direction).max()) for direction in N.T)
-        return here.error <= 1e-9 * (here.scale + off * float(np.linalg.norm(K)))
+        return here.error <= ROUND_OFF * (here.scale + off * float(np.linalg.norm(K)))
 
     def lowest_near(self, pose: CountedPose) -> LoadBalance | None:
         """The rest to which the way downhill leads; None without a potential, or if there is none in reach."""
@@ -228,7 +231,7 @@ class RestFinder:
         for _ in range(_N_ITERATIONS):
             if here is None or height is None or not len(here.residual) or self._is_far(here.pose, pose):
                 return None
-            if here.error <= 1e-6 * here.scale:
+            if here.error <= _DOWN * here.scale:
                 break
             try:
                 K = self.stiffness(here)
@@ -287,7 +290,7 @@ class RestFinder:
             np.array([law(self.reference, g, push) for push in self.reference.system.pushes])
             for g in (self.geometry(a.pose), self.geometry(b.pose))
         ]
-        return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + 1e-9)
+        return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + ROUND_OFF)
 
 
 def _least_squares(A: Array, b: Array) -> Array:

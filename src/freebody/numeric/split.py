@@ -18,6 +18,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
+from freebody.tolerances import ROUNDED
 
 RANK_CUT = 1e-10  # singular values below this part of the largest count as zero
 
@@ -36,7 +37,7 @@ class Split:
     def __init__(self, J: Array, D: Array, cut: float = RANK_CUT) -> None:
         sizes: Array = np.linalg.norm(J * D, axis=1)
         largest = float(sizes.max(initial=0.0)) or 1.0
-        self.row_scale: Array = 1.0 / np.where(sizes > 1e-12 * largest, sizes, largest)
+        self.row_scale: Array = 1.0 / np.where(sizes > ROUNDED * largest, sizes, largest)
         self._D = D
         U, singular, Vt = np.linalg.svd(self.row_scale[:, None] * J * D)
         rank = int(np.count_nonzero(singular > cut * singular.max(initial=0.0)))

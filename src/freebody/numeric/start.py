@@ -29,6 +29,7 @@ from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.split import Split, stack
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 N_STARTS = 16
 MOST_STEPS = 3200  # of all starts together
@@ -318,11 +319,11 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
         return np.zeros(n)
     J = stack([jet.row(n) for _name, jet, _rate in wanted], n)
     v = _given(reference, g.q) if with_start else None
-    if v is None or np.abs(J @ v - b).max() > 1e-12 * np.abs(b).max():
+    if v is None or np.abs(J @ v - b).max() > ROUNDED * np.abs(b).max():
         split = Split(J, reference.sizes.small_moves)
         v = _of_least_energy(reference.masses, split.null, split.least(b))
     gaps = np.abs(J @ v - b)
-    if gaps.size and gaps.max() > 1e-9 * max(1.0, float(np.abs(b).max())):
+    if gaps.size and gaps.max() > ROUND_OFF * max(1.0, float(np.abs(b).max())):
         k = int(gaps.argmax())
         raise CannotAnswer(
             Message(

@@ -17,6 +17,7 @@ import numpy as np
 from freebody.numeric.jets import Array
 from freebody.numeric.small_motion import SmallCoordinate, coordinates
 from freebody.numeric.split import stack
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.numeric.rest import CountedPose, LoadBalance, RestFinder
@@ -42,7 +43,7 @@ def toured(statics: RestFinder, pose: CountedPose, k: int) -> Iterator[CountedPo
     ahead = list(way.stops(1.0))
     behind = [] if way.has_closed else list(way.stops(-1.0))
     line = [_TourPose(stop.balance, -stop.along) for stop in reversed(behind[1:])] + ahead
-    rests = [stop.balance.error <= 1e-9 * stop.balance.scale for stop in line]
+    rests = [stop.balance.error <= ROUND_OFF * stop.balance.scale for stop in line]
     for i, here in enumerate(line):
         neighbours = [j for j in (i - 1, i + 1) if 0 <= j < len(line)]
         if rests[i]:

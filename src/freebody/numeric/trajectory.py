@@ -30,6 +30,8 @@ from freebody.numeric.system import NumericSystem
 # The rank cut along a motion, which with it runs through singular poses: rows that nearly depend on each other
 # there are not followed, because they would enlarge the error of a step by the inverse of this.
 MOVING_CUT = 1e-3
+_RTOL, _ATOL = 1e-11, 1e-12  # of a step, relative and [SI]
+_SAME_TIME = 1e-14  # [s] and relative: what is left of the way is the rounding of its times
 N_STEPS = 100_000
 
 
@@ -75,7 +77,7 @@ def integrate(
     now = steps.projected(start.q, start.v, start.t, start)
     snapshots, size = [now], None
     watch = None if event is None else EventWatch(event, now)
-    while until - now.t > 1e-14 * max(1.0, abs(until)):
+    while until - now.t > _SAME_TIME * max(1.0, abs(until)):
         if len(snapshots) > N_STEPS:
             raise CannotAnswer(
                 Message("{n} steps reach only t = {t:.6g} s of {until:.6g} s", n=N_STEPS, t=now.t, until=until)
@@ -116,7 +118,7 @@ class _Steps:
 
         size = None if first is None else min(first, end - of.t)
         y = np.concatenate((of.q, of.v))
-        solver: Any = DOP853(rhs, of.t, y, end, rtol=1e-11, atol=1e-12, first_step=size)
+        solver: Any = DOP853(rhs, of.t, y, end, rtol=_RTOL, atol=_ATOL, first_step=size)
         return solver
 
     def stepped(self, of: Snapshot, solver: Any) -> Snapshot:

@@ -25,11 +25,15 @@ from numpy.typing import NDArray
 
 from freebody.numeric.jets import Array
 from freebody.numeric.small_motion import SmallMotion
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 Kind = Literal["oscillation", "rigid", "creeping", "growing"]
 Verdict = Literal["stable", "unstable", "neutral", "undecided by the linearisation"]
 
-_ASYMMETRY = 1e-8
+_ASYMMETRY = 1e-8  # of the largest stiffness: what finite differences leave
+_UNDAMPED = 1e-13  # of the root of the largest stiffness: damping below this has no part in the motion
+_NONE = 1e-10  # of the largest damping, or of a rate: a power or a growth that is none
+_PURE = 1e-14  # of the largest rate: the real part that eigenvalues of an undamped motion are left with
 _ZERO_RATE = 1e-6  # of the fastest rate: what rounding makes of a double zero
 
 
@@ -60,7 +64,7 @@ def natural_motions(small: SmallMotion) -> list[NaturalMotion]:
     small.A  # noqa: B018 (raises without inertia)
     if len(small.positions) == len(small.speeds):
         T, K, C = _by_the_masses(small)
-        if _is_symmetric(K) and np.abs(C).max() <= 1e-13 * math.sqrt(float(np.abs(K).max()) or 1.0):
+        if _is_symmetric(K) and np.abs(C).max() <= _UNDAMPED * math.sqrt(float(np.abs(K).max()) or 1.0):
             found = _undamped(small, T, K)
         else:
             found = _damped(small, T, K, C)
@@ -76,7 +80,7 @@ def stability(small: SmallMotion) -> Stability:
     if len(small.positions) > len(small.speeds):
         return _by_rates(small, "neutral")
     K, C = small.stiffness, small.damping
-    dissipates = float(np.linalg.eigvalsh(C + C.T)[0]) >= -1e-10 * float(np.abs(C).max())
+    dissipates = float(np.linalg.eigvalsh(C + C.T)[0]) >= -_NONE * float(np.abs(C).max())
     if not _is_symmetric(K, small.noise) or not dissipates:
         return _by_rates(small, "undecided by the linearisation")
     values, vectors = np.linalg.eigh((K + K.T) / 2.0)
@@ -86,7 +90,7 @@ def stability(small: SmallMotion) -> Stability:
         return Stability("stable", lowest, "stiffness", motion)
     if lowest >= -small.noise:
         return Stability("neutral", 0.0, "stiffness", motion, soft)
-    if np.abs(C - C.T).max() <= 1e-10 * np.abs(C).max():
+    if np.abs(C - C.T).max() <= _NONE * np.abs(C).max():
         return Stability("unstable", lowest, "stiffness", motion, soft)
     return replace(_by_rates(small, "undecided by the linearisation"), soft=soft)
 
@@ -98,9 +102,9 @@ def _by_rates(small: SmallMotion, otherwise: Verdict) -> Stability:
     worst = max(motions, key=lambda m: m.rate.real)
     growth = worst.rate.real
     verdict: Verdict = otherwise
-    if growth > 1e-9 * fastest and worst.kind != "rigid":
+    if growth > ROUND_OFF * fastest and worst.kind != "rigid":
         verdict = "unstable"
-    elif growth < -1e-9 * fastest and otherwise != "neutral":
+    elif growth < -ROUND_OFF * fastest and otherwise != "neutral":
         verdict = "stable"
     return Stability(verdict, worst.rate, "state matrix", np.asarray(worst.motion.real, dtype=np.float64))
 
@@ -160,12 +164,12 @@ def _general(small: SmallMotion) -> list[NaturalMotion]:
 
 
 def _moving(rate: complex, motion: NDArray[np.complex128], pace: float) -> NaturalMotion:
-    if abs(rate.imag) <= 1e-12 * abs(rate):
+    if abs(rate.imag) <= ROUNDED * abs(rate):
         rate = complex(rate.real)
-    if abs(rate.real) <= 1e-14 * pace:
+    if abs(rate.real) <= _PURE * pace:
         rate = complex(0.0, rate.imag)
     kind: Kind = "oscillation" if rate.imag else "creeping"
-    return NaturalMotion(rate, "growing" if rate.real > 1e-10 * abs(rate) else kind, motion)
+    return NaturalMotion(rate, "growing" if rate.real > _NONE * abs(rate) else kind, motion)
 
 
 def _eig(A: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:

@@ -41,7 +41,7 @@ from freebody.study.small_motion.equilibrium import moved_most
 from freebody.study.small_motion.found import unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
-from freebody.tolerances import LEAST
+from freebody.tolerances import LEAST, ROUND_OFF
 
 # text in `t` and the parameters; a number; a function of t giving (value, rate, acceleration); three arrays of these
 Course = str | float | Callable[[float], Sequence[float]] | Sequence[ArrayLike]
@@ -252,7 +252,7 @@ class _Follower:
         for row, course in zip(self.rows, self.courses, strict=True):
             gradient = reference.jet(g, course.measure, course.name).row(n)
             own = left.T @ gradient
-            if float(np.linalg.norm(own)) <= 1e-9 * float(np.linalg.norm(gradient * D)):
+            if float(np.linalg.norm(own)) <= ROUND_OFF * float(np.linalg.norm(gradient * D)):
                 before = ", ".join(["the connections", *held] if dof - left.shape[1] == 0 or not held else held)
                 raise CannotAnswer(
                     Message(

@@ -24,9 +24,9 @@ from freebody.questions.reading import QuestionEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
+from freebody.tolerances import ROUNDED
 
 TrueWhen = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself
-ROUND_OFF_OF_FORCES = 1e-12
 INTEGRATED = 1e-10  # what is left of a speed after a motion in numbers where it vanishes
 N_WORLDS = 4  # random motions at which a line is looked at
 
@@ -74,7 +74,7 @@ class World(SymbolValues):
         masses, v = self.snapshot.reference.masses, self.snapshot.v
         with suppress(CannotAnswer):
             a = self.snapshot.accelerations
-            noise = ROUND_OFF_OF_FORCES * max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
+            noise = ROUNDED * max(float(f.max(initial=0.0)) for f in (abs(masses * a), abs(masses * v * v)))
             fastest = max(float(f.max(initial=0.0)) for f in (abs(v), abs(a), abs(self.draw.start().v)))
             return max(noise, INTEGRATED * fastest) if self.is_integrated else noise
         return 0.0

@@ -21,9 +21,9 @@ from freebody.numeric.jets import Array
 from freebody.questions.reading import Question
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
+from freebody.tolerances import ROUND_OFF
 
 MOST_EQUATIONS = 18
-_SINGULAR = 1e-9
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ class BodyEquations:
             if body == m.body and slot in m.slots:
                 matrix[k, column] *= m.factor
         try:
-            if abs(np.linalg.det(matrix)) < _SINGULAR:
+            if abs(np.linalg.det(matrix)) < ROUND_OFF:
                 return (float("nan"),) * len(self.parts)
             solved = np.linalg.solve(matrix, equations[1])
             values = {**point, **dict(zip(self.columns, map(float, solved), strict=True))}

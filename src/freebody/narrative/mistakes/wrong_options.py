@@ -23,8 +23,8 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import SEED
 from freebody.symbolic.field import Ratio
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
-_CLOSE = 1e-9
 _N_MOTIONS = 2
 _FASTER = 1.37
 FAILURES = (
@@ -157,6 +157,6 @@ class WrongOptions:
 def near(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
     """Whether numbers agree but for round-off."""
     for x, y in zip(a, b, strict=True):
-        if not (math.isfinite(x) and math.isfinite(y)) or abs(x - y) > _CLOSE * max(abs(x), abs(y), 1e-12):
+        if not (math.isfinite(x) and math.isfinite(y)) or abs(x - y) > ROUND_OFF * max(abs(x), abs(y), ROUNDED):
             return False
     return True

@@ -19,7 +19,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, World
 from freebody.narrative.principles.acting import Acting
 
-_ALIKE = 1e-8
+_ALIKE = 1e-8  # relative, of numbers of two copies: half of the digits of what was solved for
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,8 @@ from freebody.numeric.contact.problem import RowState
 from freebody.numeric.contact.ranges import Feasible, force_ranges
 from freebody.numeric.contact.record import ABSENT
 from freebody.numeric.engine.course import Trajectory
+from freebody.tolerances import ROUNDED
 
-ROUND_OFF = 1e-12
 _STATE_OF_SLIP = {0: RowState.STICKING, 1: RowState.FORWARD, -1: RowState.BACKWARD}
 
 
@@ -44,6 +44,6 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     named: dict[str, tuple[float, float]] = {}
     for row, place in enumerate(places):
         sign = bounded.rows[place].sign * signs[row]
-        ends = sorted(0.0 if abs(x) < ROUND_OFF * size else float(sign * x) for x in (found.low[row], found.high[row]))
+        ends = sorted(0.0 if abs(x) < ROUNDED * size else float(sign * x) for x in (found.low[row], found.high[row]))
         named[bounded.rows[place].name] = ends[0], ends[1]
     return named

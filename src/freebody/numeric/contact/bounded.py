@@ -26,6 +26,7 @@ from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_RESERVE, 
 from freebody.numeric.numbers import Numbers
 
 LENT = 1e-6  # part of the mass lent to massless bodies that they keep in contact problems
+_SAME_SLIP = 1e-11  # relative, of gradients: drags along one line slip together
 MOST_BOUNDS = 6000
 TOUCHING = 1e-10  # gaps below this part of the system's size are none; so far a foot may be beyond the end of its edge
 
@@ -325,7 +326,7 @@ class Bounded:
                 continue
             row = now.gradients[self.drags[k].keeps]
             for group in groups:
-                if np.abs(now.gradients[self.drags[group[0]].keeps] - row).max() <= 1e-11 * np.abs(row).max():
+                if np.abs(now.gradients[self.drags[group[0]].keeps] - row).max() <= _SAME_SLIP * np.abs(row).max():
                     group.append(k)
                     break
             else:

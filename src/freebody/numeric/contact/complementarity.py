@@ -13,10 +13,12 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from freebody.tolerances import LEAST, ROUNDED
+
 Array = NDArray[np.float64]
 
-_PIVOT = 1e-12  # entries of the equilibrated column below are zero
-_TIE = 1e-13
+_PIVOT = ROUNDED  # entries of the equilibrated column below are zero
+_TIE = 1e-13  # relative, of ratios: those that are the least but for the last digits leave by the order of the rows
 
 
 class Ended(Enum):
@@ -137,7 +139,7 @@ def _judged(M: Array, q: Array, z: Array, ended: Ended, n_pivots: int, tolerance
     """Clips what rounding left, and measures z.w = 0 and the signs against the size of the terms."""
     w = M @ z + q
     size = np.abs(M) @ np.abs(z) + np.abs(q)
-    size += 1e-4 * size.max(initial=0.0) + 1e-300  # a row whose terms all vanish is rounded as the others
+    size += 1e-4 * size.max(initial=0.0) + LEAST  # a row whose terms all vanish is rounded as the others
     largest_z = float(np.abs(z).max(initial=0.0)) or 1.0
     gap = np.minimum(w / size, z / largest_z)  # 0 where complementary, negative where a sign is wrong
     residual = float(np.abs(gap).max(initial=0.0))

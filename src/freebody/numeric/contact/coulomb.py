@@ -18,6 +18,8 @@ from freebody.numeric.contact.problem import SLIPPING, Array, Mode, RowState
 from freebody.numeric.contact.reduction import ReducedFriction, ReducedProblem
 
 _ROUNDS = 40
+_SETTLED = 1e-13  # relative, of magnitudes from one round to the next: in their last digits
+_NONE = 1e-10  # of the largest terms: an acceleration, or a force within its cone, that is none
 
 
 def lemke_guess(reduced: ReducedProblem, rules: Rules) -> tuple[Array, Mode] | None:
@@ -29,7 +31,7 @@ def lemke_guess(reduced: ReducedProblem, rules: Rules) -> tuple[Array, Mode] | N
         if found is None:
             return None
         renewed = _magnitudes(reduced, found[0])
-        if np.abs(renewed - magnitudes).max(initial=0.0) <= 1e-13 * (1.0 + np.abs(renewed).max(initial=0.0)):
+        if np.abs(renewed - magnitudes).max(initial=0.0) <= _SETTLED * (1.0 + np.abs(renewed).max(initial=0.0)):
             return found
         magnitudes = renewed
     return found
@@ -93,7 +95,7 @@ def _solved(
     if not found.is_solved:
         return None
     x = x0 + S @ found.z[: m + k]
-    small = 1e-10 * float((np.abs(reduced.A) @ np.abs(x) + reduced.size).max(initial=0.0))
+    small = _NONE * float((np.abs(reduced.A) @ np.abs(x) + reduced.size).max(initial=0.0))
     states = [RowState.OPEN] * reduced.n_normals + [RowState.ABSENT] * len(reduced.frictions)
     for i, w in zip(normals, found.w[:m].tolist(), strict=True):
         states[i] = RowState.CLOSED if w <= small else RowState.OPEN

@@ -42,9 +42,12 @@ from freebody.numeric.contact.problem import (
 from freebody.numeric.contact.reduction import ReducedProblem, reduced
 from freebody.numeric.contact.sieve import plausible
 from freebody.numeric.contact.uniqueness import is_certainly_unique
+from freebody.tolerances import ROUNDED
 
 MOST_MODES = 4096
 MOST_CHANGES = 100  # of a mode, one after another, where there are too many to try them all
+_BARELY = 1e-10  # of the terms of a row, and
+_OF_LARGEST = 1e-13  # of those of the largest: accelerations and slips that are none
 _SAME = 1e-8  # accelerations that differ by less, relative to their terms, are one outcome
 
 
@@ -221,7 +224,7 @@ def _fitted(system: ReducedProblem, rules: Rules, mode: Mode) -> Mode | None:
 def _lasting(system: ReducedProblem, rules: Rules, found: ModeSolution) -> ModeSolution:
     """The same outcome with contacts that neither press nor part called closed, and rubs that barely slip sticking."""
     sizes = system.magnitude @ abs(found.x) + system.size
-    small = 1e-10 * sizes + 1e-13 * float(sizes.max(initial=0.0))
+    small = _BARELY * sizes + _OF_LARGEST * float(sizes.max(initial=0.0))
     mode = list(found.mode)
     for i in range(system.n_normals):
         if mode[i] is RowState.OPEN and found.a[i] <= small[i] and rules.allows(i, RowState.CLOSED):
@@ -290,7 +293,7 @@ def _effort(system: ReducedProblem, found: ModeSolution) -> float:
 def _is_same(system: ReducedProblem, one: ModeSolution, other: ModeSolution) -> bool:
     """Whether all accelerations agree: A (x - x') = 0 also means that every body moves alike."""
     sizes = system.magnitude @ np.maximum(abs(one.x), abs(other.x)) + system.size
-    return bool((abs(one.a - other.a) <= _SAME * sizes + 1e-12 * sizes.max(initial=0.0)).all())
+    return bool((abs(one.a - other.a) <= _SAME * sizes + ROUNDED * sizes.max(initial=0.0)).all())
 
 
 def _outcome(system: ReducedProblem, found: list[ModeSolution], *, is_proven: bool) -> ForceOutcome:

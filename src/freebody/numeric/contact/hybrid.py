@@ -30,10 +30,13 @@ from freebody.numeric.engine.motion import stopped
 from freebody.numeric.engine.patrol import Guarding
 from freebody.numeric.engine.writing import OF_MULTIPLIER, OF_RATE, OF_VALUE
 from freebody.numeric.options import SimulationOptions
+from freebody.tolerances import ROUND_OFF
 
 FIRST_STEP = 0.1  # of a phase, by the last of the one before
 MOST_AT_ONCE = 40  # phases without progress
 MOST_EVENTS = 20_000
+_FREE = 1e-6  # a force that null vectors of unit length leave free, by the sizes of rows
+_SLIGHT = 1e-7  # of the largest effect: what free forces change by friction that is none
 NO_ENERGY = 1e-10  # by the kinetic energy
 CLOSED = 1e-12  # a gap that is none, by the size of the system
 ADVICE = Message("use time stepping (method moreau, with a step), which does not follow single events")
@@ -252,7 +255,7 @@ class Hybrid:
         found = [
             k
             for k in pressed
-            if any(np.abs(free[p]).max() > 1e-6 / sizes[row_of[p]] for p in b.drags[k].loads if p in free)
+            if any(np.abs(free[p]).max() > _FREE / sizes[row_of[p]] for p in b.drags[k].loads if p in free)
         ]
         if not found or not self._matters(engine, mode, free, found):
             return
@@ -298,7 +301,7 @@ class Hybrid:
             effect = (state or 1) * c * drag.load_sign * np.outer(along, free[drag.loads[0]])
             total[bool(state)] = total.get(bool(state), np.zeros_like(effect)) + effect
         scale = max(float(np.abs(x).max(initial=0.0)) for x in free.values())
-        return any(float(np.abs(x).max(initial=0.0)) > 1e-7 * scale for x in total.values())
+        return any(float(np.abs(x).max(initial=0.0)) > _SLIGHT * scale for x in total.values())
 
     def _advised(self, trouble: Message) -> str:
         return trouble if self.bounded.numbers.system.space else further(trouble, ADVICE)
@@ -395,7 +398,7 @@ def _idle(forces: Floats, free: Floats, weights: Floats, pushing: dict[int, int]
     size = float(np.abs(forces).max(initial=0.0))
     rows = list(pushing)
     signs = np.array([pushing[row] for row in rows], dtype=np.float64)
-    if not bool((signs * forces[rows] < -1e-9 * size).any()):
+    if not bool((signs * forces[rows] < -ROUND_OFF * size).any()):
         return []
     inverse = np.linalg.inv(np.linalg.qr(weights[:, None] * free, mode="r"))
     among = free @ inverse
@@ -403,4 +406,4 @@ def _idle(forces: Floats, free: Floats, weights: Floats, pushing: dict[int, int]
     if least is None:
         return None
     found = forces + among @ least
-    return [row for row, sign in zip(rows, signs, strict=True) if sign * found[row] <= 1e-9 * size]
+    return [row for row, sign in zip(rows, signs, strict=True) if sign * found[row] <= ROUND_OFF * size]

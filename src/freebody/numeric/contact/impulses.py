@@ -12,7 +12,7 @@ import numpy as np
 
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow, Mode, OutcomeCount
 
-_GREW = 1e-11
+_GREW = 1e-11  # of the terms of the work of impulses: energy that grows by less is round-off
 
 
 @dataclass(frozen=True, slots=True)

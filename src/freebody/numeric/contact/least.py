@@ -14,15 +14,19 @@ import numpy as np
 import scipy.optimize
 from numpy.typing import NDArray
 
+from freebody.tolerances import ROUND_OFF, ROUNDED
+
 Array = NDArray[np.float64]
 _optimize: Any = scipy.optimize
+
+_FAR = 1e-7  # what is left of the unit vector: no y is as long as one over this
 
 
 def least_within(G: Array, h: Array) -> Array | None:
     """The shortest y (k,) with G y >= h, G (m, k), or None if there is none, or none shorter than about 1e7."""
     lengths: Array = np.sqrt((G * G).sum(axis=1))
-    moving = lengths > 1e-12
-    if bool((h[~moving] > 1e-9).any()):
+    moving = lengths > ROUNDED
+    if bool((h[~moving] > ROUND_OFF).any()):
         return None
     directions, offsets = G[moving] / lengths[moving, None], h[moving] / lengths[moving]
     if bool((offsets <= 0.0).all()):
@@ -36,10 +40,10 @@ def least_within(G: Array, h: Array) -> Array | None:
     except RuntimeError:  # too many iterations
         return None
     r = E @ u - f
-    if float(np.linalg.norm(r)) < 1e-7 or r[-1] == 0.0:
+    if float(np.linalg.norm(r)) < _FAR or r[-1] == 0.0:
         return None
     y = -r[:-1] / r[-1]
     # the inequalities that hold y back are met exactly
-    tight = u > 1e-12 * float(u.max())
+    tight = u > ROUNDED * float(u.max())
     left_over = offsets[tight] - directions[tight] @ y
-    return y + np.asarray(np.linalg.lstsq(directions[tight], left_over, rcond=1e-12)[0], dtype=np.float64)
+    return y + np.asarray(np.linalg.lstsq(directions[tight], left_over, rcond=ROUNDED)[0], dtype=np.float64)

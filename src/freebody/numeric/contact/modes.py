@@ -20,12 +20,13 @@ import numpy as np
 from freebody.numeric.contact.least import least_within
 from freebody.numeric.contact.problem import SLIPPING, Array, Choice, Mode, RowState
 from freebody.numeric.contact.reduction import ReducedFriction, ReducedProblem, direction, magnitude_slope
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
-TOLERANCE = 1e-11
+TOLERANCE = 1e-11  # of the terms of a row: what its condition may miss by round-off
 _LOOSER = 1e3  # inequalities of a row that stands at an event, where its state was forced
-_FLOOR = 1e-14
-_RANK = 1e-12
-_SETTLED = 1e-13
+_FLOOR = 1e-14  # the same, of the terms of the largest row
+_RANK = ROUNDED  # singular values below this part of the largest are none, for every row
+_SETTLED = 1e-13  # relative, of forces from one round to the next: in their last digits
 _ROUNDS = 60
 
 
@@ -149,7 +150,7 @@ def _solved(G: Array, r: Array, is_regular: bool) -> tuple[Array | None, Array |
     U, values, V = np.linalg.svd(G)
     kept = values > _RANK * len(r) * values[0]
     x = V[kept].T @ ((U[:, kept].T @ r) / values[kept])
-    if np.abs(G @ x - r).max() > 1e-9 * max(size, float(np.abs(x).max())):
+    if np.abs(G @ x - r).max() > ROUND_OFF * max(size, float(np.abs(x).max())):
         return None, None
     return x, (V[~kept].T if not kept.all() else None)
 

@@ -17,12 +17,14 @@ import numpy as np
 import scipy.optimize
 
 from freebody.numeric.contact.problem import SLIPPING, Array, ContactProblem, FrictionProblemRow, Mode, RowState
+from freebody.tolerances import ROUND_OFF
 
 _optimize: Any = scipy.optimize
 
 _RANK = 1e-11  # of the matrix with unit diagonal
-_CONSISTENT = 1e-9
-_DETERMINED = 1e-9
+_CONSISTENT = ROUND_OFF  # of the terms of an equation: what it may miss
+_DETERMINED = ROUND_OFF  # of unit null vectors: a force along which none reaches is determined
+_OPTIMAL = 1e-10  # feasibility of a linear program, at the finest that its solver takes
 
 
 class Feasible(Enum):
@@ -198,6 +200,6 @@ def _least(cost: Array, cuts: list[_Cut]) -> float | None:
         b_eq=np.array([c.right for c in equal]) if equal else None,
         bounds=(None, None),
         method="highs",
-        options={"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10},
+        options={"primal_feasibility_tolerance": _OPTIMAL, "dual_feasibility_tolerance": _OPTIMAL},
     )
     return float(found.fun) if found.status == 0 else None

@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from freebody.numeric.contact.problem import Array, ContactProblem, FrictionProblemRow
+from freebody.tolerances import LEAST, ROUND_OFF, ROUNDED
 
-RANK = 1e-12  # of a matrix with unit diagonal
-_CONSISTENT = 1e-9
+RANK = ROUNDED  # of a matrix with unit diagonal
+_CONSISTENT = ROUND_OFF  # of the terms of an equation: what it may miss
+_PIVOT = 1e-5  # pivots of a matrix with unit diagonal that is solved to six digits: its condition is 1e10 at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,18 +134,18 @@ def _held_forces(
         idle = scale[:, None] * vectors[:, ~kept]
     left_over = np.abs(A_B @ solved[:, 0] - right[:, 0])
     terms = np.abs(A_B) @ np.abs(solved[:, 0]) + np.abs(right[:, 0])
-    is_consistent = bool((left_over <= _CONSISTENT * max(float(terms.max()), 1e-300)).all())
+    is_consistent = bool((left_over <= _CONSISTENT * max(float(terms.max()), LEAST)).all())
     solved = scale[:, None] * solved
     if idle.shape[1] and lengths is not None:
         h = lengths[held, None]
-        solved -= idle @ np.linalg.lstsq(h * idle, h * solved, rcond=1e-12)[0]
+        solved -= idle @ np.linalg.lstsq(h * idle, h * solved, rcond=ROUNDED)[0]
     return solved[:, 0], solved[:, 1:], is_consistent
 
 
 def _is_regular(A: Array) -> bool:
     """Whether a scaled positive semidefinite matrix has pivots well above rounding."""
     try:
-        return bool((np.linalg.cholesky(A).diagonal() > 1e-5).all())
+        return bool((np.linalg.cholesky(A).diagonal() > _PIVOT).all())
     except np.linalg.LinAlgError:
         return False
 

@@ -14,9 +14,9 @@ from freebody.numeric.contact.problem import Array, Mode, RowState
 from freebody.numeric.contact.reduction import ReducedProblem
 
 _FEW = 6
-_ROUGH = 1e-6
-_TRUST = 100.0
-_LENT = 1e-10
+_ROUGH = 1e-6  # of the terms of a row: a condition that misses by more is met in no way
+_TRUST = 100.0  # times what forces change by when twice as much is lent
+_LENT = 1e-10  # to the unit diagonal, so that rows that depend on each other have one solution
 
 
 def plausible(system: ReducedProblem, rules: Rules, modes: list[Mode]) -> list[Mode]:

@@ -24,6 +24,7 @@ from freebody.numeric.contact.keller import impact_without_collision
 from freebody.numeric.contact.problem import ForceOutcome, OutcomeCount, RowState
 from freebody.numeric.engine.layout import Floats
 from freebody.numeric.options import Law
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 STILL = 1e-9  # rates below this part of the system's speed are none
 REST = 1e-10  # gaps that do not come wider than this part of the system's size are none
@@ -182,7 +183,7 @@ class InstantTransition:
                 if not one.obstacle or one.obstacle != other.obstacle:
                     continue
                 g, h = (x.sign * now.gradients[x.place] for x in (one, other))
-                if np.abs(g + h).max() > 1e-9 * np.abs(g).max():
+                if np.abs(g + h).max() > ROUND_OFF * np.abs(g).max():
                     continue
                 free = b.inverse_mass * now.force
 
@@ -203,7 +204,7 @@ class InstantTransition:
         fastest = float((np.abs(y[n : 2 * n]) / unit).max(initial=0.0)) * self.length
         hardest = float((np.abs(now.force * self.bounded.inverse_mass) / unit).max(initial=0.0)) * self.length
         self.fastest = max(self.fastest, fastest)
-        return max(self.fastest, 1e-3 * float(np.sqrt(hardest * self.length)), 1e-12)
+        return max(self.fastest, 1e-3 * float(np.sqrt(hardest * self.length)), ROUNDED)
 
     # -- impacts ------------------------------------------------------------------------------
     def _collide(
@@ -348,7 +349,7 @@ class InstantTransition:
                 row = len(held) + kept.index(b.drags[k].of)
                 along[row] -= slip * c * b.barriers[b.drags[k].of].sign * now.gradients[b.drags[k].keeps]
         weighted = along * b.inverse_mass
-        impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=1e-12)[0], dtype=np.float64)
+        impulse = np.asarray(np.linalg.lstsq(J @ weighted.T, -now.rates[places], rcond=ROUNDED)[0], dtype=np.float64)
         result.settled += (change := self._push(result.y, weighted, impulse))
         result.y[b.free.at_work] += change
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from freebody.numeric.contact.problem import Array
 from freebody.numeric.contact.reduction import RANK, ReducedProblem
+from freebody.tolerances import ROUND_OFF
 
 _MOST_RUBS = 5
 _BELOW = 0.999
@@ -43,14 +44,14 @@ def is_certainly_unique(system: ReducedProblem) -> bool:
         loads += [Q[0] for _, Q in friction.groups if len(Q) == 1]
         for load in loads:
             along = basis.T @ load
-            if float(np.abs(basis @ along - load).max()) > 1e-9 * float(np.abs(load).max()):
+            if float(np.abs(basis @ along - load).max()) > ROUND_OFF * float(np.abs(load).max()):
                 return False  # the load is not determined by the accelerations
             u = c * along / roots
             terms.append(u[:, None] * v)
             bound += 0.5 * (float(np.sqrt((u @ u) * (v @ v))) + abs(float(u @ v)))
         for Q in (Q for _, Q in friction.groups if len(Q) > 1):
             # the norm of a difference bounds the difference of norms
-            if float(np.abs(Q @ basis @ basis.T - Q).max()) > 1e-9 * (float(np.abs(Q).max()) or 1.0):
+            if float(np.abs(Q @ basis @ basis.T - Q).max()) > ROUND_OFF * (float(np.abs(Q).max()) or 1.0):
                 return False
             largest = c * float(np.linalg.norm((Q @ basis) / roots, 2) * np.sqrt(v @ v))
             bound += largest

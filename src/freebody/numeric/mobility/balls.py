@@ -34,6 +34,7 @@ from freebody.numeric.mobility.exact import (
 from freebody.numeric.rotation import matrix, quaternion, rotation_vector
 from freebody.numeric.split import RANK_CUT
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import ROUNDED
 
 N_STEPS = 40
 
@@ -277,13 +278,13 @@ def _nearest(x: float, candidates: Sequence[Any], within: float) -> Any:
 # -- closing ----------------------------------------------------------------------------------
 def refined(model: BallRows, q: Array, tolerance: float) -> tuple[BallPose, str]:
     """A pose near q that closes all rows to the tolerance, and what it is. Raises Unclear if none is found."""
-    for within in (1e-12, 2e-6):
+    for within in (ROUNDED, 2e-6):
         pose, _unknown = model.meant(q, within)
         model.count_from(pose)
         if max(map(size_of, model.gaps(pose)), default=0.0) <= tolerance:
             return pose, "at the pose in the exact numbers of the model"
     # what is known exactly stays if it can: a slide that is level is to stay level to all digits
-    _pose, unknown = model.meant(q, 1e-12)
+    _pose, unknown = model.meant(q, ROUNDED)
     # redundant rows that only keep their start values may contradict each other by the rounding of q: then they
     # count from a pose in which the others hold
     closing = [not (isinstance(row.measure, NonholonomicForm) or row.measure.incremental) for row in model.rows]
@@ -303,7 +304,7 @@ def refined(model: BallRows, q: Array, tolerance: float) -> tuple[BallPose, str]
 
 def _by_newton(model: BallRows, q: Array, free: Sequence[int], tolerance: float) -> tuple[BallPose, str]:
     """Steps of one pseudo-inverse from what q is meant to be, in the free coordinates, until the rows close."""
-    pose, _unknown = model.meant(q, 1e-12)
+    pose, _unknown = model.meant(q, ROUNDED)
     model.count_from(pose)
     D = model.reference.sizes.unit_moves
     J = model.slopes * D
@@ -331,7 +332,7 @@ def row_lengths(J: Array) -> Array:
     """Of the rows; of one that is zero, that of the longest."""
     sizes: Array = np.linalg.norm(J, axis=1)
     largest = float(sizes.max(initial=0.0)) or 1.0
-    return np.where(sizes > 1e-12 * largest, sizes, largest)
+    return np.where(sizes > ROUNDED * largest, sizes, largest)
 
 
 def _times_two(x: Any, n: int) -> Any:

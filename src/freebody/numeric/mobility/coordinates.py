@@ -26,7 +26,7 @@ from freebody.numeric.system import NumericSystem
 from freebody.system.system import System
 
 _STILL = 1e-8  # of the slope of a measure, by the size of the system: less is no motion
-_INDEPENDENT = 1e-6
+_INDEPENDENT = 1e-6  # of a measure: a part of its slope across those before that is larger makes it a freedom more
 
 
 def independent_measures(reference: NumericSystem, q: Array) -> list[tuple[str, Measure]]:

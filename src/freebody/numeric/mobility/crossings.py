@@ -20,6 +20,8 @@ from freebody.numeric.jets import Array
 from freebody.numeric.mobility.curve import Mechanism, Station, flip
 
 _NODES = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])  # around a change point
+_CUT = 1e-7  # singular values below this part of the largest are none, at poses as good as they were assembled
+_FLAT = 1e-6  # a second form, or a part of a direction, that is none beside the others
 _CLOSE = 1e-4  # how near to a change point sigma is checked; lengths that differ by its square count as equal
 
 
@@ -132,7 +134,7 @@ def other_branch(mechanism: Mechanism, change: ChangePoint) -> Array | None:
     if seen is None:
         return None
     U, S, Vt = np.linalg.svd(seen[1])
-    cut = 1e-7 * float(S.max())
+    cut = _CUT * float(S.max())
     rank = int(np.count_nonzero(cut < S))
     null = Vt[rank:].T
     if null.shape[1] != 2:
@@ -151,6 +153,6 @@ def other_branch(mechanism: Mechanism, change: ChangePoint) -> Array | None:
     mixed = bent(t + p) - straight - across  # 2 F_xx[t, p]
     forms = np.column_stack([mixed, across])  # times (1, b) is zero, for the direction t + b p
     _U, size, W = np.linalg.svd(forms)
-    if size[0] < 1e-7 or (len(size) > 1 and size[1] > 1e-6 * size[0]) or abs(W[-1, 1]) < 1e-6:
+    if size[0] < _CUT or (len(size) > 1 and size[1] > _FLAT * size[0]) or abs(W[-1, 1]) < _FLAT:
         return None
     return mechanism.chart.speeds(change.x, W[-1, 0] * t + W[-1, 1] * p)

@@ -30,6 +30,7 @@ from freebody.numeric.placing import ACCEPTED
 from freebody.numeric.reference import Reference
 
 _SINGULAR = 1e-5  # singular values below this part of the largest count as zero in a given pose, which may be rounded
+_LAST, _AT_LEAST = 1e-13, 1e-9  # steps, relative: the last that improves, and one that may be when none is smaller
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,7 @@ class Mechanism:
             F, J, g = seen
             step = np.asarray(np.linalg.lstsq(np.vstack([J, across]), np.append(-F, 0.0), rcond=None)[0], np.float64)
             size, rounding = float(np.linalg.norm(step)), max(1.0, float(np.abs(x).max()))
-            if size <= 1e-13 * rounding or (size > 0.5 * last and last <= 1e-9 * rounding):
+            if size <= _LAST * rounding or (size > 0.5 * last and last <= _AT_LEAST * rounding):
                 return x, seen
             if size > 2.0 * last:
                 return None

@@ -51,6 +51,8 @@ from freebody.system.system import System
 from freebody.tolerances import LEAST
 
 CLOSED = 1e-10  # gaps up to which a geometry fits before it is refined
+_SHUT = 1e-13  # gaps of which a step improves nothing
+_RCOND = 1e-11  # of a step: directions in which rows that depend on each other leave only rounding
 N_DRAWS = 6
 N_STEPS = 40
 REACH = 5.0  # bodies are put in a square of twice this side; lengths are about one
@@ -263,7 +265,7 @@ class Framework:
         left = np.abs(gaps)
         g = self.geometry(numbers.tolist(), by, FLOATS)
         for part in _parts(gradients):
-            if left[part].max() > 1e-13:
+            if left[part].max() > _SHUT:
                 columns = {k for row in part for k in gradients[row]}
                 left[part] = self._close_part([rows[k] for k in part], numbers, by, g, columns)
         return left
@@ -279,12 +281,12 @@ class Framework:
         gaps, gradients = self._gaps(rows, numbers, by, like, changed)
         for _ in range(N_STEPS):
             size = float(np.abs(gaps).max(initial=0.0))
-            if size <= 1e-13:
+            if size <= _SHUT:
                 break
             columns, A = dense(gradients)
             if not columns:
                 break
-            step = np.linalg.pinv(A, rcond=1e-11) @ gaps
+            step = np.linalg.pinv(A, rcond=_RCOND) @ gaps
             step *= min(1.0, REACH / max(float(np.abs(step).max(initial=0.0)), LEAST))
             improved = False
             for _halving in range(8):
@@ -338,7 +340,7 @@ class Framework:
         steps: list[tuple[list[int], list[int], Any]] = []
         for part in _parts(gradients):
             columns, A = dense([gradients[k] for k in part])
-            steps.append((part, columns, np.linalg.pinv(A, rcond=1e-11)))
+            steps.append((part, columns, np.linalg.pinv(A, rcond=_RCOND)))
         error = math.inf
         for _ in range(N_STEPS):
             g = self.geometry(balls, (), BALLS)

@@ -35,6 +35,7 @@ from freebody.numeric.placing import ACCEPTED, Fit, PoseEquation
 from freebody.numeric.snapshot import snapshot_of
 from freebody.numeric.split import Split
 from freebody.numeric.system import NumericSystem
+from freebody.tolerances import SAME_PLACE
 
 N_IN_VAIN = 100  # starts that may lead to no pose at all
 _N_STEPS = 40  # of one start: one that has not come together by then seldom does
@@ -292,7 +293,7 @@ def _elsewhere(reference: NumericSystem, joints: Sequence[_Joint], but: _Joint, 
     here = _offset(reference, point)
     for joint in joints:
         other = joint.on(point.body) if joint is not but else None
-        if other is not None and math.dist(_offset(reference, other), here) > 1e-9 * reference.sizes.length:
+        if other is not None and math.dist(_offset(reference, other), here) > SAME_PLACE * reference.sizes.length:
             return other
     return None
 

@@ -33,6 +33,7 @@ from freebody.numeric.split import Split
 from freebody.tolerances import LEAST
 
 SIZES = (0.01, 0.05, 0.2)  # of the moves to poses near by, by the size of the system
+_CUT = 1e-7  # of rows and velocities of about one: what is below is none, at poses as good as they were assembled
 FAR = 0.02  # part of a move that is asked for, below which no pose is taken to be in reach
 N_SEEDS = 2
 N_EXACT = 16  # freedoms up to which Q is found as a matrix, else along random velocities
@@ -101,7 +102,7 @@ class Neighbourhood:
             return math.fsum(parts), math.fsum(map(abs, parts))
 
         values, size = _values(second, self.freedoms)
-        cut = 1e-7 * max(1.0, size)  # rows and velocities are of about one here
+        cut = _CUT * max(1.0, size)
         return bool((values > cut).any()), bool((values < -cut).any())
 
     def _geometry(self, v: Array) -> JetGeometry:

@@ -24,6 +24,9 @@ from freebody.numeric.mobility.crossings import other_branch
 from freebody.numeric.mobility.curve import Mechanism, Station, regular_start
 from freebody.numeric.mobility.walk import FAR, Walk, follow, joined, touches
 from freebody.numeric.reference import Reference
+from freebody.tolerances import ROUND_OFF
+
+_LAST_DIGIT = 1e-15  # of a way, and of a rate: no search comes nearer
 
 Kind = Literal["dead point", "change point", "output dead point"]
 
@@ -134,7 +137,7 @@ def _surveyed(mechanism: Mechanism, walk: Walk, outputs: Mapping[str, Measure], 
 
 def _must_move(mechanism: Mechanism, stations: Sequence[Station]) -> None:
     size = mechanism.reference.sizes.length if mechanism.measures[0].dimension == LENGTH else 1.0
-    if max(abs(float(station.rates[0])) for station in stations) < 1e-9 * size:
+    if max(abs(float(station.rates[0])) for station in stations) < ROUND_OFF * size:
         raise CannotAnswer(
             Message(
                 "{x} stays at {value:.6g} while the rest moves, so it is no input of this "
@@ -149,10 +152,10 @@ def _dead_points(mechanism: Mechanism, stations: Sequence[Station], k: int, name
     """Where the rate of the k-th measure changes its sign."""
     rates = np.array([station.rates[k] for station in stations])
     size = mechanism.reference.sizes.length if mechanism.measures[k].dimension == LENGTH else 1.0
-    if float(np.abs(rates).max()) < 1e-9 * size:
+    if float(np.abs(rates).max()) < ROUND_OFF * size:
         return
     # a rate that is zero but for round-off at a station has no sign of its own: those around it decide
-    clear = [i for i in range(len(stations)) if abs(rates[i]) > 1e-9 * size]
+    clear = [i for i in range(len(stations)) if abs(rates[i]) > ROUND_OFF * size]
     for i, j in pairwise(clear):
         a, b = stations[i], stations[j]
         if (rates[i] >= 0.0) == (rates[j] >= 0.0):
@@ -172,7 +175,7 @@ def _still(mechanism: Mechanism, a: Station, b: Station, k: int) -> tuple[Statio
     Source of the secant that does not stall: Dowell & Jarratt, BIT 11, 1971, 168-174 (Illinois)."""
     length = float(np.linalg.norm(b.x - a.x))
     low, high, at_low, at_high = 0.0, length, float(a.rates[k]), float(b.rates[k])
-    best, tiny = (a, low) if abs(at_low) < abs(at_high) else (b, high), 1e-15 * length
+    best, tiny = (a, low) if abs(at_low) < abs(at_high) else (b, high), _LAST_DIGIT * length
     for _ in range(60):
         if high - low <= tiny or at_low == at_high:
             break
@@ -183,7 +186,7 @@ def _still(mechanism: Mechanism, a: Station, b: Station, k: int) -> tuple[Statio
         rate = float(station.rates[k])
         if abs(rate) < abs(float(best[0].rates[k])):
             best = station, place
-        if abs(rate) <= 1e-15 * (abs(a.rates[k]) + abs(b.rates[k])):
+        if abs(rate) <= _LAST_DIGIT * (abs(a.rates[k]) + abs(b.rates[k])):
             break
         if (rate >= 0.0) == (at_high >= 0.0):
             high, at_high, at_low = place, rate, 0.5 * at_low

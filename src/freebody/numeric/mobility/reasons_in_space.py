@@ -22,6 +22,7 @@ from freebody.numeric.mobility.reasons import at_this_pose, in_groups
 from freebody.numeric.mobility.scene import joined, leaves
 from freebody.numeric.mobility.twists import ScrewLine, TwistSpace, freedom
 from freebody.numeric.reference import Reference
+from freebody.tolerances import SAME_PLACE
 
 SAME = 1e-7  # the sine or the part of the size that counts as zero, at poses as good as they were assembled
 
@@ -129,7 +130,7 @@ def _concurrent(scene: SpatialScene) -> Iterator[str]:
     across = [np.eye(3) - np.outer(line.direction, line.direction) for line in lines]
     A = np.vstack(across)
     b = np.concatenate([P @ line.point for P, line in zip(across, lines, strict=True)])
-    found, _rest, rank, _S = np.linalg.lstsq(A, b, rcond=1e-9)
+    found, _rest, rank, _S = np.linalg.lstsq(A, b, rcond=SAME_PLACE)
     place = np.asarray(found, np.float64)
     meets = rank == 3 and all(_passes(scene, line, place) for line in lines)
     if meets and all(float(np.linalg.norm(c - place)) <= SAME * scene.size for c in scene.centers.values()):

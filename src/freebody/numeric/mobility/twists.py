@@ -105,7 +105,7 @@ class TwistSpace:
             return None
         A = np.vstack([_cross_matrix(w) for w in self.twists[:, :3]])
         b = -self.twists[:, 3:].ravel()
-        r, _rest, rank, _S = np.linalg.lstsq(A, b, rcond=1e-9)
+        r, _rest, rank, _S = np.linalg.lstsq(A, b, rcond=SAME_PLACE)
         gap = float(np.abs(A @ r - b).max())
         return np.asarray(r, np.float64) if rank == 3 and gap <= SAME_PLACE * self.size else None
 

@@ -19,6 +19,8 @@ from freebody.numeric.mobility.crossings import ChangePoint, crossing, touching
 from freebody.numeric.mobility.curve import Mechanism, Station, flip, overlap
 
 FAR = 50.0  # sizes of the system, beyond which a motion counts as unbounded
+_CLEAR = 1e-6  # the least singular value on the way, which steps pass no change point to reach
+_SAME, _ALONG = 1e-6, 1e-4  # the start again, by its place and by its tangent [rad]
 _LONGEST, _SHORTEST = 0.25, 1e-6  # steps, by the coordinate that moves most: sizes or radians
 _TURN = 0.2  # what the tangent should turn in a step [rad]
 
@@ -83,7 +85,7 @@ def _next(mechanism: Mechanism, here: Station, length: float, bend: Array) -> St
         return None
     there = mechanism.station(*found, here.tangent)
     is_smooth = _angle(here.tangent, there.tangent) <= 2.5 * _TURN and abs(overlap(here, there)) > 0.3
-    return there if is_smooth and there.sigma > 1e-6 else None
+    return there if is_smooth and there.sigma > _CLEAR else None
 
 
 def _closing(mechanism: Mechanism, start: Station, here: Station, length: float) -> Station | None:
@@ -94,10 +96,10 @@ def _closing(mechanism: Mechanism, start: Station, here: Station, length: float)
     if not 0.0 < ahead <= 2.0 * length or distance > 1.1 * ahead or _angle(tangent, here.tangent) > 2.5 * _TURN:
         return None
     found = mechanism.corrected(x, tangent, here.near)
-    if found is None or float(np.linalg.norm(found[0] - x)) > 1e-6:
+    if found is None or float(np.linalg.norm(found[0] - x)) > _SAME:
         return None
     there = mechanism.station(*found, here.tangent)
-    return there if _angle(tangent, there.tangent) < 1e-4 else None
+    return there if _angle(tangent, there.tangent) < _ALONG else None
 
 
 def _angle(a: Array, b: Array) -> float:

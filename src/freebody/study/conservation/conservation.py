@@ -23,8 +23,8 @@ from freebody.present.report.results import (
 from freebody.study.conservation.constancy import Confirmation, CounterMotion
 from freebody.study.conservation.verdicts import Verdicts
 from freebody.system.system import System
+from freebody.tolerances import ROUNDED
 
-_ROUND_OFF = 1e-12
 _LONGEST = 60  # operations of a formula that stands in one line
 
 
@@ -131,7 +131,7 @@ def _said(verdict: Verdicts) -> Iterator[Entry]:
 
 
 def _change(counter: CounterMotion) -> str:
-    start = ", ".join(f"{name} = {number_text(value, _ROUND_OFF)}" for name, value in counter.start.items())
+    start = ", ".join(f"{name} = {number_text(value, ROUNDED)}" for name, value in counter.start.items())
     return (
         f"from {number_text(counter.before)} to {number_text(counter.after)} within {number_text(counter.time)} s"
         + (f", started with {start} (SI)" if start else "")

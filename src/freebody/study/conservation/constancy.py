@@ -39,7 +39,7 @@ _DURATION = 1.5  # [s]; motions run at about one size, or radian, a second
 _N_TIMES = 9
 N_MOTIONS = 5
 N_IN_SEARCH = 3
-_STEP_TOLERANCE = 1e-12
+_STEP_TOLERANCE = 1e-12  # of the motions: a thousandth of the change that is looked for
 _SLOW = 1e-3
 _MOST_STEPS = 2000  # of one motion; what has been computed by then counts
 

@@ -11,7 +11,6 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
-from freebody.numeric.friction_limits import ROUND_OFF
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, ReactionRange, RestLimit
@@ -28,8 +27,9 @@ from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
-TOLERANCE = 1e-8
+TOLERANCE = 1e-8  # relative: limits are found by halving margins of linear programs
 END = {1: Message("upper"), -1: Message("lower")}
 ROUTE = Message("the linear programs of all reactions that rest allows")
 _ENDS = {1: "at most", -1: "at least"}
@@ -135,7 +135,7 @@ class _Answerer:
 
     def _exact(self, ends: Ends, case: FailureCase) -> float:
         value = ends.number(case.element, self.setup.draws[0])
-        return math.nan if value is None else (0.0 if abs(value) < 1e-12 else value)
+        return math.nan if value is None else (0.0 if abs(value) < ROUNDED else value)
 
     def _words(self, limits: Sequence[HoldingLimit]) -> str:
         return in_turn([limit.first.seen.words for limit in limits if limit.first and limit.first.seen])

@@ -11,7 +11,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.friction_limits import ROUND_OFF, rest_problem
+from freebody.numeric.friction_limits import rest_problem
 from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.study.friction.failures import SeenFailure, how_it_fails, seen
 from freebody.study.friction.limits import HoldingEnd
@@ -24,6 +24,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
+from freebody.tolerances import ROUND_OFF
 
 MOST_CASES = 6
 _FAR = 1.6  # how far these are from the file's values, against the usual draws

@@ -15,7 +15,7 @@ from freebody.language.expression import ZERO
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.numeric.friction_branches import margin
-from freebody.numeric.friction_limits import ROUND_OFF, RestProblem, rest_problem
+from freebody.numeric.friction_limits import RestProblem, rest_problem
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck
@@ -33,6 +33,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
 from freebody.symbolic.tidy import tidy
+from freebody.tolerances import ROUND_OFF
 
 ROUTE = Message("the linear programs of all reactions: whether any hold the system")
 _NEAR = 1e-7  # a margin that is too small to tell

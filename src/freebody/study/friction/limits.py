@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.numeric.friction_branches import extreme, margin
-from freebody.numeric.friction_limits import ROUND_OFF, Optimum, RestProblem, at, ray, rest_problem
+from freebody.numeric.friction_limits import Optimum, RestProblem, at, ray, rest_problem
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import Draw
 from freebody.study.friction.touching import TouchingAtRest
+from freebody.tolerances import ROUND_OFF
 
 _CLOSE = 1e-13  # ends are found to this, by their size
 _BEYOND = 1e-11  # a margin that is surely negative
@@ -135,7 +136,7 @@ class Parametric:
                 secant = b - fb * (b - a) / (fb - fa) if fb != fa else guess
                 share = (secant - outside) / width
                 if 0.0 < share <= 1.0:
-                    guess = outside + min(max(share, 1e-3), 1.0 - 1e-9) * width
+                    guess = outside + min(max(share, 1e-3), 1.0 - ROUND_OFF) * width
             problem = self.problem(touching, draw, guess)
             found = None if problem is None else margin(problem)
             if problem is None or found is None:
@@ -171,7 +172,7 @@ class Parametric:
         """Ever further values."""
         if self.is_angle:
             top = math.pi / 2 if self.is_acute else 2 * math.pi
-            limit = top * (1 - 1e-9) if sign > 0 else (1e-9 if self.is_acute else -top)
+            limit = top * (1 - ROUND_OFF) if sign > 0 else (ROUND_OFF if self.is_acute else -top)
             yield from (inside + (limit - inside) * k / N_TRIED for k in range(1, N_TRIED + 1))
         elif sign > 0:
             value = inside or 1.0

@@ -12,7 +12,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.friction_branches import margin, spread
-from freebody.numeric.friction_limits import ROUND_OFF, FrictionCone, RestProblem, rest_problem, unresisted
+from freebody.numeric.friction_limits import FrictionCone, RestProblem, rest_problem, unresisted
 from freebody.present.lines import number_text, system_line
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, line, notes, summary, table
@@ -22,11 +22,13 @@ from freebody.study.friction.failures import how_it_fails, seen
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.worded import in_words
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _LARGEST = 1e6  # times the friction that there is
 _UNIQUE = 1e-8  # of the largest load
+_FRICTIONLESS = 1e-7  # a share of the friction that is none: it holds without
 _N_STEPS = 60
-_SHARP = 1e-12  # a margin that is none, of the largest load
+_SHARP = ROUNDED  # a margin that is none, of the largest load
 
 
 @dataclass(frozen=True)
@@ -231,10 +233,10 @@ def _reserve(touching: TouchingAtRest, problem: RestProblem, draw: Draw) -> tupl
             inside = middle
         else:
             outside = middle
-        if inside - outside <= 1e-12 * inside:
+        if inside - outside <= ROUNDED * inside:
             break
     words = how_it_fails(touching, with_share(outside), draw)
-    return (math.inf if inside < 1e-7 else 1.0 / inside), words
+    return (math.inf if inside < _FRICTIONLESS else 1.0 / inside), words
 
 
 def unit_of(row: ConstraintRow) -> str:

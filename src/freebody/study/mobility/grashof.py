@@ -28,6 +28,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.mobility.linkages import FourBar, Linkage, SliderCrank
 
+_PARALLEL = 1e-7  # the sine between links that are parallel, at poses as good as they were assembled
 EQUAL = 1e-9  # lengths are equal up to this part of their sum
 ROLES = ("frame", "input", "coupler", "output")
 CASES = {
@@ -242,4 +243,4 @@ def _angle_between(u: Pair, v: Pair) -> float:
 
 def _is_parallel(A: Pair, B: Pair, C: Pair, D: Pair) -> bool:
     u, v = _difference(B, A), _difference(C, D)
-    return _dot(u, v) > 0 and abs(u[0] * v[1] - u[1] * v[0]) <= 1e-7 * math.hypot(*u) * math.hypot(*v)
+    return _dot(u, v) > 0 and abs(u[0] * v[1] - u[1] * v[0]) <= _PARALLEL * math.hypot(*u) * math.hypot(*v)

@@ -18,9 +18,9 @@ from freebody.study.mobility.grashof import FourBarNumbers, SliderCrankNumbers
 from freebody.study.mobility.gruebler import Gruebler
 from freebody.study.mobility.linkages import Linkage
 from freebody.study.mobility.mechanism import Input, Motions
+from freebody.tolerances import ROUNDED
 
 _MOST = 24  # connections, centres ... that are listed
-_ROUND_OFF = 1e-12
 _WHERE_FORMULAS_HOLD = "formulas: at this pose and on this branch, while the loops close and the roots are real"
 
 
@@ -79,7 +79,7 @@ def _linkage(loop: Linkage, numbers: FourBarNumbers | SliderCrankNumbers) -> Ite
         yield entry("turns fully", ", ".join(plain["turning"]))
     if plain.get("transmission_angle") is not None:
         here = plain["transmission_angle_folded"], *plain["transmission_extremes"]
-        folded, low, high = (number_text(angle, _ROUND_OFF) for angle in here)
+        folded, low, high = (number_text(angle, ROUNDED) for angle in here)
         told = f"{folded}° here, {low}° to {high}° over all poses of this loop alone"
         yield entry("transmission angle", told)
 
@@ -105,20 +105,20 @@ def _with_formula(number: str, exact: tuple[Expr | None, ...]) -> Text:
 
 
 def _rate(value: float, unit: str) -> str:
-    return number_text(value, _ROUND_OFF) + ("" if unit in ("1", "") else f" {unit}")
+    return number_text(value, ROUNDED) + ("" if unit in ("1", "") else f" {unit}")
 
 
 def _screw(found: ScrewAxis, given: Input) -> str:
     screw, per = found.screw, f"per {'rad' if given.is_angle else str(given.measure.dimension)} of {given.name}"
     along = f"along ({_numbers(screw.direction)})"
     if screw.pitch is None:
-        return f"travels {along}, {number_text(found.rate, _ROUND_OFF)} m {per}"
+        return f"travels {along}, {number_text(found.rate, ROUNDED)} m {per}"
     pitch = "" if screw.pitch == 0.0 else f", pitch {number_text(screw.pitch)} m/rad"
-    return f"through ({_numbers(screw.point)}) m {along}{pitch}, {number_text(found.rate, _ROUND_OFF)} rad {per}"
+    return f"through ({_numbers(screw.point)}) m {along}{pitch}, {number_text(found.rate, ROUNDED)} rad {per}"
 
 
 def _numbers(v: Iterable[float]) -> str:
-    return ", ".join(number_text(float(c), _ROUND_OFF) for c in v)
+    return ", ".join(number_text(float(c), ROUNDED) for c in v)
 
 
 def _path(path: MotionPath, given: Input) -> Section:
@@ -138,4 +138,4 @@ def _value(x: float, measure: Measure) -> str:
         return "infinity" if x > 0 else "-infinity"
     if measure.dimension == DIMENSIONLESS:
         return f"{number_text(math.degrees(x), 1e-9)}°"
-    return f"{number_text(x, _ROUND_OFF)} {measure.dimension}"
+    return f"{number_text(x, ROUNDED)} {measure.dimension}"

@@ -28,6 +28,7 @@ from freebody.symbolic.laws import Decay, Growth, MotionLaw, Oscillation
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, LawMotion, MotionInTime, UniformMotion
 from freebody.symbolic.signs import sign_of
+from freebody.tolerances import LEAST
 
 _NOW = 1e-9  # a zero at the very start, relative to what the function can become
 _SOON = 1e-12  # [s] a time that is none
@@ -85,7 +86,7 @@ def _falls(numbers: Array, t: Array) -> Mask:
     with np.errstate(invalid="ignore", over="ignore"):
         slope = sum((k * c * t ** (k - 1) for k, c in enumerate(numbers) if k), np.zeros(len(t)))
         shares = [np.abs(k * c * t ** (k - 1)) for k, c in enumerate(numbers) if k]
-        size = np.max(shares, axis=0) + 1e-300
+        size = np.max(shares, axis=0) + LEAST
         result: Mask = np.isfinite(t) & (t > _SOON) & (slope < _NOW * size)
     return result
 

@@ -28,8 +28,7 @@ from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.validity import texts, validity
-
-_ROUND_OFF = 1e-12
+from freebody.tolerances import ROUNDED
 
 
 def answer(tree: PhaseTree, question: Question) -> Answer:
@@ -161,7 +160,7 @@ def _broken(tree: PhaseTree, region: _Region) -> str:
     needs = [n for n in region.piece.needs if region.piece.is_home] if is_taken else region.relations
     for r in needs:
         x = tree.numbers(r.element)
-        if np.isfinite(x[0]) and not holds(r, np.where(np.abs(x) < _ROUND_OFF, 0.0, x))[0]:
+        if np.isfinite(x[0]) and not holds(r, np.where(np.abs(x) < ROUNDED, 0.0, x))[0]:
             text = relation_text(readable(r.element), r.relation) if isinstance(r, Condition) else r.text()
             return reworded(Message("{condition} is not true there", condition=text), text)
     return "" if is_taken else Message("the model takes another way there")
@@ -178,5 +177,5 @@ def _value(tree: PhaseTree, piece: AnswerBranch) -> Value:
         value = float(tree.numbers(part)[0])
         if not np.isfinite(value):
             return None
-        values.append(0.0 if abs(value) < _ROUND_OFF else value)
+        values.append(0.0 if abs(value) < ROUNDED else value)
     return tuple(values) if isinstance(piece.value, tuple) else values[0]

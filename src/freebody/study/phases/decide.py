@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import Chosen, Mask
 from freebody.symbolic.field import Ratio
+from freebody.tolerances import ROUND_OFF
 
 Inequality = tuple[Ratio, str, str]  # element, relation to 0, what for
 NOTHING = -1  # a label: none of the things happens
@@ -83,7 +84,7 @@ def _cut(labels: NDArray[np.intp], sets: Chosen, tests: Sequence[Test], path: _P
         if not test.known[sets].all() or holds.all() or not holds.any():
             continue
         rest = _entropy(labels[sets[holds]]) + _entropy(labels[sets[~holds]])
-        if best is None or rest < best[0] - 1e-9:
+        if best is None or rest < best[0] - ROUND_OFF:
             best = rest, test
     if best is None:
         return [(int(label), sets[labels[sets] == label], path, False) for label in own]

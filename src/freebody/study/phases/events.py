@@ -18,6 +18,7 @@ from freebody.study.phases.ends import FirstEvent, PhaseOutcome, PossibleEnds
 from freebody.study.phases.numbers import Chosen, Sets
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.symbolic.phases.course import EnergyMotion, LawMotion, UniformMotion
+from freebody.tolerances import ROUND_OFF
 
 
 def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[PhaseWatch] = ()) -> list[PhaseOutcome]:
@@ -41,7 +42,7 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
     if candidates:
         times = np.array([c.reached for c in candidates])
         # what is asked for comes first where it comes together with something else
-        winner = np.argmax(times <= times.min(axis=0) * (1.0 + 1e-9), axis=0)
+        winner = np.argmax(times <= times.min(axis=0) * (1.0 + ROUND_OFF), axis=0)
         labels = np.where(np.isfinite(times.min(axis=0)), winner, NOTHING)
     return [_outcome(cell, found) for cell in cells(labels, indices, found.tests)]
 
@@ -53,7 +54,7 @@ def _outcome(cell: Cell, found: PossibleEnds) -> PhaseOutcome:
     chosen = found.candidates[cell.label]
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
-        same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], 1e-9, 0.0)]
+        same = [c.watch for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], ROUND_OFF, 0.0)]
     needs = tuple((x, ">", Message("it happens")) for x in chosen.exists)
     cuts = tuple(cut for cut in cell.cuts if not any(cut[0] == x for x, _r, _p in needs))
     return PhaseOutcome(

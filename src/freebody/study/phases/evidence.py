@@ -46,8 +46,8 @@ from freebody.study.phases.witness import (
     struck,
 )
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
-ROUND_OFF = 1e-12  # of rates at the start [SI]
 _LONGEST = 400.0  # in units of the typical time of the sets; longer motions are left to other sets
 
 
@@ -121,11 +121,11 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
         if asked == "touches" and impact is not None:
             before, _q, _v = before_impact(tree.system, impact.before.kept, tree.sets.one(k))
             struck_rows = [tree.bound_row(name) for name in impact.hits]
-            begins = any(row.sign * before.rate(row.measure) < -ROUND_OFF for row in struck_rows)
+            begins = any(row.sign * before.rate(row.measure) < -ROUNDED for row in struck_rows)
         elif asked == "opens":
             rows = [tree.bound_row(name) for name in (tree.closed | tree.moving) - mode.mode.closed]
             signs = [(row.sign, now.rate(row.measure), now.acceleration(row.measure)) for row in rows]
-            begins = all((s * u if abs(u) > ROUND_OFF else s * a) > 0 for s, u, a in signs)
+            begins = all((s * u if abs(u) > ROUNDED else s * a) > 0 for s, u, a in signs)
         else:
             states = [(s, now.acceleration(mode.rubs[n].row.measure)) for n, s in mode.mode.states.items() if s]
             begins = all(s * a > 0 for s, a in states)
@@ -296,7 +296,7 @@ def _heat(seen: PhaseSnapshot) -> float:
     total = 0.0
     for push in frictions(seen.mode.system):
         first, last = begin.law(push), end.law(push)
-        if abs(last - first) > 1e-9 * max(abs(first), abs(last)):
+        if abs(last - first) > ROUND_OFF * max(abs(first), abs(last)):
             raise CannotAnswer(
                 Message("the friction changes along the motion, and its heat was not checked in numbers")
             )

@@ -29,9 +29,8 @@ from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_row
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, TOUCHES
 
-_ZERO = 1e-9
-_TOUCHES = 1e-8  # a gap that is none, by the size of the system
 _LONG_ANGLE, _LONG_TIME = 3, 12  # operations: what is longer gets a symbol
 _N_STARTS = 3  # numbers of the parameters at which the rates of the start are looked at
 
@@ -131,7 +130,7 @@ class Home:
         open_ones = [item for item in elements if item[1] != "="]
         found = equal + [c for x, relation, purpose in open_ones for c in parted(x, relation, purpose, sign_at)]
         # what is not so at every set of the branch is no condition of it
-        return [c for c in found if not (self.numbers(c.element)[sets] < -_ZERO).any()]
+        return [c for c in found if not (self.numbers(c.element)[sets] < -ROUND_OFF).any()]
 
     # -- states as starts ---------------------------------------------------------------------
     def placed(self, phase: Phase | Setup, values: dict[int, Ratio]) -> Placed:
@@ -207,7 +206,7 @@ def _with_angles(system: System, setup: Setup) -> System:
     for body in system.moving:
         if body.turns and body.start.angle is None:
             angles = [draw.reference.pose(draw.q, body.name)[2] for draw in setup.draws]
-            if all(abs(a) < _ZERO for a in angles):
+            if all(abs(a) < ROUND_OFF for a in angles):
                 bodies[body.name] = replace(body, start=replace(body.start, angle=ZERO))
     return system if bodies == system.bodies else replace(system, bodies=bodies)
 
@@ -220,7 +219,7 @@ def closed_at_start(system: System) -> frozenset[str]:
         reference = Reference(system, draw_parameters(system, random.Random(SEED), 0.0))
         q = assembled_touching(reference)
         g = reference.geometry(q, np.zeros_like(q), 0.0)
-        size = _TOUCHES * reference.sizes.length
+        size = TOUCHES * reference.sizes.length
         closed |= {
             b.name
             for b in system.bounds
@@ -236,7 +235,7 @@ def closed_at_start(system: System) -> frozenset[str]:
             if setup.start_instant.here(measure.value(geometry) - target).is_zero():
                 reference, q = setup.draws[0].reference, setup.draws[0].q
                 g = reference.geometry(q, np.zeros_like(q), 0.0)
-                if is_within(reference, g, bound, _TOUCHES * reference.sizes.length):
+                if is_within(reference, g, bound, TOUCHES * reference.sizes.length):
                     closed.add(bound.name)
     return frozenset(closed - _far_sides(system, closed))
 
@@ -268,5 +267,5 @@ def parted_at_start(system: System, touching: frozenset[str]) -> frozenset[str]:
         g = free.geometry(free.assemble(), free.velocities(q), 0.0)
         rates = {name: free.jet(g, bound.row.measure, name).rate for name, bound in own.items()}
         largest = max(map(abs, rates.values()))
-        found |= {name for name, rate in rates.items() if abs(rate) > _ZERO * largest}
+        found |= {name for name, rate in rates.items() if abs(rate) > ROUND_OFF * largest}
     return frozenset(found)

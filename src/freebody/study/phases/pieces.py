@@ -26,8 +26,7 @@ from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import EnergyMotion
-
-_NONE = 1e-12  # a distance or a speed that is none [SI]
+from freebody.tolerances import ROUNDED
 
 
 @dataclass
@@ -280,12 +279,12 @@ def _watches(
         at_first = tree.to_home(phase, phase.start_instant.here(phase.model.in_independent_speeds(x)))
         numbers = tree.numbers(at_first)[left]
         for sign in (1, -1):
-            mine = left[sign * numbers > _NONE]
+            mine = left[sign * numbers > ROUNDED]
             if len(mine):
                 watch = PhaseWatch("is reached", event.text, sign * difference)
                 given = tree.conditions([(sign * at_first, ">", place)], mine) if len(mine) < len(node.sets) else []
                 yield watch, mine, given
-        left = left[~(np.abs(numbers) > _NONE)]
+        left = left[~(np.abs(numbers) > ROUNDED)]
         if not len(left):
             return
         x = phase.model.field.substitute(phase.model.rate(x), phase.model.dynamics.solved_accelerations)

@@ -35,13 +35,12 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, ideal_bounds
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 MAX_DEPTH = 5
 MAX_NODES = 24
 MAX_IMPACTS = 2  # one after the other, in formulas
-_ZERO = 1e-9
 _EFFORT = 1000  # what an effort is told by
-_NONE = 1e-12  # a rate that is none, beside the others
 
 
 class PhaseTree(Home):
@@ -87,7 +86,7 @@ class PhaseTree(Home):
             return
         numbers = {name: self.numbers(x)[indices] for name, x in rates.items()}
         largest = np.max([np.abs(v) for v in numbers.values()], axis=0)
-        table = np.array([np.sign(np.where(np.abs(v) > _NONE * largest, v, 0.0)) for v in numbers.values()]).T
+        table = np.array([np.sign(np.where(np.abs(v) > ROUNDED * largest, v, 0.0)) for v in numbers.values()]).T
         for row in np.unique(table, axis=0)[::-1]:
             mine = indices[(table == row).all(axis=1)]
             yield dict(zip(numbers, row.astype(int).tolist(), strict=True)), mine
@@ -198,10 +197,10 @@ class PhaseTree(Home):
         numbers = self.numbers(x)
         test = as_test(x, relation, numbers, purpose)
         if relation == "=":
-            return replace(test, holds=np.abs(numbers) <= _NONE)
+            return replace(test, holds=np.abs(numbers) <= ROUNDED)
         sizes = np.abs(numbers[: self.sets.n_near])
         typical = float(np.median(sizes[np.isfinite(sizes)])) if np.isfinite(sizes).any() else 0.0
-        near = np.abs(numbers) <= _ZERO * min(1.0, typical)
+        near = np.abs(numbers) <= ROUND_OFF * min(1.0, typical)
         near &= np.arange(self.sets.n) < self.sets.n_near
         return replace(test, holds=test.holds & ~near if relation == ">" else test.holds | near)
 
@@ -353,17 +352,17 @@ class PhaseTree(Home):
                 continue
             gap = self.numbers(self.to_home(phase, there.here(phase.gap(bound.row))))[sets]
             spans = [self.numbers(self.to_home(phase, there.here(x)))[sets] for x in phase.spans(bound.name)]
-            if (np.abs(gap) > _ZERO).any() or any((span < -_ZERO).any() for span in spans):
+            if (np.abs(gap) > ROUND_OFF).any() or any((span < -ROUND_OFF).any() for span in spans):
                 continue
             rate = bound.row.sign * self.numbers(self.to_home(phase, there.rate(bound.row.measure)))[sets]
-            if (rate < -_ZERO).any():
+            if (rate < -ROUND_OFF).any():
                 raise CannotAnswer(
                     Message(
                         "{contact} reaches the end of its edge and collides there; simulate the motion",
                         contact=label(left),
                     )
                 )
-            if (np.abs(rate) <= _ZERO).all():
+            if (np.abs(rate) <= ROUND_OFF).all():
                 found.add(bound.name)
         return frozenset(found)
 

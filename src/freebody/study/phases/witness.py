@@ -28,12 +28,13 @@ from freebody.study.phases.phase import Phase, without_rows
 from freebody.symbolic.phases.friction import named_rows
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 Watcher = Callable[[Array, Array, float], float]
 
-_RTOL = 1e-12
-_ATOL = 1e-13
-_STILL = 1e-9
+_RTOL, _ATOL = 1e-12, 1e-13  # of the integrated motions, relative and [SI]
+_STILL = 1e-9  # [SI] of what is watched: rounding and the steps before leave this of a zero
+_OF_TIMES = 1e-14  # of roots, relative and [s]
 _N_LOOKS = 6  # places in a step at which events are looked for
 _SLOPE = 1e-4  # of the time between two looks: over that slopes are taken
 _PLACES = ("touches", "is reached")  # events of places, which a motion may pass and come back from between two looks
@@ -255,7 +256,7 @@ class NumericMode:
                 roots = [(t, k) for t, k, y in found if self._exists(watches[k][0], y[:n], y[n:], t)]
             if fallen and roots:
                 first = min(root for root, _k in roots)
-                at_once = [r for r in roots if r[0] <= first + 1e-9 * abs(first)]
+                at_once = [r for r in roots if r[0] <= first + ROUND_OFF * abs(first)]
                 time, k = max(at_once, key=lambda r: r[1])
                 y = state(time)
                 together = tuple(watches[other][0] for _time, other in at_once)
@@ -290,7 +291,7 @@ def _root(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: 
         return watch(y[:n], y[n:], t)
 
     solver: Any = optimize
-    return float(solver.brentq(value, a, b, xtol=1e-14, rtol=1e-14))
+    return float(solver.brentq(value, a, b, xtol=_OF_TIMES, rtol=_OF_TIMES))
 
 
 def _dip(watch: Watcher, state: Callable[[float], Array], n: int, a: float, b: float) -> float | None:

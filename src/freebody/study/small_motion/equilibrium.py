@@ -34,6 +34,7 @@ from freebody.study.settled import without_friction
 from freebody.study.small_motion.found import Equilibria, FoundEquilibrium, unit_of
 from freebody.study.worded import in_words
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 Guess = Mapping[str, str | float]
 _TURNED = 1e-9  # of an angle of a line: half a turn is half a turn to the left
@@ -136,7 +137,7 @@ class _EquilibriumSearch:
                 N=reactions[row.name],
             )
             for row in system.held
-            if row.unilateral and (reactions[row.name] or 0.0) < -1e-9 * float(np.abs(b.forces).max(initial=0.0))
+            if row.unilateral and (reactions[row.name] or 0.0) < -ROUND_OFF * float(np.abs(b.forces).max(initial=0.0))
         ]
         neutral = tuple(dict.fromkeys(self._named_direction(b, x) for x in s.soft))
         if neutral:
@@ -238,7 +239,7 @@ def moved_most(reference: Reference, jet_of: Any, motion: Array) -> str:
             continue
         if unit_of(measure) == "m":
             part /= reference.sizes.length
-        if part > most * (1.0 + 1e-9):
+        if part > most * (1.0 + ROUND_OFF):
             best, most = name, part
     return best or reference.most_moved(motion)
 

@@ -16,9 +16,9 @@ from freebody.present.lines import amount_text, number_text, symbol_text, system
 from freebody.present.report.blocks import Block, Report, Section
 from freebody.present.report.results import Result, entries, entry, line, summary
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
-_NOTHING = 1e-9  # of the largest reaction
-_ROUND_OFF = 1e-14
+_SHOWN = 1e-14  # [m, rad] a coordinate below this is shown as zero
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ class Equilibria(Result):
                 yield f"{what} is not unique"
             else:
                 unit = {"1": "N m", "m": "N"}.get(str(row.measure.dimension), "(SI)")
-                is_nothing = abs(value) <= _NOTHING * largest
+                is_nothing = abs(value) <= ROUND_OFF * largest
                 yield f"{what} {number_text(0.0 if is_nothing else value)} {unit}"
 
 
@@ -141,8 +141,8 @@ def _verdict(rest: FoundEquilibrium) -> str:
 def _pose(body: str, pose: tuple[float, ...]) -> str:
     """Of a body in space its place alone: how it is turned is told by measures."""
     is_in_space = len(pose) > 3
-    place, angle = pose[: 3 if is_in_space else 2], 0.0 if abs(pose[-1]) < _ROUND_OFF else pose[-1]
-    at = ", ".join(number_text(c, _ROUND_OFF) for c in place)
+    place, angle = pose[: 3 if is_in_space else 2], 0.0 if abs(pose[-1]) < _SHOWN else pose[-1]
+    at = ", ".join(number_text(c, _SHOWN) for c in place)
     return f"{body}: ({at}) m" + ("" if is_in_space else f", {number_text(math.degrees(angle))}°")
 
 

@@ -9,8 +9,7 @@ from typing import Any
 
 from freebody.present.lines import number_text, symbol_text
 from freebody.study.small_motion.found import plain_number
-
-_NOTHING = 1e-9  # of the largest part of a shape
+from freebody.tolerances import ROUND_OFF
 
 
 @dataclass(frozen=True)
@@ -92,6 +91,6 @@ class NaturalMode:
 
 
 def _part(x: complex) -> str:
-    if abs(x.imag) < _NOTHING:
-        return number_text(x.real if abs(x.real) > _NOTHING else 0.0)
+    if abs(x.imag) < ROUND_OFF:
+        return number_text(x.real if abs(x.real) > ROUND_OFF else 0.0)
     return f"{number_text(abs(x))} at {number_text(math.degrees(math.atan2(x.imag, x.real)))}°"

@@ -38,9 +38,9 @@ from freebody.study.small_motion.found import unit_of
 from freebody.study.small_motion.mode import NaturalMode
 from freebody.study.worded import in_words
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF, ROUNDED
 
 At = Literal["equilibrium", "start"]
-_NOTHING = 1e-12  # of the largest part: parts of a shape that are rounding
 
 
 @dataclass(frozen=True)
@@ -198,7 +198,9 @@ def _is_steady(small: SmallMotion, s: Any, measure: Any) -> bool:
     """Whether a measure neither moves nor accelerates."""
     size = small.reference.sizes.length if str(measure.dimension) == "m" else 1.0
     pace = 1.0 + float(small.reference.sizes.relative(s.v).max(initial=0.0))
-    return abs(s.rate(measure)) <= 1e-9 * size * pace and abs(s.acceleration(measure)) <= 1e-9 * size * pace**2
+    return (
+        abs(s.rate(measure)) <= ROUND_OFF * size * pace and abs(s.acceleration(measure)) <= ROUND_OFF * size * pace**2
+    )
 
 
 # -- shapes ----------------------------------------------------------------------------------------
@@ -233,11 +235,11 @@ def _normalised(parts: NDArray[np.complex128]) -> list[complex]:
     largest = float(sizes.max(initial=0.0))
     if largest == 0.0:
         return [0j] * len(parts)
-    by = complex(parts[int(np.argmax(sizes >= (1.0 - 1e-9) * largest))])
+    by = complex(parts[int(np.argmax(sizes >= (1.0 - ROUND_OFF) * largest))])
     found: list[complex] = []
     for part in parts.tolist():
         x = part / by
-        re, im = (0.0 if abs(c) <= _NOTHING else c for c in (x.real, x.imag))
+        re, im = (0.0 if abs(c) <= ROUNDED else c for c in (x.real, x.imag))
         found.append(complex(re, im))
     return found
 
@@ -298,7 +300,7 @@ def _push_of_parameter(small: SmallMotion, name: str) -> Array:
         gaps = [other.gap(row, g) for row in other.system.held]
         return np.concatenate([[gap.value, gap.rate, *gap.row(n)] for gap in gaps]) if gaps else np.zeros(1)
 
-    if np.abs(held(1e-3) - held(0.0)).max() > 1e-12:
+    if np.abs(held(1e-3) - held(0.0)).max() > ROUNDED:
         raise CannotAnswer(
             Message("{name} changes the connections and not only loads, so it is no input; name a load", name=name)
         )

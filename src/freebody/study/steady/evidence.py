@@ -24,7 +24,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 _RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones first
-_TOLERANCE = 1e-7
+_TOLERANCE = 1e-7  # relative, of accelerations: rates that formulas give are solved for, with condition numbers to 1e6
 
 
 def in_steady_motion(setup: Setup, question: str, steady: Steady, solutions: Solutions) -> Evidence:

@@ -14,7 +14,7 @@ from freebody.symbolic.field import Ratio
 from freebody.symbolic.routh import determinant
 from freebody.symbolic.tidy import tidy
 
-_SMALL = 1e-6
+_SMALL = 1e-6  # [SI] a rate at the start that is none
 
 
 @dataclass

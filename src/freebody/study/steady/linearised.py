@@ -20,8 +20,9 @@ from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.linear import Linear
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.unknowns import Coordinate
+from freebody.tolerances import ROUND_OFF
 
-_TOLERANCE = 1e-5
+_TOLERANCE = 1e-5  # relative, of second differences
 _FACTORS = (0.2, 0.5, 1.0, 2.0, 5.0)  # times the rates of the start: on both sides of a condition
 _STEP = 1e-4  # rad, m
 _CLEARLY_STABLE, _CLEARLY_NOT = 1e-6, 1e-3  # real parts, beside the largest exponent
@@ -55,7 +56,7 @@ def agrees(setup: Setup, question: str, linear: Linear, signs: Sequence[Ratio]) 
 
 def _is_clear(values: Sequence[float]) -> bool:
     largest = max(map(abs, values))
-    return all(abs(v) > 1e-9 * largest for v in values)
+    return all(abs(v) > ROUND_OFF * largest for v in values)
 
 
 class About:

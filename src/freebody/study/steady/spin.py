@@ -33,7 +33,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.routh import determinant
 from freebody.symbolic.tidy import tidy
 
-_TOLERANCE = 1e-7
+_TOLERANCE = 1e-7  # relative, of slopes by finite differences
 _SPINS = (2.3, 7.1)  # rad/s
 _NAMES = ("Omega", "omega", "Omega_spin", "omega_spin")
 _AXES = "xyz"

@@ -21,7 +21,6 @@ from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 
 _THERE_IS = Message("there is such a motion")
-_AT_REST = 1e-9
 
 
 def steady_value(setup: Setup, question: Question, q: SteadyValue) -> Finding:
@@ -95,7 +94,7 @@ def _starts_steadily(setup: Setup, steady: Steady) -> bool:
     numbers = setup.model.samples.numbers(draw.sample(snapshot), draw.sample())
     f = setup.model.field
     try:
-        still = all(abs(float(numbers[c.speed])) < _AT_REST for c in steady.others)
+        still = all(abs(float(numbers[c.speed])) < ROUND_OFF for c in steady.others)
         return still and all(_vanishes_at(f, x, numbers) for x in steady.equations)
     except (KeyError, ValueError, ArithmeticError):
         return False
