@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import cProfile
+import gc
 import random
 import re
 import subprocess
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import pytest
@@ -29,6 +30,7 @@ _compiling: list[subprocess.Popen[bytes]] = []
 
 def pytest_configure(config: pytest.Config) -> None:
     """Where workers share the tests, kernels are compiled beside them (`compile_kernels`)."""
+    gc.set_threshold(50_000, 20, 100)  # what the tests keep for each other is looked through less often
     if config.getoption("numprocesses", None) and not hasattr(config, "workerinput"):
         command = [sys.executable, str(Path(__file__).with_name("compile_kernels.py"))]
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -95,20 +97,9 @@ def within() -> Within:
     machine. On an ordinary one a million calls take about half a second."""
 
     def calls_of(action: Callable[[], object]) -> int:
-        calls = 0
-
-        def count(_frame: FrameType, event: str, _argument: object) -> None:
-            nonlocal calls
-            if event == "call" or event == "c_call":
-                calls += 1
-
-        before = sys.getprofile()
-        sys.setprofile(count)
-        try:
-            action()
-        finally:
-            sys.setprofile(before)
-        return calls
+        profile = cProfile.Profile()
+        profile.runcall(action)
+        return sum(entry.callcount for entry in profile.getstats())
 
     def check(most: int, action: Callable[[], object]) -> None:
         calls = calls_of(action)
