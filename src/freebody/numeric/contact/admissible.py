@@ -1,4 +1,7 @@
-"""Reactions that have no unique value: between which bounds each may lie at an instant of a motion."""
+"""Reactions that are not unique: the least and the largest value of each at an instant of a motion.
+
+The accelerations of the motion are given; `ranges` solves two linear programs a row over all forces that produce them.
+"""
 
 from __future__ import annotations
 
@@ -21,6 +24,7 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     engine = bounded.free
     y = engine.state_at(course, k)
     now = bounded.instant(y, float(course.times[k]), course.near)
+    # the contact problem at this instant, in the mode of the motion
     closed = [int(i) for i in np.flatnonzero(course.contact.states[k])]
     slips = {int(i): int(s) for i, s in enumerate(course.contact.slips[k]) if s != ABSENT}
     problem = bounded.problem(now, closed, slips, of_rates=False)
@@ -30,6 +34,7 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
         mode[problem.row_of_barrier(i)] = RowState.CLOSED
     for i, slip in slips.items():
         mode[problem.row_of_drag(i)] = _STATE_OF_SLIP[slip]
+    # the accelerations (n_rows,) of its rows, as the motion has them, positive where a gap opens
     held = [*bounded.bilateral, *(grip for i in closed for grip in bounded.barriers[i].grips)]
     places = [*held, *(bounded.barriers[i].place for i in closed), *(bounded.drags[i].keeps for i in slips)]
     signs = np.ones(len(places))
@@ -39,6 +44,7 @@ def admissible_reactions(bounded: Bounded, course: Trajectory, k: int) -> dict[s
     found = force_ranges(matrices, accelerations, tuple(mode))
     if found.feasible is not Feasible.YES:
         return {}
+    # by the names of the rows, positive as each is named; what round-off leaves of zero is zero
     both = np.append(found.low, found.high)
     size = float(np.abs(both[np.isfinite(both)]).max(initial=0.0))
     named: dict[str, tuple[float, float]] = {}

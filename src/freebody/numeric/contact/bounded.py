@@ -1,4 +1,9 @@
-"""A system with bounds and dry friction, packed once: its instants in dense matrices, and an engine for every mode."""
+"""A system with unilateral constraints and dry friction, packed into arrays once for all of its contact modes.
+
+`instant` gives the dense matrices of a state, from which contact problems are made (`problem`); `engine` gives the
+integrator of one mode: closed contacts and sticking friction as constraints, sliding friction as a load, and guards for
+the inequalities that the mode needs.
+"""
 
 from __future__ import annotations
 
@@ -165,6 +170,7 @@ class Bounded:
     def _barrier(
         self, bound: UnilateralConstraint, place: int, grips: tuple[int, ...], is_ideal: bool
     ) -> UnilateralRow:
+        # what it is, and what events call its two sides
         number, row = self.numbers.number, bound.row
         kind = "string" if row.reaction == "tension" else "stop" if row.reaction.startswith("stop") else "contact"
         ends = (
@@ -175,6 +181,7 @@ class Bounded:
         if kind == "contact" and is_ideal:
             bodies = list(dict.fromkeys(row.measure.bodies()))
             ends = (bodies[0], bodies[1] if len(bodies) > 1 else row.connection)
+        # the edge on which it counts, longer by round-off at both ends [m]
         tolerance = TOUCHING * self.numbers.length
         return UnilateralRow(
             bound.name,
@@ -233,6 +240,7 @@ class Bounded:
             guards: list[Guard] = []
             about: list[tuple[str, int]] = []
             for k, barrier in enumerate(self.barriers):
+                # an open contact: its gap; a closed one: its force, and that it stays within the ends of its edge
                 if k not in mode.closed:
                     guards.append(Guard(OF_VALUE, barrier.row, sign=barrier.sign))
                     about.append(("gap", k))
@@ -245,6 +253,7 @@ class Bounded:
                             guards.append(Guard(OF_VALUE, row, sign=sign, offset=limit))
                             about.append(("foot", k))
             for k, state in enumerate(mode.drags):
+                # sticking friction: what is left of its limit, shared in a group; sliding friction: its slip rate
                 if state == 0 and k not in mode.followers:
                     group = next((group for group in mode.groups if group[0] == k), (k,))
                     guards.append(Guard(OF_RESERVE, rub=self.drags[k].packed, n_shares=len(group) - 1))

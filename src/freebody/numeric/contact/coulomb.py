@@ -43,6 +43,7 @@ def _magnitudes(reduced: ReducedProblem, x: Array) -> Array:
 
 
 def _pivoted(reduced: ReducedProblem, rules: Rules, magnitudes: Array) -> tuple[Array, Mode] | None:
+    """Forces (n_free,) and mode by one pivoting; magnitudes (n_frictions,): the loads |v| of the round before."""
     n = len(reduced.rows)
     normals = [i for i in range(reduced.n_normals) if rules.allows(i, RowState.CLOSED)]
     gaps = tuple(RowState.CLOSED if i in normals else RowState.OPEN for i in range(reduced.n_normals))
@@ -52,6 +53,7 @@ def _pivoted(reduced: ReducedProblem, rules: Rules, magnitudes: Array) -> tuple[
     S = np.zeros((n, len(normals) + len(reduced.frictions)))
     for k, i in enumerate(normals):
         S[i, k] = 1.0
+    # a rub that nothing presses has no part; one that slips follows its load; the others have limits on both sides
     for friction, magnitude in zip(reduced.frictions, magnitudes.tolist(), strict=True):
         states = rub_states(friction, gaps, rules)
         if states == [RowState.ABSENT]:
@@ -77,15 +79,18 @@ def _solved(
     x0: Array,
     S: Array,
 ) -> tuple[Array, Mode] | None:
+    """w = M z + q with z = (N, x, a-) (m + 2 k), solved, and what its signs say of every row."""
     m, k = len(normals), len(undecided)
     rubs = [f.row for f, _, _ in undecided]
     width = np.array([sum(coefficient(f, s, rules) for s in SLIPPING) for f, _, _ in undecided])
     M = np.zeros((m + 2 * k, m + 2 * k))
     q = np.zeros(m + 2 * k)
+    # the first rows: accelerations of normals, and a+ = a + a- of undecided rubs
     b = reduced.A @ x0 + reduced.b
     decided = normals + rubs
     M[: m + k, : m + k] = reduced.A[decided] @ S
     q[: m + k] = b[decided]
+    # the last: how far the other limit is, (f + g) L - x
     if k:
         M[m : m + k, m + k :] = np.eye(k)
         M[m + k :, : m + k] = width[:, None] * np.array([weights[: m + k] for _, weights, _ in undecided])
@@ -94,6 +99,7 @@ def _solved(
     found = lemke(M, q)
     if not found.is_solved:
         return None
+    # states by what is positive: the gap opens, the rub slips forward, or backward
     x = x0 + S @ found.z[: m + k]
     small = _NONE * float((np.abs(reduced.A) @ np.abs(x) + reduced.size).max(initial=0.0))
     states = [RowState.OPEN] * reduced.n_normals + [RowState.ABSENT] * len(reduced.frictions)

@@ -1,4 +1,8 @@
-"""Motions that change their law on the way: phases of one mode each, and the instants between them."""
+"""Hybrid motions: phases in one contact mode each, which the engine integrates, and the transitions between them.
+
+A phase ends where a guard is violated (a contact opens or closes, friction slips or sticks, an edge ends) or an event
+ends the motion; `transition` then finds the impacts and the next mode.
+"""
 
 # the state of the loop in `run` comes from the motion that begins in it: depending on which file it looks at first,
 # pyright takes types in this circle for partly unknown, though every call in it has a declared result

@@ -54,12 +54,14 @@ def impact_without_collision(
     or of the slip that begins, where b is too small to tell it. Status NONE if the normal velocity never returns.
     Raises ValueError unless the problem has one normal, and one rub, loaded by it alone, or none (brakes do not count).
     """
+    # one normal, and at most one rub that it alone loads
     kept = [row for row in range(problem.n) if row not in {rub.row for rub in impulsive(problem) if _is_idle(rub)}]
     followed = _of_rows(problem, kept)
     if len(followed.normals) != 1 or len(followed.rubs) > 1 or any(r.magnitudes for r in followed.rubs):
         raise ValueError("following an impact needs one normal, and one rub that it alone loads, or none")
     if any(rub.normals != followed.normals for rub in followed.rubs):
         raise ValueError("following an impact needs a rub that the normal alone loads")
+    # the phases of slip, each linear in the normal impulse p [N s], up to the end of restitution
     system = reduced(followed)
     mode = [RowState.HELD] * problem.n
     for rub in problem.rubs:
@@ -70,6 +72,7 @@ def impact_without_collision(
     end = _end(phases, restitution, kind) if phases else None
     if end is None:
         return judged(problem, OutcomeCount.NONE, tuple(mode), np.full(problem.n, np.nan), is_proven=True)
+    # impulses of all rows (n,): those of the end of the phase in which it ends
     impulses = np.zeros(problem.n)
     if end > 0.0:
         last = next(phase for phase in reversed(phases) if phase.p0 <= end)

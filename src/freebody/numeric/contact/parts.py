@@ -1,7 +1,7 @@
-"""Parts of a contact problem that have nothing to do with each other: things that lie on the ground side by side.
+"""Independent subproblems of a contact problem: bodies that lie on the ground side by side.
 
-Rows act on each other if their entry of A is not zero, and a rub goes with all rows in its load. Modes of parts are
-chosen one by one, so that their numbers add up where those of the whole would multiply.
+Two rows are coupled if their entry of A is not zero, and a rub is coupled with all rows in its load. The modes of each
+subproblem are searched alone, so that their numbers add up where those of the whole would multiply.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ class Part:
 
 def separate(problem: ContactProblem) -> list[Part]:
     """The parts, in the order of their first rows; the problem as it is if it has one only."""
+    # which rows are coupled, (n, n), and the connected components of that graph
     joined = problem.A != 0.0
     for rub in problem.rubs:
         for row in (*rub.normals, *(row for group in rub.magnitudes for row in group)):
@@ -31,6 +32,7 @@ def separate(problem: ContactProblem) -> list[Part]:
     groups = _connected(joined | joined.T)
     if len(groups) < 2:
         return [Part(problem, tuple(range(problem.n)))]
+    # each component as a problem, its rows counted anew
     parts: list[Part] = []
     for rows in groups:
         place = {row: k for k, row in enumerate(rows)}

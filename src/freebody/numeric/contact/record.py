@@ -1,4 +1,4 @@
-"""The phases of a motion, put together to one course."""
+"""The phases of a hybrid motion, concatenated to one trajectory."""
 
 from __future__ import annotations
 
@@ -35,6 +35,7 @@ def merged(
 ) -> Trajectory:
     """One course of all phases. At an instant between two phases it has the state after it; multipliers are those of
     all rows that may be held, zero where they are not, and friction forces where friction slides."""
+    # of every phase the outputs before the next one begins: at the instant between them the state after it counts
     parts: list[tuple[Trajectory, slice]] = []
     for k, phase in enumerate(phases):
         times = phase.course.times
@@ -46,6 +47,7 @@ def merged(
     def joined(name: str) -> Floats:
         return np.concatenate([getattr(parts[k][0], name)[parts[k][1]] for k in kept])
 
+    # (n_times, n_rows) of all rows that may be held, and (n_times, n_barriers), (n_times, n_drags) of the modes
     multipliers, unique, states, slips = (
         np.concatenate([table[parts[k][1]] for k, table in enumerate(tables) if k in set(kept)])
         for tables in zip(*(_rows(bounded, phase) for phase in phases), strict=True)

@@ -84,12 +84,14 @@ class ReducedProblem:
 
 def reduced(problem: ContactProblem) -> ReducedProblem:
     """Eliminates held rows and scales. `is_consistent` is false if the held rows contradict each other."""
+    # D makes the diagonal of A one; a row that nothing moves keeps its units
     A, b = problem.A, problem.b
     rows = np.array(problem.free_rows, dtype=np.intp)
     held = np.array(problem.held_rows, dtype=np.intp)
     diagonal = A.diagonal()
     D = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
     scale = D[rows]
+    # Schur complement on the free rows (n_free, n_free), with the sizes of the terms by which it is rounded
     coupling = A[np.ix_(rows, held)]
     p, Q, is_consistent = _held_forces(A, b, D, rows, held, problem.lengths)
     free, right, size = A[np.ix_(rows, rows)], b[rows], np.abs(b[rows])
@@ -159,6 +161,7 @@ def _frictions(
     found: list[ReducedFriction] = []
     for rub in problem.rubs:
         s = float(D[rub.row])
+        # the load as constant + slope.l of the free rows: held rows among the normals are put in by p and Q
         normals = tuple(place[j] for j in rub.normals if j in place)
         slope, constant = np.zeros(len(place)), rub.constant / s
         for j in rub.normals:
@@ -169,6 +172,7 @@ def _frictions(
                 constant += float(p[held_place[j]]) / s
         pressing = tuple((j, weight) for j, weight in enumerate(slope.tolist()) if weight)
         is_always_loaded = rub.is_always_loaded or len(normals) < len(rub.normals)
+        # magnitudes |start + slopes l|, (n_group,) and (n_group, n_free)
         groups: list[tuple[Array, Array]] = []
         for group in rub.magnitudes:
             start, slopes = np.zeros(len(group)), np.zeros((len(group), len(place)))

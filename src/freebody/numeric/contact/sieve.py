@@ -1,4 +1,4 @@
-"""Modes that may be consistent: all at once, and only roughly, so that few are left to be solved one by one.
+"""A rough test that rules out inconsistent modes, all in one batch, so that few are left to be solved one by one.
 
 Where rows are redundant, A + e D with two different diagonals D gives two solutions; what they agree on is determined,
 and only that can rule a mode out. A condition fails if it is missed by much more than the two differ.

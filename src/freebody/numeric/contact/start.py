@@ -174,6 +174,7 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
     found: set[str] = set()
     if len(facing) < 2:
         return found
+    # gap, its rate and what the loads accelerate it with, by the size, the speed and the acceleration of the system
     v = reference.velocities(q)
     g = reference.geometry(q, v, 0.0)
     driven = forces(reference, g) / np.where(reference.masses > 0.0, reference.masses, np.inf)
@@ -190,6 +191,7 @@ def far_sides(reference: Reference, q: Array, bounds: Sequence[UnilateralConstra
         gap, rate, fall = (round(x / PENETRATION) for x in (*tells, falls))
         return gap, rate, fall, bound.name
 
+    # two sides of one edge have opposite gradients
     for n, one in enumerate(facing):
         for other in facing[n + 1 :]:
             a, b = slopes[one.name], slopes[other.name]

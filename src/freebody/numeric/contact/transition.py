@@ -1,6 +1,7 @@
-"""What happens at an instant: impacts, then the mode in which the motion goes on.
+"""The transition between two phases: impacts, then the contact mode in which the motion goes on.
 
-1. Barriers at gap zero that approach collide: the impulses of all touching ones are found at once.
+1. Barriers (unilateral constraints) at gap zero that approach collide: the impulses of all that touch are found at
+   once.
 2. A gap that opens, but would not come wider than `REST` of the system's size, stays closed. After an impact this ends
    the sequence of rebounds; its time is the limit of the geometric series, t + 2 u / (a (1 - e)), with u the speed of
    the rebound and a the acceleration with which it is pressed back.
@@ -102,6 +103,7 @@ class InstantTransition:
             self.stopped |= {
                 k for k, d in enumerate(b.drags) if stuck and d.of >= 0 and b.barriers[d.of].family == family
             }
+        # what touches now; the far side of an edge does not
         y = y.copy()
         forbidden = tuple(forbidden)
         result = After(y, None)
@@ -110,6 +112,7 @@ class InstantTransition:
         touching = [k for k in self._touching(now, before, touched) if k != left]
         result.behind = self._far_sides(now, touching, before.union(touched))
         touching = [k for k in touching if k not in result.behind]
+        # impacts, one after another, until nothing that touches approaches
         for _ in range(N_IMPACTS):
             now = b.instant(y, t, near)
             speed = self._speed(y, touching, now)
@@ -123,12 +126,14 @@ class InstantTransition:
             outcome, problem = collision
             change = self._push(y, problem.weighted, outcome.impulses)
             result.impacts.append(self._impact(t, problem, outcome, rates, change))
+        # rebounds too small to be followed end at once; then accelerations decide on the mode
         self._settle(result, now, touching, near)
         now = b.instant(y, t, near)
         outcome = self._decide(result, now, touching, mode, forbidden)
         if self.jams and outcome.status is OutcomeCount.NONE and self._jam(result, now, touching):
             now = b.instant(y, t, near)
             outcome = self._decide(result, now, touching, None, forbidden)
+        # an edge that ends may hand its contact over to the next one of the same outlines
         result.status = outcome.status
         if left is not None and result.mode is not None and not result.impacts:
             family = b.barriers[left].family

@@ -1,4 +1,4 @@
-"""Events of contacts and friction in words."""
+"""Events of contacts and friction as messages: what the change from one mode to the next is called."""
 
 from __future__ import annotations
 

@@ -1,18 +1,20 @@
-"""What a mode needs to be positive, watched along the steps: gaps, pressing forces, slip rates, reserves of friction.
+"""Guards: quantities that a contact mode needs to be positive, monitored along the steps. They are the gaps of open
+contacts, the forces of closed ones, slip rates, and friction reserves (limit less force).
 
-A guard is violated where it falls below zero; the first violation ends the motion there. A guard may begin at zero (a
-contact that has just opened): then it is violated at the start if it falls at once. A gap below zero (the far side of
-an edge that ends) says nothing until it has been above; but one that is just below when the motion begins, because
-things that touch elsewhere have been put where they do, is counted from there, as is a slip rate. One that begins at
-zero and is asleep says nothing either: the far side of a rod on which something lies, an edge whose end has just been
-passed.
+A guard is violated where it falls below zero; the first violation ends the phase there. How a guard begins:
 
-Gaps and slip rates are searched as events are (`search`): however long the step, none falls below zero unnoticed, but
-by less than the resolution. Most gaps are far away, which one enclosure over the whole step shows.
+- at zero (a contact that has just opened): it is violated at the start if it falls at once;
+- below zero (a gap on the far side of an edge that ends): it counts only once it has been above zero. Slightly below,
+  by the round-off with which bodies were placed in contact elsewhere, a gap counts from there, as a slip rate does;
+- at zero and asleep (the far side of a rod on which something lies, an edge whose end has just been passed): it counts
+  only once it has been above zero.
 
-Forces and reserves have no polynomial in a step. They are looked at in at least `N_PARTS` parts of it, so short that
-nothing with corners turns by more than `TURN` in one; where one of them is least between two others, its least value is
-looked for. A dip between two such points is not seen.
+Gaps and slip rates are searched for zeros as events are (`search`): no crossing is missed however long the step, unless
+it stays within the resolution. For most gaps, which are far from zero, one enclosure over the step excludes a crossing.
+
+Forces and reserves are no polynomials in a step. They are sampled at the ends of at least `N_PARTS` parts of it, short
+enough that no body with corners turns by more than `TURN` in one, and minimised between samples where one is lower than
+both neighbours. A dip below zero between two samples that shows in none of them is missed.
 """
 
 from __future__ import annotations
