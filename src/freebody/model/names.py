@@ -15,10 +15,10 @@ from fractions import Fraction
 from typing import Any, Protocol, cast
 
 from freebody.errors import ExpressionError, InputError, Problem, UnitError
-from freebody.language.expression import Call, Expr, Symbol, evaluate, free_symbols, negate, number
+from freebody.language.expression import FUNCTIONS, Call, Expr, Symbol, evaluate, free_symbols, negate, number
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, parse_quantity
+from freebody.language.units import DIMENSIONLESS, LARGEST, LENGTH, Dimension, dimension_of, is_unit, parse_quantity
 from freebody.measures.base import Measure
 from freebody.measures.geometry import COMPASS, GROUND, ONE, Components, Direction, Point
 from freebody.model.elements import AppliedLoad, Attitude, BodyPlane, ConstraintRow, Line, Parameter, RigidBody
@@ -29,6 +29,7 @@ from freebody.tolerances import LEAST
 ZERO = number(0)
 PI = Symbol("pi")
 _QUANTITY = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-zµμ°%]")
+_WITH_UNIT = re.compile(r"(?<![\w.])[\d.]+([eE][+-]?\d+)?\s+(?P<unit>[A-Za-zµμ°%]+)")
 
 
 def placeholder(name: str) -> RigidBody:
@@ -212,18 +213,32 @@ class Names:
         return expr
 
     def _quantity(self, text: str, dimension: Dimension, path: tuple[str | int, ...], why_not: str) -> Expr:
-        if not _QUANTITY.match(text):
-            self.problem(why_not, *path)
-            return ZERO
         try:
-            quantity = parse_quantity(text)
+            quantity = parse_quantity(text) if _QUANTITY.match(text) else None
         except InputError as error:
-            self.problem(str(error) if "unit" in str(error) else why_not, *path)
+            why_not, quantity = str(error) if "unit" in str(error) else why_not, None
+        if quantity is None:
+            self.problem(self._mixed(text) or why_not, *path)
             return ZERO
         if quantity.dimension != dimension:
             self.problem(_unit_differs(text, quantity.dimension, dimension), *path)
             return ZERO
         return quantity_expression(quantity)
+
+    def _mixed(self, text: str) -> Message | None:
+        """What to say of an expression in which a value with its unit stands beside other things."""
+        names = {*self.parameters, *FUNCTIONS}
+        if not names.intersection(re.findall(r"\w+", text)) and not re.search(r"\S\s*\+|\s-\s", text):
+            return None
+        for found in _WITH_UNIT.finditer(text):
+            if found["unit"] not in self.parameters and is_unit(found["unit"]):
+                return Message(
+                    "'{value}' in '{text}': units do not stand inside expressions. Give the value a name with its "
+                    "unit under parameters, and write that name here",
+                    value=found.group(),
+                    text=text,
+                )
+        return None
 
     def positive(self, spec: Spec, field: str, dimension: Dimension) -> Expr:
         """A formula that must not be negative."""

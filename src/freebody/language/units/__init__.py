@@ -40,7 +40,7 @@ from freebody.language.units.dimension import (
 )
 from freebody.language.units.inference import dimension_of
 from freebody.language.units.quantity import LARGEST, Quantity, parse_quantity
-from freebody.language.units.reader import parse_unit
+from freebody.language.units.reader import is_unit, parse_unit
 from freebody.language.units.table import Unit
 
 __all__ = [
@@ -73,6 +73,7 @@ __all__ = [
     "Quantity",
     "Unit",
     "dimension_of",
+    "is_unit",
     "parse_quantity",
     "parse_unit",
     "unit_of",

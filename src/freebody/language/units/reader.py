@@ -38,6 +38,15 @@ def parse_unit(text: str) -> Unit:
     return _UnitReader(text).unit() if text.strip() else Unit(DIMENSIONLESS)
 
 
+def is_unit(name: str) -> bool:
+    """Whether a name is that of one unit, such as m or kN."""
+    try:
+        _named_unit(name)
+    except UnitError:
+        return False
+    return True
+
+
 class _UnitReader:
     def __init__(self, text: str) -> None:
         self._text = text.strip()
