@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import singledispatchmethod
@@ -15,7 +14,6 @@ from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Expr, add
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
-from freebody.measures.base import Measure
 from freebody.narrative.contact.phase_motion import KINETIC, POTENTIAL, energy_parts, tell_energies
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
@@ -23,13 +21,16 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import names_of, side_of, written
 from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Revolutions, When
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.loads import Work
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.phases.quantities import only_friction_takes_energy, plain, value_in_mode
+from freebody.study.answering.passage import NumericPassage
+from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
+from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
@@ -57,48 +58,24 @@ def asked_side(
 
 def _number(way: PhaseSequence, question: Question, world: World) -> Any:
     """What is asked, by the numeric route."""
-    return question.quantity.counted(_Passage(way.system, world))
+    return question.quantity.counted(_passage(way.system, world))
 
 
-@dataclass(frozen=True)
-class _Passage:
+def _passage(base: System, world: World) -> NumericPassage:
     """The motion that a world has gone through; friction alone takes its energy. base: the system with its contacts."""
+    now = world.snapshot
+    seen: Sequence[PhaseSnapshot] = world.run.seen if isinstance(world, CourseWorld) else ()
+    begin = seen[0].begin if seen else now
 
-    base: System
-    world: World
+    def there(quantity: Quantity, state: Snapshot = now) -> Any:
+        return value_in_mode(quantity, base, state.reference.system, state)
 
-    def time(self) -> float:
-        return self.world.snapshot.t
-
-    def change(self, measure: Measure) -> float:
-        return self.world.snapshot.value(measure) - self._begin.value(measure)
-
-    def heat(self) -> float:
-        states = (self._begin, self.world.snapshot)
-        before, after = (value_in_mode(EnergyOf("total"), self.base, plain(s.reference.system), s) for s in states)
+    def lost() -> float:
+        before, after = (there(EnergyOf("total"), s) for s in (begin, now))
         return before - after
 
-    def work(self, load: str) -> float:
-        begin, now = self._begin, self.world.snapshot
-        return sum(begin.potential(p) - now.potential(p) for p in self.base.pushes if p.load == load)
-
-    def revolutions(self, body: str) -> float:
-        angle = Angle(body)
-        marks = [self._begin.value(angle), *(s.snapshot().value(angle) for s in self._course.run.seen)]
-        return sum(abs(b - a) for a, b in pairwise(marks)) / (2 * math.pi)
-
-    def there(self, quantity: Quantity) -> Any:
-        now = self.world.snapshot
-        return value_in_mode(quantity, self.base, now.reference.system, now)
-
-    @property
-    def _course(self) -> CourseWorld:
-        assert isinstance(self.world, CourseWorld)
-        return self.world
-
-    @property
-    def _begin(self) -> Any:
-        return self._course.run.seen[0].begin
+    instants = [begin, *(s.snapshot() for s in seen)]
+    return NumericPassage(base, begin, now, there, lost, ways=lambda: pairwise(instants))
 
 
 # -- the last stage ---------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.reading import Question
 from freebody.study.answering.numbers import work_until
-from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.passage import smooth_numbers
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
@@ -69,7 +69,7 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
         assert question.event is not None
         setup, end = context.setup, world.snapshot.t
         work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
-        return float(quantity.counted(NumericPassage(setup, world.draw.start(), world.snapshot, end, work)))
+        return float(quantity.counted(smooth_numbers(setup, world.draw.start(), world.snapshot, work)))
 
     if symbol.name not in context.glossary.meanings:
         read = counted if quantity.scope == "course" else quantity

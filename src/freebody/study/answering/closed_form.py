@@ -10,8 +10,8 @@ from functools import singledispatchmethod
 
 from freebody.assess.verdict import Judgement
 from freebody.errors import CannotAnswer, NeverHappens
-from freebody.language.expression import ZERO, Expr, number
-from freebody.language.notation import compared, joined, reworded
+from freebody.language.expression import Expr, number
+from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity
 from freebody.questions.freedom import DegreesOfFreedom
@@ -19,14 +19,13 @@ from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import Answer, Evidence, Value, made
-from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, real
+from freebody.study.answering.conditions import as_written, at_instant, is_kinematic, loops_in, real
 from freebody.study.answering.crosscheck import element_at, holds
 from freebody.study.answering.finding import Elements, Finding, Otherwise, answered, judged
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.passage import smooth_passage
 from freebody.study.answering.scope import for_all
-from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.equilibrium import ClosedFormRest, find_equilibrium, small_oscillations
@@ -261,7 +260,7 @@ class QuestionSolver:
             value = self._value(element) if found.has_value else None
             needed = self._conditions(found, element)
             broken = self._violated(needed)
-            found.notes += broken + self._loop_notes(element)
+            found.notes += broken + loops_in(self.setup, element)
             value = None if broken else value
             parts = element if isinstance(element, tuple) else (element,)
             conditions = found.says + texts(needed) or [for_all(self.system, parts)]
@@ -276,15 +275,6 @@ class QuestionSolver:
             judgement=judgement,
             evidence=found.evidence,
         )
-
-    def _loop_notes(self, element: Elements) -> list[str]:
-        """The closed loops, where an answer contains coordinates that they bind."""
-        bound = {c.index for c in self.model.dependent} | {c.speed for c in self.model.dependent}
-        parts = element if isinstance(element, tuple) else (element,)
-        if not any(self.model.field.ingredients(part) & bound for part in parts):
-            return []
-        zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in self.model.loops]
-        return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
     def _conditions(self, found: Finding, element: Elements) -> list[Condition]:
         """Everything without which the answer is not true."""

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial, singledispatch
-from typing import Any
 
 import numpy as np
 
@@ -30,7 +28,7 @@ from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts, element_at, holds
 from freebody.study.answering.draws import Draw
-from freebody.study.answering.passage import NumericPassage
+from freebody.study.answering.passage import NumericPassage, smooth_numbers
 from freebody.study.answering.witness import TOLERANCE, motion_to
 from freebody.study.mobility.centres import moving_for
 from freebody.study.phases.quantities import only_friction_takes_energy, value_in_mode
@@ -59,7 +57,7 @@ def at_event(
 ) -> object:
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
-    return quantity.counted(NumericPassage(setup, start, found.event, found.time, work, found.links))
+    return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links))
 
 
 def work_until(setup: Setup, load: str, draw: Draw, event: QuestionEvent, end: float) -> float:
@@ -180,39 +178,17 @@ def number_with_changes(system: System, question: Question) -> Value:
     reference = simulator.reference
     q, v = map(reference.by_column, simulator.engine.coordinates(simulator.start))
     begin = reference.snapshot(q, v)
-    values = as_parts(quantity.counted(_WithChanges(system, begin, SimulatedInstant(motion, k), course.t_end)))
-    return values[0] if len(values) == 1 else values
+    now, held = SimulatedInstant(motion, k), with_all_held(system)
 
-
-@dataclass(frozen=True)
-class _WithChanges:
-    """A simulated motion with contacts, of which the instants at both ends are known."""
-
-    system: System
-    begin: Snapshot
-    now: Snapshot
-    end: float
-
-    def time(self) -> float:
-        return self.end
-
-    def change(self, measure: Measure) -> float:
-        return self.now.value(measure) - self.begin.value(measure)
-
-    def work(self, load: str) -> float:
-        return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.pushes if p.load == load)
-
-    def heat(self) -> float:
-        if not only_friction_takes_energy(self.system):
+    def lost() -> float:
+        if not only_friction_takes_energy(system):
             raise CannotAnswer(Message("other loads do work as well, and the heat of friction is not counted apart"))
-        before, after = (float(Energy("total").value(self.system, s)) for s in (self.begin, self.now))
+        before, after = (float(Energy("total").value(system, s)) for s in (begin, now))
         return before - after
 
-    def revolutions(self, body: str) -> float:
-        raise CannotAnswer(Message("how often {body} turns is not counted here", body=body))
-
-    def there(self, quantity: Quantity) -> Any:
-        return value_in_mode(quantity, self.system, with_all_held(self.system), self.now)
+    passage = NumericPassage(system, begin, now, lambda q: value_in_mode(q, system, held, now), lost)
+    values = as_parts(quantity.counted(passage))
+    return values[0] if len(values) == 1 else values
 
 
 def _rests(setup: Setup) -> bool:

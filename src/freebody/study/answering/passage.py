@@ -6,7 +6,7 @@ adds a phase of no length behind the event where the value just after it is mean
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +18,7 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.base import Quantity
+from freebody.questions.base import Described, Quantity
 from freebody.study.answering.finding import Elements
 from freebody.study.setup import Setup
 from freebody.symbolic.field import Ratio
@@ -149,30 +149,51 @@ def both_ways(body: str) -> CannotAnswer:
 
 @dataclass(frozen=True)
 class NumericPassage:
-    """A smooth motion in numbers. power_integral: of a load, up to the event; links: instants on the way there."""
+    """A motion in numbers, whatever its phases. begin, now: the instants at its ends, before an impact with which it
+    begins. at_end: a quantity where it ends; lost: [J] what dry friction and impacts have taken; work_done: [J] of a
+    load, else what its potential has lost; ways: instants on the way, phase by phase."""
 
-    setup: Setup
-    start: Snapshot
-    event: Snapshot
-    end: float
-    power_integral: Callable[[str], float]
-    links: Sequence[Snapshot] = ()
+    system: Described
+    begin: Snapshot
+    now: Snapshot
+    at_end: Callable[[Quantity], Any]
+    lost: Callable[[], float]
+    work_done: Callable[[str], float] | None = None
+    ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
 
     def time(self) -> float:
-        return self.end
+        return self.now.t
 
     def change(self, measure: Measure) -> float:
-        return self.event.value(measure) - self.start.value(measure)
+        return self.now.value(measure) - self.begin.value(measure)
 
     def work(self, load: str) -> float:
-        return self.power_integral(load)
+        if self.work_done is not None:
+            return self.work_done(load)
+        return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.pushes if p.load == load)
 
     def heat(self) -> float:
-        raise CannotAnswer(_WORK_INSTEAD)
+        return self.lost()
 
     def revolutions(self, body: str) -> float:
+        if self.ways is None:
+            raise CannotAnswer(Message("how often {body} turns is not counted here", body=body))
         angle = Angle(body)
-        return turned_through(body, [s.value(angle) for s in (self.start, *self.links, self.event)])
+        return sum(turned_through(body, [s.value(angle) for s in instants]) for instants in self.ways())
 
     def there(self, quantity: Quantity) -> Any:
-        return quantity.value(self.setup.system, self.event)
+        return self.at_end(quantity)
+
+
+def smooth_numbers(
+    setup: Setup, start: Snapshot, event: Snapshot, work: Callable[[str], float], links: Sequence[Snapshot] = ()
+) -> NumericPassage:
+    """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way."""
+
+    def lost() -> float:
+        raise CannotAnswer(_WORK_INSTEAD)
+
+    def at_end(quantity: Quantity) -> Any:
+        return quantity.value(setup.system, event)
+
+    return NumericPassage(setup.system, start, event, at_end, lost, work, lambda: ((start, *links, event),))

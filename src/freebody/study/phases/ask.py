@@ -13,6 +13,7 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
+from freebody.study.answering.conditions import loops_in
 from freebody.study.answering.crosscheck import TooLittleCompared
 from freebody.study.answering.finding import answered, judged
 from freebody.study.answering.numbers import number_with_changes
@@ -87,6 +88,8 @@ def _answer(tree: PhaseTree, question: Question, parts: list[list[AnswerBranch]]
         notes.append(
             Message("just before {event}, {phase}", event=happening(main.first.watch, None), phase=in_phase(main.phase))
         )
+    if not main.is_home:
+        notes += loops_in(main.phase.setup, main.value)
     broken = _broken(tree, own) if tree.system.has_values else ""
     if broken:
         notes.append(reworded(Message("Not valid for the given numbers: {text}", text=broken), broken))

@@ -6,7 +6,6 @@ The numbers come from `witness`: the one place where another simulation could be
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -14,8 +13,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.measures.angle import Angle
-from freebody.measures.base import Measure
+from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question, QuestionEvent
@@ -29,7 +27,7 @@ from freebody.study.answering.crosscheck import (
 )
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.answering.passage import turned_through
+from freebody.study.answering.passage import NumericPassage
 from freebody.study.answering.spread import disagreement
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.pieces import AnswerBranch, is_before_impact
@@ -143,39 +141,13 @@ def _since_the_start(tree: PhaseTree, question: Question, piece: AnswerBranch) -
     def compare(k: int) -> None:
         values = tree.sets.one(k)
         mode, q, v = begun(tree.system, stage(tree, node), values)
-        taken = 0.0
+        before = now = mode.snapshot(q, v, 0.0)
         if node.impact is not None:
             before, _q, _v = before_impact(tree.system, node.impact.before.kept, values)
-            taken = _energy(before, mode.system) - _energy(mode.snapshot(q, v, 0.0), mode.system)
-        counted = question.quantity.counted(_Nothing(taken))
+        counted = question.quantity.counted(_passage(tree, [], mode, before, now))
         check.compare(Draw(mode.values, mode.references[0], q), _home_numbers(tree, piece, k), counted)
 
     return check.gather(_numbered(piece), compare).evidence()
-
-
-@dataclass(frozen=True)
-class _Nothing:
-    """A motion that is over as it begins; taken: the energy that an impact takes then [J]."""
-
-    taken: float
-
-    def time(self) -> float:
-        return 0.0
-
-    def change(self, measure: Measure) -> float:
-        return 0.0
-
-    def work(self, load: str) -> float:
-        return 0.0
-
-    def heat(self) -> float:
-        return self.taken
-
-    def revolutions(self, body: str) -> float:
-        return 0.0
-
-    def there(self, quantity: Quantity) -> Any:
-        raise CannotAnswer(Message("nothing has moved yet"))
 
 
 def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, ...]:
@@ -242,43 +214,28 @@ def _number(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, seen: list
     begin = seen[0].begin
     if first.impact is not None:
         begin, _q, _v = before_impact(tree.system, first.impact.before.kept, values)
-    return quantity.counted(_Passage(tree.system, seen, mode.system, begin, now))
+    return quantity.counted(_passage(tree, seen, mode, begin, now))
 
 
-@dataclass(frozen=True)
-class _Passage:
+def _passage(
+    tree: PhaseTree, seen: Sequence[PhaseSnapshot], mode: NumericMode, begin: Snapshot, now: Snapshot
+) -> NumericPassage:
     """What was seen of a motion in phases. begin, now: before all impacts, and where it is asked for, in `mode`."""
 
-    base: System
-    seen: Sequence[PhaseSnapshot]
-    mode: System
-    begin: Any
-    now: Any
+    def lost() -> float:
+        if all(only_friction_takes_energy(s.mode.system) for s in seen):
+            return _energy(begin, mode.system) - _energy(now, mode.system)
+        return sum(map(_heat, seen)) + _taken_by_impacts(seen, begin, now)
 
-    def time(self) -> float:
-        return self.seen[-1].time
+    def instants(one: PhaseSnapshot) -> Sequence[Snapshot]:
+        return [one.begin, *(one.mode.references[0].snapshot(*at) for at in one.looks), one.snapshot()]
 
-    def change(self, measure: Measure) -> float:
-        return self.now.value(measure) - self.begin.value(measure)
+    at_end = partial(_value_there, tree, mode, now)
+    return NumericPassage(tree.system, begin, now, at_end, lost, ways=lambda: map(instants, seen))
 
-    def work(self, load: str) -> float:
-        pushes = [p for p in self.base.pushes if p.load == load]
-        return sum(self.begin.potential(p) - self.now.potential(p) for p in pushes)
 
-    def heat(self) -> float:
-        if all(only_friction_takes_energy(s.mode.system) for s in self.seen):
-            return _energy(self.begin, self.mode) - _energy(self.now, self.mode)
-        return sum(map(_heat, self.seen)) + _taken_by_impacts(self.seen, self.begin, self.now)
-
-    def revolutions(self, body: str) -> float:
-        angle, total = Angle(body), 0.0
-        for seen in self.seen:
-            instants = [seen.begin, *(seen.mode.references[0].snapshot(*at) for at in seen.looks), seen.snapshot()]
-            total += turned_through(body, [s.value(angle) for s in instants])
-        return total
-
-    def there(self, quantity: Quantity) -> Any:
-        return value_in_mode(quantity, self.base, self.mode, self.now)
+def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:
+    return value_in_mode(quantity, tree.system, mode.system, now)
 
 
 def _taken_by_impacts(seen: Sequence[PhaseSnapshot], begin: Any, now: Any) -> float:
