@@ -164,7 +164,7 @@ def course_of(text: str, until: float, **options: Any) -> Trajectory:
 
 
 def found_of(text: str, until: float) -> list[tuple[float, str]]:
-    return [(e.time + 0.1, e.kind) for e in course_of(text, until).happenings]
+    return [(e.time + 0.1, e.kind) for e in course_of(text, until).events]
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-9, 1e-12])
@@ -176,7 +176,7 @@ def test_all_roots_of_sin_3x_equal_to_cos_x_are_found(method: str, tolerance: fl
     course = course_of(
         "sin(3*theta) - cos(theta)", 100.0, method=method, tolerance=tolerance, step=0.5 if method == "rk4" else None
     )
-    assert [e.time for e in course.happenings] == pytest.approx(expected, rel=1e-12)
+    assert [e.time for e in course.events] == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize(

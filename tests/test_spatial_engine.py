@@ -369,8 +369,8 @@ def with_stop(text: str, measure: str) -> fb.System:
 def test_a_door_that_rebounds_from_a_stop_until_it_rests_does_what_the_planar_one_does() -> None:
     systems = with_stop(PENDULUM, "angle of it about z"), with_stop(FLAT, "angle of it")
     space, plane = (system.simulate(3.0, every=0.1).course for system in systems)
-    assert [h.kind for h in space.happenings] == [h.kind for h in plane.happenings]
-    assert [h.time for h in space.happenings] == pytest.approx([h.time for h in plane.happenings], abs=1e-8)
+    assert [h.kind for h in space.events] == [h.kind for h in plane.events]
+    assert [h.time for h in space.events] == pytest.approx([h.time for h in plane.events], abs=1e-8)
     assert np.abs(space.poses[:, 0, :2] - plane.poses[:, 0, :2]).max() < 1e-7
     assert space.rotation is not None
     assert len(space.rotation.quaternions) == len(space.times)

@@ -75,7 +75,7 @@ def sphere_by_events() -> dict[str, Any]:
         begin = process_time()
         course = simulator.run(scenes.SPHERE_TIME, tolerance=1e-10, outputs=outputs)
         seconds.append(process_time() - begin)
-    happening = course.happenings[0]
+    happening = course.events[0]
     k = int(np.abs(course.times - happening.time).argmin())
     found = float(np.hypot(*course.velocities[k, 0, :2]))
     return {

@@ -139,7 +139,7 @@ class Hybrid:
             near = course.near
             y = engine.state_at(course, -1)
             y[engine.at_work] = course.work[-1]
-            self.events += course.happenings
+            self.events += course.events
             if course.violated < 0:
                 status, message = course.status, course.message
                 if status in (Status.STEP_TOO_SMALL, Status.NOT_FINITE) and any(mode.drags):

@@ -66,7 +66,7 @@ def merged(
         multipliers=multipliers,
         unique=unique.astype(bool),
         work=joined("work"),
-        happenings=tuple(e for e in events if e.time <= times[-1] or e.kind == "comes to rest"),
+        events=tuple(e for e in events if e.time <= times[-1] or e.kind == "comes to rest"),
         n_steps=sum(c.n_steps for c in courses),
         n_evaluations=sum(c.n_evaluations for c in courses),
         n_rejected=sum(c.n_rejected for c in courses),

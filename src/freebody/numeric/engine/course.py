@@ -132,7 +132,7 @@ class Trajectory:
     multipliers: Floats  # (n_times, n_held), in the order of the model
     unique: NDArray[np.bool_]  # (n_times, n_held)
     work: Floats  # (n_times,): by loads without a potential and by drivers, since the start [J]
-    happenings: tuple[Event, ...]
+    events: tuple[Event, ...]
     n_steps: int
     n_evaluations: int
     n_rejected: int

@@ -110,7 +110,7 @@ class RunningMotion(MotionUnderWay):
                         status = Status.EVENT
                         if self.violation is None:
                             message = Message(
-                                "{event} at t = {t:.9g} s", event=self.happenings[-1].name, t=self.happenings[-1].time
+                                "{event} at t = {t:.9g} s", event=self.events[-1].name, t=self.events[-1].time
                             )
                         break
                     if result == stepping.TOO_SMALL:
@@ -201,7 +201,7 @@ class RunningMotion(MotionUnderWay):
             search.calibrate(self.run, value)
             self.searches.append(search)
             if abs(value) <= search.zero:
-                self.happenings.append(Event(self.start, watch.name, "start"))
+                self.events.append(Event(self.start, watch.name, "start"))
 
     def _store_start(self) -> None:
         """Output times that are not after the start get the start."""
@@ -254,7 +254,7 @@ class RunningMotion(MotionUnderWay):
         order = np.argsort(times, kind="stable")
         last = math.inf
         if status is Status.EVENT:
-            last = self.happenings[-1].time if self.violation is None else self.violation.time
+            last = self.events[-1].time if self.violation is None else self.violation.time
         order = np.array([i for i in order if times[i] <= last], dtype=np.intp)
         Y = np.array(states)[order]
         multiplier_rows = np.array(multipliers).reshape(len(times), -1)[order][:, e.place_of]
@@ -274,7 +274,7 @@ class RunningMotion(MotionUnderWay):
             multipliers=multiplier_rows,
             unique=self._unique(T, Y, multiplier_rows.shape),
             work=Y[:, 2 * n].copy(),
-            happenings=tuple(self.happenings),
+            events=tuple(self.events),
             n_steps=int(run.count[stepping.STEPS]),
             n_evaluations=int(run.count[stepping.EVALUATIONS]),
             n_rejected=int(run.count[stepping.REJECTED]),

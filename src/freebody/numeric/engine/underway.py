@@ -27,7 +27,7 @@ class MotionUnderWay:
         self.searches: list[ProgramSearch] = []  # of what is watched
         self.notes: list[Message] = []
         self.extra: list[tuple[float, Floats, Floats, Floats]] = []  # states at events
-        self.happenings: list[Event] = []
+        self.events: list[Event] = []
 
     def values(self) -> list[float]:
         """What is watched, at the instant looked at last."""
@@ -76,8 +76,8 @@ class MotionUnderWay:
 
     def say_zero(self, watch: EngineWatch, t: float) -> None:
         """Notes, once, that something is zero throughout."""
-        if all(h.name != watch.name or h.kind != "zero" for h in self.happenings):
-            self.happenings.append(Event(t, watch.name, "zero"))
+        if all(h.name != watch.name or h.kind != "zero" for h in self.events):
+            self.events.append(Event(t, watch.name, "zero"))
 
     def say_unsearched(self, what: str, part: float) -> None:
         """Notes that events may have been overlooked in the last step from a part of it on."""
@@ -95,7 +95,7 @@ class MotionUnderWay:
 
     def add(self, happening: Event, state: Floats | None) -> None:
         """Notes an event, and the motion at its instant."""
-        self.happenings.append(happening)
+        self.events.append(happening)
         if state is not None:
             self.keep(happening.time, state)
 

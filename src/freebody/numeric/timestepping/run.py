@@ -313,7 +313,7 @@ class _Run:
             multipliers=multipliers,
             unique=np.ones(multipliers.shape, bool),
             work=np.array(work) + np.array(losses),
-            happenings=(),
+            events=(),
             n_steps=self.n_done,
             n_evaluations=self.n_done,
             n_rejected=0,

@@ -108,7 +108,7 @@ def motion_to(
         if course.status is not Status.FINISHED and course.message:
             told = Message("{what}: {why}", what=told, why=course.message)
         raise CannotAnswer(told)
-    found = Found(course.happenings[-1].time, links[-1], links)
+    found = Found(course.events[-1].time, links[-1], links)
     soon = _until_turn(found.event, event, size)
     if soon is not None:  # crossed just before it turns, by no more than round-off: the turn itself is meant
         course, links = _followed(reference, start, found.time + soon, watches[1:], times)
@@ -139,7 +139,7 @@ def _turn_at(
     course: Trajectory, links: Sequence[NumericSnapshot], event: QuestionEvent, target: float, size: float
 ) -> Found | None:
     """The first instant after the start at which the measure of an event turns at its value."""
-    turns = {h.time for h in course.happenings if h.name == _TURN and h.time > links[0].t}
+    turns = {h.time for h in course.events if h.name == _TURN and h.time > links[0].t}
     for k, link in enumerate(links):
         if link.t in turns and abs(link.value(event.measure) - target) <= TOUCH * size:
             return Found(link.t, link, tuple(links[: k + 1]))

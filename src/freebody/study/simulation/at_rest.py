@@ -63,7 +63,7 @@ def _knows_time(simulator: Simulator) -> bool:
     return any("t" in free_symbols(expr) for expr in said)
 
 
-def staying(course: Trajectory, times: Array, happenings: tuple[Event, ...]) -> Trajectory:
+def staying(course: Trajectory, times: Array, events: tuple[Event, ...]) -> Trajectory:
     """The first instant of a course at all of some times."""
     n = len(times)
 
@@ -80,7 +80,7 @@ def staying(course: Trajectory, times: Array, happenings: tuple[Event, ...]) -> 
         status=Status.FINISHED,
         message=NOTE,
         times=times,
-        happenings=happenings,
+        events=events,
         rotation=rotation,
         **{name: kept(getattr(course, name)) for name in names},
     )

@@ -46,7 +46,7 @@ class SimulatedMotion:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        return self.course.happenings
+        return self.course.events
 
     @property
     def t_end(self) -> float:

@@ -151,7 +151,7 @@ def simulate(
     y = simulator.start if state is None else state
     if is_unstable_rest(simulator, y, start):
         first = simulator.run(start + 1e-9, outputs=np.array([start]), state=y, start=start, near=near)
-        zero = [h for h in first.happenings if h.kind == "start"]
+        zero = [h for h in first.events if h.kind == "start"]
         here = (*zero, *(replace(h, kind="zero") for h in zero))
         return Simulation(system, simulator, staying(first, outputs, here), options)
     course = simulator.run(until, options, outputs=outputs, progress=progress, state=state, start=start, near=near)
