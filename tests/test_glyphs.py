@@ -108,7 +108,7 @@ bodies: {sail: {particle: {mass: 1 kg}}}
 loads: {it: {wind: {at: sail, along: right, drag: 2 N s/m}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         travel = Displacement(names.point(self.at, "at"), names.ground_origin, names.direction(self.along, "along"))
         return [AppliedLoad("", travel, negate(names.positive(self, "drag", DAMPING) * RATE))]
 

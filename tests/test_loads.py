@@ -33,7 +33,7 @@ def test_dampers_only_take_energy(kind: str) -> None:
     generator = np.random.default_rng(SEED)
     for _ in range(20):
         s = reference.snapshot(q, generator.standard_normal(len(q)))
-        assert sum(s.law(push) * s.rate(push.measure) for push in reference.system.pushes) < 0, f"seed {SEED}"
+        assert sum(s.law(push) * s.rate(push.measure) for push in reference.system.applied_loads) < 0, f"seed {SEED}"
 
 
 # -- closed forms -----------------------------------------------------------------------------

@@ -45,7 +45,7 @@ def measured(s: Snapshot, name: str) -> Any:
 
 
 def energy(s: Snapshot) -> float:
-    return s.kinetic_energy + sum(s.potential(push) for push in s.reference.system.pushes)
+    return s.kinetic_energy + sum(s.potential(push) for push in s.reference.system.applied_loads)
 
 
 PENDULUM = """
@@ -317,7 +317,7 @@ loads:
   cubic: {law: {measure: x, force: -k3*x^3}}
   pull: {force: {at: ball, along: right, magnitude: 3 N}}
 """)
-    push = {p.load: p for p in s.reference.system.pushes}
+    push = {p.load: p for p in s.reference.system.applied_loads}
     assert s.law(push["spring"]) == pytest.approx(-5 * (5 - 1))
     assert s.law(push["relaxed"]) == pytest.approx(0, abs=1e-12)
     assert s.law(push["damper"]) == pytest.approx(-2 * 3 / 5)
@@ -338,7 +338,7 @@ parameters: {k: 5 N m^2, q: 2 N/m, l: 1 m}
 measures: {d: distance from ground.A to ball}
 loads: {attraction: {law: {measure: d, force: -k/d^2}}, root: {law: {measure: d, force: q*sqrt(l*d)}}}
 """)
-    attraction, root = s.reference.system.pushes
+    attraction, root = s.reference.system.applied_loads
     assert s.law(attraction) == pytest.approx(-0.2)
     with pytest.raises(CannotAnswer, match="cannot be integrated"):
         s.potential(attraction)
@@ -373,7 +373,7 @@ def test_reactions_do_no_work_and_balance_every_body(text: str) -> None:
         columns = list(s.reference.columns(body.name))
         for row in system.held:
             held[columns] += s.multiplier(row) * np.array(s.gradient(row.measure, body.name))[: len(columns)]
-        for push in system.pushes:
+        for push in system.applied_loads:
             pushed[columns] += s.law(push) * np.array(s.gradient(push.measure, body.name))[: len(columns)]
     assert held + pushed == pytest.approx(s.reference.masses * s.accelerations, abs=1e-9)
     assert held @ s.v == pytest.approx(0, abs=1e-9)

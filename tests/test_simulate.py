@@ -196,7 +196,7 @@ def test_momentum_balances_on_every_body_to_round_off(name: str) -> None:
         for row, x in zip(system.rows, result.course.multipliers[k], strict=True):
             part = x * reference.jet(snapshot.geometry, row.measure).row(len(q))[own]
             force, size = force + part, max(size, float(np.abs(part).max()))
-        for push in system.pushes:
+        for push in system.applied_loads:
             part = snapshot.law(push) * reference.jet(snapshot.geometry, push.measure).row(len(q))[own]
             force, size = force + part, max(size, float(np.abs(part).max()))
         gap = reference.masses[own] * accelerations[b][: len(own)] - force

@@ -444,7 +444,7 @@ connections: {p: {pin: [ground.A, pulley]}, it: {string: {from: a, over: [pulley
         """A pulley without inertia, over which the string slides without friction and which no connection or load
         turns, is taken not to turn: its rotation is no motion that anything decides, and the row carries no moment."""
         rows: list[ConstraintRow] = []
-        turned = {name for push in names.pushes for name in turned_in(push.measure)}
+        turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
         for node in way[1:-1]:
             body = names.known(node.body)
             if node.body in grips or node.radius == ZERO or body.fixed or body.inertia != ZERO:

@@ -1,7 +1,7 @@
 """The base of all loads.
 
-A load is one file in this folder: a `Spec` with a `kind`; `pushes`, which says which measures it pushes and by what
-law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive.
+A load is one file in this folder: a `Spec` with a `kind`; `applied_loads`, which says which measures it pushes and by
+what law; and `glyphs`, which says what is drawn of it. Extension and pulling are positive.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Load(Spec):
             cls.kind = kind
             Load.kinds[kind] = cls
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes."""
         raise NotImplementedError
 

@@ -32,7 +32,7 @@ bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         point = names.point(self.at, "at")
         along = names.direction(self.along, "along")
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")

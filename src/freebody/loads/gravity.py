@@ -31,7 +31,7 @@ bodies: {ball: {particle: {mass: 1 kg}}}
 loads: {it: {gravity: 9.81 m/s^2}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         g = names.positive(self, "strength", ACCELERATION)
         along = names.direction(self.along, "along")
         origin = names.ground_origin

@@ -62,7 +62,7 @@ parameters: {k: 5 N/m^3}
 loads: {it: {law: {measure: x, force: -k*x^3}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         measure = measure_of(names, self.measure, "measure")
         if measure is None:
             return []
@@ -76,7 +76,7 @@ loads: {it: {law: {measure: x, force: -k*x^3}}}
         return [AppliedLoad("", measure, expr, rest) if alone is None else AppliedLoad("", measure, alone)]
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        for push in self.pushes(names):
+        for push in self.applied_loads(names):
             used = free_symbols(push.law)
             yield from _signs(names, push.measure, VALUE.name in used, RATE.name in used)
 

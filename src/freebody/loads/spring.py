@@ -49,7 +49,7 @@ bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1 m}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         first, second = names.point(self.first, "first"), names.point(self.second, "second")
         k = names.positive(self, "stiffness", STIFFNESS)
         natural = names.length_or(self, "length")
@@ -84,7 +84,7 @@ bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))
         return [AppliedLoad("", distance, negate(multiply(names.positive(self, "damping", DAMPING), RATE)))]
 
@@ -123,7 +123,7 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         theta = turn_about(names, self.body, self.on, self.about)
         k = names.positive(self, "stiffness", ROTARY_STIFFNESS)
         relaxed = names.formula(self.angle, DIMENSIONLESS, "angle")
@@ -149,7 +149,7 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torsional_damper: {body: wheel, damping: 5 N m s}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         theta = turn_about(names, self.body, self.on, self.about)
         c = names.positive(self, "damping", ROTARY_DAMPING)
         return [AppliedLoad("", theta, negate(multiply(c, RATE)))]

@@ -36,7 +36,7 @@ bodies: {wheel: {disk: {mass: 1 kg, radius: 1 m}}}
 loads: {it: {torque: {on: wheel, magnitude: 2 N m}}}
 """
 
-    def pushes(self, names: Names) -> list[AppliedLoad]:
+    def applied_loads(self, names: Names) -> list[AppliedLoad]:
         body, other = names.body(self.on, "on"), names.body(self.reacts_on, "reacts_on")
         if not body.turns:
             names.problem(Message("{body} is a particle and cannot take a torque", body=body.name), "on")

@@ -84,7 +84,9 @@ class Names:
         self.is_cut_short = False  # a whole section of names could not be read
         self.held: list[ConstraintRow] = []
         self.loads: dict[str, Dimension] = {}  # the dimension of what each load exerts
-        self.pushes: list[AppliedLoad] = []  # what the loads push, known before the connections say what they hold
+        self.applied_loads: list[
+            AppliedLoad
+        ] = []  # what the loads push, known before the connections say what they hold
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.space = False

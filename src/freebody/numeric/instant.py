@@ -92,7 +92,7 @@ def forces(reference: NumericSystem, g: JetGeometry) -> Array:
 
 def each_force(reference: NumericSystem, g: JetGeometry) -> Iterator[Array]:
     """Generalized forces, load by load."""
-    for push in reference.system.pushes:
+    for push in reference.system.applied_loads:
         measure = reference.jet(g, push.measure, push.name)
         if measure.gradient is not None:
             yield law(reference, g, push, measure) * measure.gradient
@@ -107,7 +107,7 @@ def law(reference: NumericSystem, g: JetGeometry, push: AppliedLoad, measure: Je
 
 def check_laws(reference: NumericSystem, g: JetGeometry) -> None:
     """Raises CannotAnswer naming a load whose law divides by zero here: round-off would make a number of that."""
-    for push in reference.system.pushes:
+    for push in reference.system.applied_loads:
         divisors = [part for part, relation in domain(push.law) if relation != ">="]
         if not divisors:
             continue

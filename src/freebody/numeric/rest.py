@@ -255,8 +255,8 @@ class RestFinder:
     def _potential(self, pose: CountedPose) -> float | None:
         g = self.geometry(pose)
         try:
-            pushes = self.reference.system.pushes
-            return sum(potential(self.reference, p, lambda m: self.reference.jet(g, m).value) for p in pushes)
+            applied_loads = self.reference.system.applied_loads
+            return sum(potential(self.reference, p, lambda m: self.reference.jet(g, m).value) for p in applied_loads)
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
 
@@ -287,7 +287,7 @@ class RestFinder:
         if self.apart(a.pose, b.pose) > SAME:
             return False
         laws = [
-            np.array([law(self.reference, g, push) for push in self.reference.system.pushes])
+            np.array([law(self.reference, g, push) for push in self.reference.system.applied_loads])
             for g in (self.geometry(a.pose), self.geometry(b.pose))
         ]
         return bool(np.abs(laws[0] - laws[1]).max(initial=0.0) <= 1e-3 * np.abs(laws).max(initial=0.0) + ROUND_OFF)

@@ -178,8 +178,8 @@ class NumericSystem:
         g = self.geometry(q, np.zeros_like(q), 0.0, branches)
         everything: list[tuple[str, Measure | NonholonomicForm]] = [
             *((row.name, row.measure) for row in self.system.held),
-            *((push.name, push.measure) for push in self.system.pushes),
-            *((name, m) for push in self.system.pushes for name, m in push.measures),
+            *((push.name, push.measure) for push in self.system.applied_loads),
+            *((name, m) for push in self.system.applied_loads for name, m in push.measures),
             *self.system.measures.items(),
             *self.system.offered,
         ]
@@ -252,7 +252,7 @@ class NumericSystem:
     def name_of(self, measure: Measure | NonholonomicForm) -> str:
         """What the user calls a measure."""
         names = [name for name, known in self.system.measures.items() if known == measure]
-        names += [row.name for row in (*self.system.rows, *self.system.pushes) if row.measure == measure]
+        names += [row.name for row in (*self.system.rows, *self.system.applied_loads) if row.measure == measure]
         return next(iter(names), "the measure")
 
     def most_moved(self, motion: Array) -> str:

@@ -62,7 +62,7 @@ questions: {it: kinetic energy}
                 if self.body in (None, b.name):
                     total = total + kinetic_energy(system, state, b)
         if self.what != "kinetic":
-            for push in system.pushes:
+            for push in system.applied_loads:
                 own = self.body is None or self.body in set(push.measure.bodies())
                 if own and system.loads[push.load].stores_energy:
                     total = total + state.potential(push)

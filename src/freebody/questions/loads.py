@@ -35,8 +35,8 @@ questions: {it: force in spring}
         return self.pushes_with
 
     def value(self, system: Described, state: State[Any]) -> Any:
-        pushes = [p for p in system.pushes if p.load == self.load]
-        force = system.loads[self.load].pulls_with([state.law(p) for p in pushes], state.sqrt)
+        applied_loads = [p for p in system.applied_loads if p.load == self.load]
+        force = system.loads[self.load].pulls_with([state.law(p) for p in applied_loads], state.sqrt)
         if force is None:
             raise CannotAnswer(Message("{load} acts on several bodies; ask for one body's part", load=self.load))
         return force
@@ -64,7 +64,7 @@ questions: {it: power of weight}
 
     def value(self, system: Described, state: State[Any]) -> Any:
         total: Any = 0
-        for push in system.pushes:
+        for push in system.applied_loads:
             if push.load == self.of:
                 total = total + state.law(push) * state.rate(push.measure)
         for row in system.held:

@@ -104,7 +104,7 @@ def equations_of_motion(system: System) -> Equations:
         from freebody.study.settled import settled
 
         return equations_of_motion(settled(system))
-    if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.pushes)):
+    if not any(getattr(item.measure, "incremental", False) for item in (*system.held, *system.applied_loads)):
         # nothing counts from the start; without loops no numbers are needed either, but where nothing can be assembled
         with suppress(ZeroDivisionError):
             model = SymbolicModel(system, [])

@@ -74,7 +74,7 @@ def _shown(error: DivisorVanishes) -> str:
 def without_value(system: System) -> Iterator[str]:
     """Measures of connections, loads and the user that have no value, or no gradient, at the start."""
     named: list[tuple[str, Measure | NonholonomicForm]] = [(row.name, row.measure) for row in system.rows]
-    named += [(push.name, push.measure) for push in system.pushes]
+    named += [(push.name, push.measure) for push in system.applied_loads]
     named += [*system.measures.items()]
     with suppress(FreebodyError, ArithmeticError, ValueError):
         reference = Reference(system)

@@ -139,7 +139,7 @@ class FirstIntegrals:
         if is_driven(self.model) or any(isinstance(row.measure, NonholonomicForm) for row in self.model.system.held):
             raise CannotAnswer(Message("a driver or a velocity constraint is at work, so energy is no first integral"))
         total = self.field.zero
-        for push in self.model.system.pushes:
+        for push in self.model.system.applied_loads:
             total = total + state.potential(push)
         return total
 

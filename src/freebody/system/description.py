@@ -39,7 +39,7 @@ class SystemDescription:
     parameters: Mapping[str, Parameter]
     bodies: Mapping[str, RigidBody]
     held: tuple[ConstraintRow, ...]
-    pushes: tuple[AppliedLoad, ...]
+    applied_loads: tuple[AppliedLoad, ...]
     measures: Mapping[str, Measure]
     offered: tuple[tuple[str, Measure], ...]
     start: Mapping[str, Expr]  # of named measures
@@ -124,7 +124,7 @@ class SystemDescription:
             yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
             loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
             yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))
-        for push in self.pushes:
+        for push in self.applied_loads:
             yield set(push.measure.bodies()).union(*(m.bodies() for _n, m in push.measures))
         for attitude in self.attitudes:
             yield {attitude.first, attitude.second}
@@ -140,7 +140,7 @@ class SystemDescription:
     @cached_property
     def touched(self) -> frozenset[Point]:
         """The points at which something is held, bounded, pushed or measured."""
-        measures = [row.measure for row in self.rows] + [push.measure for push in self.pushes]
+        measures = [row.measure for row in self.rows] + [push.measure for push in self.applied_loads]
         return frozenset(point for measure in (*measures, *self.measures.values()) for point in points_in(measure))
 
     @property
@@ -163,10 +163,10 @@ class SystemDescription:
         return isinstance(other, SystemDescription) and self._meaning() == other._meaning()
 
     def __hash__(self) -> int:
-        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.held, self.pushes))
+        return hash((self.title, tuple(self.parameters), tuple(self.bodies), self.held, self.applied_loads))
 
     def _meaning(self) -> tuple[object, ...]:
-        described = (self.title, self.parameters, self.bodies, self.held, self.pushes, self.measures)
+        described = (self.title, self.parameters, self.bodies, self.held, self.applied_loads, self.measures)
         bounded = (self.contacts, self.limits, self.brakes)
         return (*described, self.start, self.start_rates, self.questions, self.mode, bounded)
 

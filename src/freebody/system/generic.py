@@ -231,7 +231,7 @@ class _GenericReader:
             parameters=names.parameters,
             bodies=names.bodies,
             held=held,
-            pushes=(),
+            applied_loads=(),
             measures=measures,
             offered=(),
             start={},

@@ -73,7 +73,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
     states = mode.states
     held = [row for row in system.held if is_held_in(row, mode)]
     held += [bound.row for bound in system.bounds if bound.name in mode.closed]
-    pushes = list(system.pushes)
+    applied_loads = list(system.applied_loads)
     parameters = dict(system.parameters)
     loads: dict[str, DryFriction] = {}
     for rub in system.rubs:
@@ -87,11 +87,11 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
                 parameters[name] = Parameter(name, FORCE, None, "nonnegative")
                 law = law * Symbol(name)
                 loads[name] = rub
-            pushes.append(AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name))
+            applied_loads.append(AppliedLoad("", rub.row.measure, law, rub.measures, load=rub.name))
     alone = replace(
         system,
         held=tuple(held),
-        pushes=tuple(pushes),
+        applied_loads=tuple(applied_loads),
         parameters=parameters,
         contacts=(),
         limits=(),
@@ -111,7 +111,7 @@ def depends_on_time(system: System) -> bool:
 
 def _over_time(system: System) -> Iterator[Expr]:
     yield from (e for row in system.held for e in (row.target, row.general) if e is not None)
-    yield from (e for push in system.pushes for e in (push.law, push.general) if e is not None)
+    yield from (e for push in system.applied_loads for e in (push.law, push.general) if e is not None)
     yield from (e for rub in system.brakes for e in (rub.static, rub.kinetic))
 
 
@@ -128,6 +128,8 @@ def counted_from(system: System, instant: Expr) -> System:
     return replace(
         system,
         held=tuple(replace(row, target=put(row.target), general=put(row.general)) for row in system.held),
-        pushes=tuple(replace(push, law=put_in(push.law), general=put(push.general)) for push in system.pushes),
+        applied_loads=tuple(
+            replace(push, law=put_in(push.law), general=put(push.general)) for push in system.applied_loads
+        ),
         brakes=tuple(replace(rub, static=put_in(rub.static), kinetic=put_in(rub.kinetic)) for rub in system.brakes),
     )

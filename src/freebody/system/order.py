@@ -59,7 +59,9 @@ def in_one_order(system: System) -> System:
         offered=tuple(sorted(system.offered, key=lambda entry: natural(entry[0]))),
         held=tuple(sorted(system.held, key=lambda row: (-n_rows[row.connection], natural(row.connection)))),
         attitudes=tuple(sorted(system.attitudes, key=lambda attitude: natural(attitude.connection))),
-        pushes=tuple(sorted(system.pushes, key=lambda push: (natural(push.load), natural(push.component)))),
+        applied_loads=tuple(
+            sorted(system.applied_loads, key=lambda push: (natural(push.load), natural(push.component)))
+        ),
     )
 
 

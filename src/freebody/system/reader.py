@@ -34,13 +34,13 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
     names.connections = {name: connections[name] for name in sorted(connections, key=natural)}
     loads = source.specs("loads", Load.kinds)
     measures = read_measures(source)
-    pushes = names.pushes = read_loads(names, loads)
+    applied_loads = names.applied_loads = read_loads(names, loads)
     held, offered = read_rows(names, connections)
     contacts, limits, brakes = read_bounds(names, connections)
     start, rates = read_start(source, measures)
     mode = read_mode(source)
     names.held = [*held, *rows_to_ask_for(contacts, limits, brakes)]
-    names.loads = {p.load: ENERGY / p.measure.dimension for p in pushes}
+    names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
     questions = read_questions(names, source.data.get("questions"))
     place_ground_points(names)
     source.refuse_problems()
@@ -50,7 +50,7 @@ def read_system(document: Document, file: str | None) -> SystemDescription:
         parameters=names.parameters,
         bodies=names.bodies,
         held=tuple(held),
-        pushes=tuple(pushes),
+        applied_loads=tuple(applied_loads),
         measures=measures,
         offered=tuple(offered),
         start=start,

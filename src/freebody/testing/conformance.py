@@ -258,7 +258,7 @@ def load_example_is_a_valid_model(kind: str) -> None:
     """It pushes something, agrees with the schema, and is the same when written back."""
     system = loaded(kind)
     assert isinstance(system.loads["it"], Load.kinds[kind])
-    assert [push for push in system.pushes if push.load == "it"], f"{kind} pushes nothing in its example"
+    assert [push for push in system.applied_loads if push.load == "it"], f"{kind} pushes nothing in its example"
     assert System.from_text(system.to_yaml()) == system
     _validate(system)
 
@@ -273,7 +273,7 @@ def load_is_drawn_with_glyphs_of_its_own(kind: str) -> None:
 def load_pushes_along_the_gradient_of_its_measure(kind: str) -> None:
     """Virtual power: the rate of the measure is its gradient times the velocities."""
     s = somewhere(loaded(kind))
-    for push in s.reference.system.pushes:
+    for push in s.reference.system.applied_loads:
         row = _gradient(s, push.measure)
         for k in range(len(s.q)):
             moved = (s.q + h * np.eye(len(s.q))[k] for h in (STEP, -STEP))
@@ -294,7 +294,7 @@ def free_bodies_accelerate_by_the_load_over_their_mass(kind: str) -> None:
     if s.reference.system.held:
         return
     forces = np.zeros(len(s.q))
-    for push in s.reference.system.pushes:
+    for push in s.reference.system.applied_loads:
         forces += _gradient(s, push.measure) * s.law(push)
     gap = np.abs(s.reference.masses * s.accelerations - forces).max()
     assert gap <= 1e-12 * (1 + np.abs(forces).max()), f"mass times acceleration misses the forces by {gap}"
@@ -304,7 +304,7 @@ def free_bodies_accelerate_by_the_load_over_their_mass(kind: str) -> None:
 def both_routes_give_the_same_force(kind: str) -> None:
     """The closed form of the law, at random poses and speeds."""
     setup = _setup(loaded(kind))
-    for push in setup.system.pushes:
+    for push in setup.system.applied_loads:
         form = setup.state.law(push)
         for draw, snapshot in zip(setup.draws, setup.anywhere, strict=True):
             (value,) = element_at(setup, form, draw, snapshot)
@@ -318,7 +318,7 @@ def power_is_minus_the_rate_of_the_stored_energy(kind: str) -> None:
         return
     s = somewhere(loaded(kind))
     behind, ahead = (snapshot_of(s.reference, s.q + h * s.v, s.v, s.t + h, near=s) for h in (-STEP, STEP))
-    for push in s.reference.system.pushes:
+    for push in s.reference.system.applied_loads:
         fall = (behind.potential(push) - ahead.potential(push)) / (2 * STEP)
         equal(s.law(push) * s.rate(push.measure), fall, f"power of {push.name}", relative=1e-6, absolute=1e-7)
 
@@ -331,7 +331,7 @@ def total_energy_is_constant_along_the_motion(kind: str) -> None:
     s = somewhere(loaded(kind))
 
     def energy(now: Snapshot) -> float:
-        return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.pushes)
+        return now.kinetic_energy + sum(now.potential(push) for push in now.reference.system.applied_loads)
 
     end = integrate(s.reference, s, s.t + 1.0).snapshots[-1]
     equal(energy(end), energy(s), "total energy after a second", relative=1e-9, absolute=0.0)

@@ -55,8 +55,8 @@ def _reads_friction(row: ConstraintRow, name: str) -> Callable[[World], float]:
     """A sliding friction is read from the load that the numeric route has for it."""
 
     def read(world: World) -> float:
-        pushes = world.snapshot.reference.system.pushes
-        return row.sign * float(world.snapshot.law(next(p for p in pushes if p.load == name)))
+        applied_loads = world.snapshot.reference.system.applied_loads
+        return row.sign * float(world.snapshot.law(next(p for p in applied_loads if p.load == name)))
 
     return read
 

@@ -176,8 +176,8 @@ def _energy_integral(
     begin = course.start.values
     at_first = f.lowest_terms(f.follow(kinetic + potential, begin))
     loads = phase.system.loads
-    frictions = [p for p in phase.system.pushes if p.load not in loads]
-    others = [p for p in phase.system.pushes if p.load in loads and not loads[p.load].stores_energy]
+    frictions = [p for p in phase.system.applied_loads if p.load not in loads]
+    others = [p for p in phase.system.applied_loads if p.load in loads and not loads[p.load].stores_energy]
     with script.stage("stage.phase_energy", "hint.phase_energy", phase=f"@{leg.number}"):
         lines = tell_energies(script, leg)
         work = _work(leg, [*frictions, *others])
@@ -206,13 +206,13 @@ def _energy_integral(
             )
 
 
-def _work(leg: PhaseSegment, pushes: list[AppliedLoad]) -> Ratio | None:
+def _work(leg: PhaseSegment, applied_loads: list[AppliedLoad]) -> Ratio | None:
     """Of loads that are no part of V, since the phase began."""
-    if not pushes:
+    if not applied_loads:
         return None
     f, phase = leg.phase.model.field, leg.phase
     total = f.zero
-    for push in pushes:
+    for push in applied_loads:
         total = total + phase.start_instant.potential(push) - phase.state.potential(push)
     return f.lowest_terms(total)
 

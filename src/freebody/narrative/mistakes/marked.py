@@ -59,8 +59,8 @@ class Marked:
         self.event = self._factor("event")
         system = model.system
         bodies = {name: body if body.fixed else self._body(body) for name, body in system.bodies.items()}
-        pushes = tuple(self._push(p) for p in system.pushes)
-        self.system: System = replace(system, bodies=bodies, pushes=pushes)
+        applied_loads = tuple(self._push(p) for p in system.applied_loads)
+        self.system: System = replace(system, bodies=bodies, applied_loads=applied_loads)
         velocities = {name: self._velocity(name, v) for name, v in model.kinematics.velocities.items()}
         accelerations = {name: self._accelerations(v) for name, v in velocities.items()}
         self.model: SymbolicModel = model.with_bodies(self.system, self._names, velocities, accelerations)

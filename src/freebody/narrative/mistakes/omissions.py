@@ -133,15 +133,15 @@ class Omissions:
     # -- loads --------------------------------------------------------------------------------
     def _weights(self, body: str) -> list[AppliedLoad]:
         gravity = {name for name, load in self.system.loads.items() if load.kind == "gravity"}
-        return [p for p in self.system.pushes if p.load in gravity and body in set(p.measure.bodies())]
+        return [p for p in self.system.applied_loads if p.load in gravity and body in set(p.measure.bodies())]
 
     def _load(self, load: str) -> Iterator[Mistake]:
-        pushes = [p for p in self.system.pushes if p.load == load]
-        everywhere = [MarkedFactor("load", p.name) for p in pushes]
+        applied_loads = [p for p in self.system.applied_loads if p.load == load]
+        everywhere = [MarkedFactor("load", p.name) for p in applied_loads]
         yield from self._mistake("load", 0, *everywhere, load=load)
         yield from self._mistake("load_turned", -1, *everywhere, load=load)
-        if len(pushes) > 1:
-            for push in pushes:
+        if len(applied_loads) > 1:
+            for push in applied_loads:
                 bodies = tuple(sorted(self._moving(push.measure.bodies())))
                 factor = MarkedFactor("load", push.name)
                 yield from self._mistake("load_on", 0, factor, load=load, bodies=bodies)
@@ -152,7 +152,7 @@ class Omissions:
         event = self.question.event
         yield from self._mistake("bias", 0, MarkedFactor("bias"))
         yield from self._mistake("bias_turned", -1, MarkedFactor("bias"))
-        loads = [MarkedFactor("load", p.name) for p in self.system.pushes]
+        loads = [MarkedFactor("load", p.name) for p in self.system.applied_loads]
         q, half = self.question.quantity, Fraction(1, 2)
         if event is not None:
             yield from self._mistake("start", 0, MarkedFactor("start"))
@@ -197,7 +197,9 @@ class Omissions:
     def _copies(self, group: tuple[str, ...]) -> Iterator[Mistake]:
         whats = ("mass", "inertia")
         others = [MarkedFactor(what, body) for body in group[1:] for what in whats]
-        loads = [MarkedFactor("load", p.name) for p in self.system.pushes if set(group[1:]) & set(p.measure.bodies())]
+        loads = [
+            MarkedFactor("load", p.name) for p in self.system.applied_loads if set(group[1:]) & set(p.measure.bodies())
+        ]
         yield from self._mistake("counted_once", 0, *others, *loads, bodies=group)
         for what, key in (("mass", "inertia_of_masses"), ("inertia", "inertias")):
             yield from self._mistake(key, 0, *(MarkedFactor(what, b) for b in group), bodies=group)

@@ -120,7 +120,7 @@ class Acting:
         """Every load with its law and its direction; a friction that slides is a reaction here, and none of them."""
         return [
             (p, self.here(self.model.loads.law(p)), self.gradient(p.measure))
-            for p in self.system.pushes
+            for p in self.system.applied_loads
             if p.load not in self.known.laws
         ]
 

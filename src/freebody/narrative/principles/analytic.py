@@ -204,7 +204,7 @@ def _force_reader(context: Context, c: Coordinate) -> Callable[[World], float]:
         total = 0.0
         numbers = world.numbers
         k = model.coordinates.index(c)
-        for push in model.system.pushes:
+        for push in model.system.applied_loads:
             law = world.snapshot.law(push)
             for body in [b.name for b in model.system.moving]:
                 slopes = world.snapshot.gradient(push.measure, body)

@@ -90,8 +90,8 @@ def _build(acting: Acting, name: str) -> tuple[object, ...]:
 
 
 def _loads(acting: Acting, name: str) -> list[tuple[Expr, str]]:
-    pushes = [p for p in acting.system.pushes if name in set(p.measure.bodies())]
-    return sorted(((p.law, p.load) for p in pushes), key=lambda pair: (str(pair[0]), pair[1]))
+    applied_loads = [p for p in acting.system.applied_loads if name in set(p.measure.bodies())]
+    return sorted(((p.law, p.load) for p in applied_loads), key=lambda pair: (str(pair[0]), pair[1]))
 
 
 def _signature(row: ConstraintRow, body: str) -> tuple[object, ...]:

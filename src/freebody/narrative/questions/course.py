@@ -250,8 +250,8 @@ def _energy(way: _EventWay) -> list[int]:
         mass = f.follow(model.dynamics.mass_matrix[0][0], put_in)
         begin = context.setup.start_instant
         zero = f.zero
-        v_end = sum((state.potential(p) for p in model.system.pushes), zero)
-        v_start = sum((begin.potential(p) for p in model.system.pushes), zero)
+        v_end = sum((state.potential(p) for p in model.system.applied_loads), zero)
+        v_start = sum((begin.potential(p) for p in model.system.applied_loads), zero)
         _q0, u0 = _start(way)
         m_start = f.follow(model.dynamics.mass_matrix[0][0], context.setup.start.values)
         t_start = f.lowest_terms(m_start * u0 * u0 / 2)
@@ -315,8 +315,8 @@ def _work(quantity: Work, way: _EventWay, lines: Sequence[int]) -> None:
     context, script, f = way.context, way.script, way.context.setup.model.field
     setup, uses = context.setup, tuple(lines)
     states = setup.start_instant, SymbolicState(setup.model, setup.motion.known_at(way.reached))
-    pushes = [p for p in context.system.pushes if p.load == quantity.of]
-    before, after = (f.lowest_terms(sum((s.potential(p) for p in pushes), f.zero)) for s in states)
+    applied_loads = [p for p in context.system.applied_loads if p.load == quantity.of]
+    before, after = (f.lowest_terms(sum((s.potential(p) for p in applied_loads), f.zero)) for s in states)
     with script.stage("stage.value", "hint.value"):
         symbol = asked_symbol(context, way.question)
         script.add(asked_entry(symbol, way.question))

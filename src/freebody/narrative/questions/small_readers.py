@@ -87,11 +87,11 @@ class SmallMotions:
         """Q_j at rest."""
         reference, q = draw.reference, self._pose(draw, values)
         rest = reference.snapshot(q, np.zeros_like(q))
-        laws = [rest.law(push) for push in self.setup.system.pushes]
+        laws = [rest.law(push) for push in self.setup.system.applied_loads]
         found: list[float] = []
         for j in range(len(self.measures)):
             moving = reference.snapshot(q, self._velocity(draw, q, j))
-            rates = [moving.rate(push.measure) for push in self.setup.system.pushes]
+            rates = [moving.rate(push.measure) for push in self.setup.system.applied_loads]
             found.append(float(sum(law * rate for law, rate in zip(laws, rates, strict=True))))
         return np.array(found)
 

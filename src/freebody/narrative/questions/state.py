@@ -91,7 +91,7 @@ def _energy(q: Energy, context: Context, script: Script) -> tuple[list[int], lis
                     symbols += [_name(context, "T", body.name)] if more else []
         if q.what in ("potential", "total"):
             for load in system.loads:
-                own = [p for p in system.pushes if p.load == load and (q.body in (None, *p.measure.bodies()))]
+                own = [p for p in system.applied_loads if p.load == load and (q.body in (None, *p.measure.bodies()))]
                 if own and system.loads[load].stores_energy:
                     lines.append(_potential_of(context, script, load, q.body))
                     symbols.append(_name(context, "V", load))
@@ -122,14 +122,16 @@ def kinetic_of(context: Context, script: Script, body: str) -> list[int]:
 def _potential_of(context: Context, script: Script, load: str, body: str | None) -> int:
     """The energy that a load stores."""
     state, f = context.setup.state, context.setup.model.field
-    pushes = [p for p in context.system.pushes if p.load == load and (body is None or body in set(p.measure.bodies()))]
+    applied_loads = [
+        p for p in context.system.applied_loads if p.load == load and (body is None or body in set(p.measure.bodies()))
+    ]
     total = f.zero
-    for push in pushes:
+    for push in applied_loads:
         total = total + state.potential(push)
     symbol = _name(context, "V", load)
 
     def read(world: World) -> float:
-        return float(sum(world.snapshot.potential(push) for push in pushes))
+        return float(sum(world.snapshot.potential(push) for push in applied_loads))
 
     what = Sentence("symbol.potential_of", {"load": load})
     script.introduce(Meaning(symbol, what, read, "J"))

@@ -87,7 +87,7 @@ class ExerciseStatement:
             if c.n:
                 rows.append(self._acting(c.connection, c.kind, c.between))
         for name, load in self.system.loads.items():
-            on = dict.fromkeys(b for p in self.system.pushes if p.load == name for b in p.measure.bodies())
+            on = dict.fromkeys(b for p in self.system.applied_loads if p.load == name for b in p.measure.bodies())
             bodies = tuple(b for b in on if not self.system.bodies[b].fixed)
             everywhere = len(bodies) == len(self.system.moving) > 1
             rows.append(self._acting(name, load.kind, () if everywhere else bodies))

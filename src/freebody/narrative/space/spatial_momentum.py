@@ -83,7 +83,7 @@ class Momenta:
     def _potentials(self, q: Energy, terms: list[Expr]) -> list[int]:
         lines: list[int] = []
         loads: dict[str, Ratio] = {}
-        for push in self.context.system.pushes:
+        for push in self.context.system.applied_loads:
             own = q.body is None or q.body in set(push.measure.bodies())
             if own and self.context.system.loads[push.load].stores_energy:
                 total = loads.get(push.load, self.field.zero) + self.state.potential(push)
@@ -101,7 +101,7 @@ class Momenta:
         def read(world: World) -> float:
             own = [
                 p
-                for p in self.context.system.pushes
+                for p in self.context.system.applied_loads
                 if p.load == load and (body is None or body in set(p.measure.bodies()))
             ]
             return float(sum(world.snapshot.potential(p) for p in own))

@@ -91,7 +91,7 @@ class RunningMotion(MotionUnderWay):
                             Message("{n} steps", n=int(count[stepping.STEPS])),
                             max_seconds if is_late else None,
                         )
-                        jumping = [p.name for p in self.engine.pushes if has_jump(p.law, free_symbols(p.law))]
+                        jumping = [p.name for p in self.engine.applied_loads if has_jump(p.law, free_symbols(p.law))]
                         if jumping:
                             jumps = Message(
                                 "the law of {names} jumps, which takes many small steps", names=in_turn(jumping)

@@ -107,7 +107,7 @@ def _without_value(engine: Evaluator, run: SteppedRun, y: np.ndarray, out: np.nd
                 at[0] + at[1] * rows[row, 0] + at[2] * rows[row, 1] if tape < 0 else engine.tape_value(int(tape), t + h)
             )
             if not np.isfinite(law) or not np.isfinite(rows[row, 0]):
-                return engine.pushes[p].name
+                return engine.applied_loads[p].name
         for k, place in enumerate(engine.place_of):
             row, tape = engine.layout.held[place, 0], engine.layout.held[place, 1]
             if not np.isfinite(rows[row, [0, 2]]).all() or (

@@ -115,7 +115,7 @@ class ArrayBuilder:
                 rows.add_product([(len(products) + j, m) for j, (_c, m) in enumerate(terms)])
                 products += [(r, c, m) for c, m in terms]
         rated |= {self._number[where] for where in p.watched}
-        pushes = self._pushes(rated)
+        applied_loads = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
         self._limits = [self._limit(slide.rub) for slide in p.rubs]
@@ -149,8 +149,8 @@ class ArrayBuilder:
             "tape_ptr": ints(tapes.ptr),
             "tape": ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
             "tape_number": floats(tapes.constants),
-            "push": ints([(push["row"], push["tape"], push["works"]) for push in pushes], 2, 3),
-            "push_law": floats(np.array([push["law"] for push in pushes]).reshape(-1, 3)),
+            "push": ints([(push["row"], push["tape"], push["works"]) for push in applied_loads], 2, 3),
+            "push_law": floats(np.array([push["law"] for push in applied_loads]).reshape(-1, 3)),
         }
 
     def _driven(self, slots_of_measure: Callable[[int], list[tuple[int, int]]]) -> set[int]:

@@ -35,7 +35,7 @@ class ContactScene:
         packing = Packing(numbers)
         packing.part_lent = KEPT
         self.parts.enter(packing)
-        for push in system.pushes:
+        for push in system.applied_loads:
             packing.push(push)
         for measure in system.measures.values():
             packing.watch(measure)

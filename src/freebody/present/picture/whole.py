@@ -81,7 +81,7 @@ class Whole(ABC):
     # -- names --------------------------------------------------------------------------------
     def _name_springs(self) -> None:
         for shown in self.scene.shown:
-            own = (push for push in self.system.pushes if push.load == shown.owner and shown.is_load)
+            own = (push for push in self.system.applied_loads if push.load == shown.owner and shown.is_load)
             label = next((label for push in own if (label := constants_of(push)) is not None), None)
             if not isinstance(shown.sign, Spring) or label is None:
                 continue

@@ -226,7 +226,7 @@ class QuestionSolver:
         f = self.model.field
         still = {c.speed: f.zero for c in (*self.model.coordinates, *self.model.dependent)}
         state = SymbolicState(self.model, {**rest.values, **still})
-        holding = self.setup.holding(state, with_contacts=bool(self.system.pushes))
+        holding = self.setup.holding(state, with_contacts=bool(self.system.applied_loads))
         return [*rest.exists, *holding, *self.setup.clearances(state, clear)]
 
     def _stability(self, rest: ClosedFormRest) -> list[str]:
@@ -285,7 +285,7 @@ class QuestionSolver:
         at_start = self.question.at_start
         state = self.setup.start_instant if at_start else self.setup.state
         if q.is_of_state:
-            judges_contacts = bool(self.system.pushes) or not is_kinematic(self.setup, q)
+            judges_contacts = bool(self.system.applied_loads) or not is_kinematic(self.setup, q)
             conditions += at_instant(self.setup, self.question, state, with_contacts=judges_contacts)
             if not judges_contacts and any(row.unilateral for row in self.system.held):
                 found.notes.append(Message("no load acts, so it is not judged whether contacts and strings hold"))

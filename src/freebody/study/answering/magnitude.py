@@ -62,7 +62,7 @@ def _force(seen: Snapshot) -> float:
     for row in seen.reference.system.held:
         with suppress(CannotAnswer):
             forces.append(abs(seen.multiplier(row)) / _per_length(row.measure.dimension, sizes.length))
-    for push in seen.reference.system.pushes:
+    for push in seen.reference.system.applied_loads:
         with suppress(CannotAnswer, ArithmeticError, ValueError):
             forces.append(_law(push, seen) / _per_length(push.measure.dimension, sizes.length))
     return max(forces, default=0.0)

@@ -72,6 +72,6 @@ def _named(system: System, name: str) -> Iterator[str]:
     for row in system.rows:
         if row.connection == name:
             yield from system.ends_of(row)
-    for push in system.pushes:
+    for push in system.applied_loads:
         if push.load == name:
             yield from push.measure.bodies()

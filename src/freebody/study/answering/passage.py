@@ -75,12 +75,12 @@ class FormulaPassage:
 
     def work(self, load: str) -> Ratio:
         """Of a load that is a function of its own measure: minus the change of its potential."""
-        pushes = [p for p in self.system.pushes if p.load == load]
-        if not pushes:
+        applied_loads = [p for p in self.system.applied_loads if p.load == load]
+        if not applied_loads:
             raise CannotAnswer(Message("{load} is no load; the work of a constraint is asked as power", load=load))
         first, last = self.phases[0], self.phases[-1]
         parts: list[Ratio] = []
-        for push in pushes:
+        for push in applied_loads:
             law_polynomial(push)
             parts.append(first.told(first.begin.potential(push)) - last.told(last.end.potential(push)))
         return parts[0].field.lowest_terms(sum(parts[1:], parts[0]))
@@ -170,7 +170,7 @@ class NumericPassage:
     def work(self, load: str) -> float:
         if self.work_done is not None:
             return self.work_done(load)
-        return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.pushes if p.load == load)
+        return sum(self.begin.potential(p) - self.now.potential(p) for p in self.system.applied_loads if p.load == load)
 
     def heat(self) -> float:
         return self.lost()

@@ -133,7 +133,7 @@ class RateBalance:
     @cached_property
     def storing(self) -> tuple[AppliedLoad, ...]:
         """The loads whose work is a potential energy."""
-        return tuple(push for push in self.system.pushes if is_conservative(self.system, push))
+        return tuple(push for push in self.system.applied_loads if is_conservative(self.system, push))
 
     @cached_property
     def unwritten(self) -> tuple[AppliedLoad, ...]:
@@ -219,7 +219,7 @@ class RateBalance:
         if q.what != "total" or q.body is not None:
             return None
         parts: list[tuple[str, Ratio]] = []
-        for push in self.system.pushes:
+        for push in self.system.applied_loads:
             if push not in self.storing:
                 parts.append((f"power of {push.load}", self.state.law(push) * self.state.rate(push.measure)))
         for row in self.system.held:
@@ -264,7 +264,7 @@ class RateBalance:
 
     def _wrenches(self, group: Group) -> Iterator[tuple[str, str, Wrench]]:
         """(load or connection, body, what it exerts on it); connections inside the group cancel and are left out."""
-        for push in self.system.pushes:
+        for push in self.system.applied_loads:
             yield from self._acting(push.load, push.measure, self.state.law(push), group)
         for row in self.system.held:
             if self.reaches_outside(row, group):

@@ -272,7 +272,12 @@ class Judge:
     def _without_loads(self, balance: RateBalance) -> Iterator[VanishingCase]:
         """Conditions found by trying: strengths of loads that vanish, one of them or all."""
         f = self.model.field
-        names = {n for push in self.system.pushes for n in free_symbols(push.in_symbols) if n in self.system.parameters}
+        names = {
+            n
+            for push in self.system.applied_loads
+            for n in free_symbols(push.in_symbols)
+            if n in self.system.parameters
+        }
         indices = [k for n in sorted(names) if self.may_vanish(k := f.index(self.model.parameters[n]))]
         tried = [VanishingCase((f.variable(k),), {k: f.zero}) for k in indices]
         if len(tried) > 1:
@@ -320,7 +325,7 @@ class Judge:
     def _substance(self) -> set[str]:
         """Parameters that are taken not to vanish: masses, inertias, gravity, and the sizes of bodies."""
         names = {p.name for p in self.system.parameters.values() if p.dimension in (MASS, INERTIA)}
-        for push in self.system.pushes:
+        for push in self.system.applied_loads:
             if self.system.loads[push.load].kind == "gravity":
                 names |= free_symbols(push.law)
         for body in self.system.bodies.values():

@@ -246,10 +246,11 @@ def _with_forms(system: System, forms: Mapping[str, Expr]) -> System:
     held = tuple(
         row if row.general is None else replace(row, target=substitute(row.general, others)) for row in system.held
     )
-    pushes = tuple(
-        push if push.general is None else replace(push, law=substitute(push.general, others)) for push in system.pushes
+    applied_loads = tuple(
+        push if push.general is None else replace(push, law=substitute(push.general, others))
+        for push in system.applied_loads
     )
-    return replace(system, held=held, pushes=pushes)
+    return replace(system, held=held, applied_loads=applied_loads)
 
 
 def _run(draw: Draw, seed: int) -> list[SimulatedRun]:

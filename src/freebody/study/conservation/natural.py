@@ -104,7 +104,7 @@ def _centers(system: System, group: Group) -> Iterator[tuple[Any, str]]:
     """Points about which moments are natural: ground points, the mass centre, and joints of a single body."""
     stated = [
         *(row.measure for row in system.held),
-        *(push.measure for push in system.pushes if not _is_weight(system, push)),
+        *(push.measure for push in system.applied_loads if not _is_weight(system, push)),
     ]
     used = {p for measure in (*stated, *system.measures.values()) for p in _points_of(measure)}
     on_ground: dict[str, Point] = {}

@@ -197,7 +197,7 @@ class _AssemblySearch:
         bodies = {k: b for k, b in system.bodies.items() if b.fixed or k in used or k in words}
         if len(bodies) == len(system.bodies):
             return self, miss
-        smaller = replace(system, bodies=bodies, held=tuple(rows), pushes=(), offered=())
+        smaller = replace(system, bodies=bodies, held=tuple(rows), applied_loads=(), offered=())
         search = _AssemblySearch(smaller, self.work)
         search.equations = {name: search.equations[name] for name in names}
         search.is_complete = self.is_complete

@@ -300,6 +300,6 @@ def _turned(system: System) -> list[str]:
     """Bodies whose angle is driven, then those whose angle is in the start, then those that a torque turns."""
     driven = [row.measure for row in system.held if row.target is not None]
     started = [system.measures[name] for name in system.start]
-    pushed = [push.measure for push in system.pushes]
+    pushed = [push.measure for push in system.applied_loads]
     angles = [_angle(measure) for measure in (*driven, *started, *pushed)]
     return [angle.of for angle in angles if angle is not None and angle.origin == GROUND]

@@ -69,11 +69,13 @@ class ClosedFormCollision:
             )
         system, _loads = in_mode(placed.put_into(base), ContactMode.of(kept, {}))
         self.symbols = {row.name: f"@impulse of {row.name}" for row in self.struck}
-        pushes = [
+        applied_loads = [
             AppliedLoad("", row.measure, Symbol(self.symbols[row.name]), load=f"@{row.name}") for row in self.struck
         ]
         forces = {name: Parameter(name, FORCE, None, "any") for name in self.symbols.values()}
-        with_forces = replace(system, pushes=(*system.pushes, *pushes), parameters={**system.parameters, **forces})
+        with_forces = replace(
+            system, applied_loads=(*system.applied_loads, *applied_loads), parameters={**system.parameters, **forces}
+        )
         none = dict.fromkeys(forces, 0.0)
         self.setup = Given(with_forces, [{**v, **none} for v in values])
         self.model = self.setup.model

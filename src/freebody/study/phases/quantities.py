@@ -61,7 +61,7 @@ def _power(quantity: Power, base: System, system: System, state: State[Any]) -> 
 
 def plain(system: System) -> System:
     """Without the loads of frictions, which are no loads of the model."""
-    return replace(system, pushes=tuple(p for p in system.pushes if p.load in system.loads))
+    return replace(system, applied_loads=tuple(p for p in system.applied_loads if p.load in system.loads))
 
 
 def _is_contact(name: str, base: System) -> bool:
@@ -70,7 +70,7 @@ def _is_contact(name: str, base: System) -> bool:
 
 def frictions(system: System) -> list[AppliedLoad]:
     """The dry friction that slides in a mode."""
-    return [p for p in system.pushes if p.load not in system.loads]
+    return [p for p in system.applied_loads if p.load not in system.loads]
 
 
 def _frictions(connection: str, system: System) -> list[AppliedLoad]:
@@ -80,7 +80,7 @@ def _frictions(connection: str, system: System) -> list[AppliedLoad]:
 def only_friction_takes_energy(system: System) -> bool:
     """Whether what friction turns into heat is what the mechanical energy loses: nothing is driven, and all other loads
     store what they take."""
-    stores = all(system.loads[p.load].stores_energy for p in plain(system).pushes)
+    stores = all(system.loads[p.load].stores_energy for p in plain(system).applied_loads)
     return stores and not any(row.target is not None and "t" in free_symbols(row.target) for row in system.held)
 
 
@@ -95,7 +95,7 @@ def _reaction(name: str, base: System, system: System, state: State[Any]) -> Any
     for held in system.held:
         if held.name == row.name:
             return row.sign * state.multiplier(held)
-    for push in system.pushes:
+    for push in system.applied_loads:
         if push.load == row.name:
             return row.sign * state.law(push)
     return _zero(state)

@@ -99,10 +99,10 @@ class FreeBody:
 
     def load_value(self, called: str) -> float | None:
         """[N] or [N m] of the symbol of a load, by its name."""
-        for pushes in self._pushes():
-            if len(pushes) > 1 and pushes[0].load == called:
-                return self._total(pushes)
-            for push in pushes:
+        for applied_loads in self._pushes():
+            if len(applied_loads) > 1 and applied_loads[0].load == called:
+                return self._total(applied_loads)
+            for push in applied_loads:
                 if push.name == called:
                     return self.load_symbols.of(push)[1] * self.snapshot.law(push)
         return None
@@ -181,33 +181,33 @@ class FreeBody:
 
     # -- loads --------------------------------------------------------------------------------
     def _loads(self, *, only_outside: bool) -> Iterator[Force]:
-        for pushes in self._pushes():
-            if len(pushes) > 1:
-                yield from self._resultant(pushes, only_outside=only_outside)
-            elif not (only_outside and self._is_internal(pushes[0].measure)):
-                yield from self._load(pushes[0])
+        for applied_loads in self._pushes():
+            if len(applied_loads) > 1:
+                yield from self._resultant(applied_loads, only_outside=only_outside)
+            elif not (only_outside and self._is_internal(applied_loads[0].measure)):
+                yield from self._load(applied_loads[0])
 
     def _pushes(self) -> Iterator[Sequence[AppliedLoad]]:
         """In the order of the model; those together that are components of one force, as of a spring of length 0."""
-        for load, group in groupby(self.system.pushes, key=lambda push: push.load):
-            pushes = list(group)
+        for load, group in groupby(self.system.applied_loads, key=lambda push: push.load):
+            applied_loads = list(group)
             own = self.system.loads.get(load)
-            if own is not None and own.pulls_with([0.0] * len(pushes), math.sqrt) is not None:
-                yield pushes
+            if own is not None and own.pulls_with([0.0] * len(applied_loads), math.sqrt) is not None:
+                yield applied_loads
             else:
-                yield from ([push] for push in pushes)
+                yield from ([push] for push in applied_loads)
 
-    def _total(self, pushes: Sequence[AppliedLoad]) -> float:
+    def _total(self, applied_loads: Sequence[AppliedLoad]) -> float:
         """[N] of the force that several pushes are the components of."""
-        own = self.system.loads[pushes[0].load]
-        return float(own.pulls_with([self.snapshot.law(push) for push in pushes], math.sqrt))
+        own = self.system.loads[applied_loads[0].load]
+        return float(own.pulls_with([self.snapshot.law(push) for push in applied_loads], math.sqrt))
 
-    def _resultant(self, pushes: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[Force]:
+    def _resultant(self, applied_loads: Sequence[AppliedLoad], *, only_outside: bool) -> Iterator[Force]:
         """A force of several components in the sense in which it acts in this pose: where it is zero it has none."""
-        total = self._total(pushes)
-        if total < sum(self._unsettled(push) for push in pushes):
+        total = self._total(applied_loads)
+        if total < sum(self._unsettled(push) for push in applied_loads):
             return
-        parts = {push: self.snapshot.law(push) / total for push in pushes}
+        parts = {push: self.snapshot.law(push) / total for push in applied_loads}
 
         def wrench(body: str) -> tuple[Array, Array]:
             both = [(part, *self.action.wrench(push.measure, body)) for push, part in parts.items()]
@@ -215,11 +215,11 @@ class FreeBody:
                 [part * m for part, _f, m in both], axis=0
             )
 
-        pushed = {body for push in pushes for body in push.measure.bodies()}
+        pushed = {body for push in applied_loads for body in push.measure.bodies()}
         small = ON_LINE * self.size
         if only_outside and all(np.abs(np.hstack(wrench(body))).max() < small for body in pushed - set(self.bodies)):
             return
-        whole = replace(pushes[0], component="")
+        whole = replace(applied_loads[0], component="")
         label, _sign = self.load_symbols.of(whole)
         for body in self.bodies:
             if body in pushed:

@@ -167,6 +167,6 @@ def _in_the_plane(found: Instant, acting: Sequence[Force]) -> WholeInPlane:
     # dry friction that slides is a load of its own
     arrow = (ForceArrow, MomentArrow, Coil)
     shown = {s.owner for s in system.glyphs if s.is_load and isinstance(s.sign, arrow)}
-    arrows = {push.name for push in system.pushes if push.load in shown or push.load not in system.loads}
+    arrows = {push.name for push in system.applied_loads if push.load in shown or push.load not in system.loads}
     loads = [force for force in acting if force.kind == "load" and force.name in arrows]
     return WholeInPlane(system, Places(system, reference.number), poses_of(found.snapshot), loads)

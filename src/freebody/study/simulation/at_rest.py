@@ -56,9 +56,9 @@ def is_unstable_rest(simulator: Simulator, y: Array, t: float) -> bool:
 def _knows_time(simulator: Simulator) -> bool:
     """Whether time itself is in a load, in what is held, or in a measure."""
     system = simulator.system
-    said = [push.law for push in system.pushes]
+    said = [push.law for push in system.applied_loads]
     said += [row.target for row in system.held if row.target is not None]
-    measures = [*(push.measure for push in system.pushes), *(row.measure for row in system.held)]
+    measures = [*(push.measure for push in system.applied_loads), *(row.measure for row in system.held)]
     said += [measure.expression for measure in measures if isinstance(measure, Composed)]
     return any("t" in free_symbols(expr) for expr in said)
 

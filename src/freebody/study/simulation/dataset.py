@@ -156,7 +156,7 @@ def series_names(system: System) -> list[str]:
 def _with_force(system: System) -> dict[str, list[AppliedLoad]]:
     """Loads that have one force, whatever it acts along, and what they push; a weight on several bodies has none."""
     own: dict[str, list[AppliedLoad]] = {}
-    for push in system.pushes:
+    for push in system.applied_loads:
         own.setdefault(push.load, []).append(push)
     return {load: p for load, p in own.items() if system.loads[load].pulls_with([0.0] * len(p), float) is not None}
 
@@ -181,9 +181,9 @@ def _loads(result: MeasuredMotion) -> dict[str, Any]:
     """Loads that have one force, by their laws."""
     system = result.system
     with_force = _with_force(system)
-    pushes = [p for own in with_force.values() for p in own]
-    measures = {f"{p.name}@": p.measure for p in pushes}
-    measures |= {name: m for p in pushes for name, m in p.measures}
+    applied_loads = [p for own in with_force.values() for p in own]
+    measures = {f"{p.name}@": p.measure for p in applied_loads}
+    measures |= {name: m for p in applied_loads for name, m in p.measures}
     found = observed(result, measures)
     data: dict[str, Any] = {}
     for load, own in with_force.items():

@@ -65,7 +65,7 @@ def energy_balance(result: SimulatedMotion) -> EnergyBalance:
             kinetic += 0.5 * simulator.reference.number(body.inertia) * v[:, 2] ** 2
     from freebody.study.simulation.observed import observed
 
-    laws = {push.name: (push, stored_law(push, simulator.numbers.values)) for push in result.system.pushes}
+    laws = {push.name: (push, stored_law(push, simulator.numbers.values)) for push in result.system.applied_loads}
     stored = {name: (push, law) for name, (push, law) in laws.items() if law is not None}
     found = observed(result, {name: push.measure for name, (push, _law) in stored.items()})
     potential = np.zeros_like(kinetic)

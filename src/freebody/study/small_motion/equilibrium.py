@@ -193,7 +193,7 @@ class _EquilibriumSearch:
         for row in self.system.held:
             if row.target is not None and TIME in free_symbols(row.target):
                 yield Message("{connection} is held at its value at t = 0", connection=row.connection)
-        for push in self.system.pushes:
+        for push in self.system.applied_loads:
             if TIME in free_symbols(push.law):
                 yield Message("{load} has its value at t = 0", load=push.load)
 

@@ -275,7 +275,7 @@ def _push_of_load(small: SmallMotion, name: str) -> Array:
     g = small.at.geometry(reference, small.at.q, small.at.v)
     has_magnitude = "magnitude" in type(reference.system.loads[name]).model_fields
     total = np.zeros(n)
-    for push in reference.system.pushes:
+    for push in reference.system.applied_loads:
         if push.load == name:
             size = 1.0 if has_magnitude else law(reference, g, push)
             total = total + size * reference.jet(g, push.measure, push.name).row(n)

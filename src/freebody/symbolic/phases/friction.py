@@ -105,9 +105,9 @@ def with_loads(system: System, model: SymbolicModel, loads: FrictionLoads) -> Sy
     """The system with the loads put into the laws of its frictions. Coordinates stand in a law as named measures.
     Raises CannotAnswer where a load depends on what is no measure."""
     exprs = {name: tidy(value) for name, value in loads.values.items()}
-    pushes = tuple(_with(push, exprs, model) for push in system.pushes)
+    applied_loads = tuple(_with(push, exprs, model) for push in system.applied_loads)
     parameters = {n: p for n, p in system.parameters.items() if n not in exprs}
-    return replace(system, pushes=pushes, parameters=parameters)
+    return replace(system, applied_loads=applied_loads, parameters=parameters)
 
 
 def _with(push: AppliedLoad, exprs: Mapping[str, Expr], model: SymbolicModel) -> AppliedLoad:

@@ -17,7 +17,7 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
     by_form = forms(names)
     for name, load in loads.items():
         with names.reading("loads", name, load.kind):
-            for push in map(_in_own_measure, load.pushes(names)):
+            for push in map(_in_own_measure, load.applied_loads(names)):
                 if free_symbols(push.law) & by_form.keys():
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))

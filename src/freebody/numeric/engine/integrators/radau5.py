@@ -145,7 +145,7 @@ class Slopes:
 
     def __init__(self, engine: Evaluator) -> None:
         self._engine = engine
-        self._laws = [_derivatives(push) for push in engine.pushes]
+        self._laws = [_derivatives(push) for push in engine.applied_loads]
 
     def at(self, t: float, y: Floats) -> Floats:
         """(n_y, n_y)."""
