@@ -239,7 +239,7 @@ def _outside_cones(result: fb.Simulation) -> list[str]:
         least = float((bound.row.sign * course.multipliers[:, k]).min())
         if least < -1e-9 * size and course.unique[:, k].all():
             found.append(f"{bound.name} pulls with {-least:.3g} N")
-    for rub in system.rubs:
+    for rub in system.dry_friction:
         T, N = course.multipliers[:, place[rub.name]], course.multipliers[:, place[rub.load[0]]]
         known = course.unique[:, place[rub.name]] & course.unique[:, place[rub.load[0]]]
         excess = np.abs(T) - float(result.simulator.numbers.number(rub.static)) * np.abs(N)

@@ -371,7 +371,7 @@ def test_the_command_prints_the_documented_json() -> None:
 
 
 def slides(system: fb.System) -> bool:
-    return bool(system.rubs) and any(state for _name, state in start_mode(system).rubs)
+    return bool(system.dry_friction) and any(state for _name, state in start_mode(system).dry_friction)
 
 
 EXAMPLES = sorted(path.stem for path in FOLDER.glob("*.yaml"))

@@ -17,11 +17,11 @@ OPEN, CLOSED, STICKING = RowState.OPEN, RowState.CLOSED, RowState.STICKING
 FORWARD, BACKWARD, ABSENT = RowState.FORWARD, RowState.BACKWARD, RowState.ABSENT
 
 
-def assembled(J, masses, force, normals=(), rubs=(), bias=None):
+def assembled(J, masses, force, normals=(), dry_friction=(), bias=None):
     J, force = np.atleast_2d(np.asarray(J, float)), np.asarray(force, float)
     inverse = 1.0 / np.asarray(masses, float)
     b = J @ (inverse * force) + (0.0 if bias is None else np.asarray(bias, float))
-    return ContactProblem((J * inverse) @ J.T, b, tuple(normals), tuple(rubs))
+    return ContactProblem((J * inverse) @ J.T, b, tuple(normals), tuple(dry_friction))
 
 
 def coulomb(row, normal, static, kinetic=None, sliding=0):
@@ -41,7 +41,7 @@ def assert_holds(problem, outcome, tolerance=1e-9):
         assert forces[row] >= -force_size
         assert a[row] >= -size
         assert (abs(a[row]) <= size) if outcome.mode[row] is CLOSED else forces[row] == 0.0
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         T, load, state = forces[rub.row], rub.load(forces), outcome.mode[rub.row]
         slack = force_size * (1.0 + max(rub.static))
         if state is ABSENT:
@@ -290,7 +290,7 @@ def test_critical_friction_of_the_rod_is_four_thirds():
 
 def test_rod_that_would_lift_off_has_both_a_lifting_and_a_jammed_outcome():
     problem = painleve_rod(math.radians(60.0), 1.4, -1)
-    lifting = ContactProblem(problem.A, problem.b + np.array([2.0 * G, 0.0]), problem.normals, problem.rubs)
+    lifting = ContactProblem(problem.A, problem.b + np.array([2.0 * G, 0.0]), problem.normals, problem.dry_friction)
     outcome = contact_forces(lifting)
     assert outcome.status is OutcomeCount.SEVERAL
     assert {outcome.mode, *outcome.alternatives} == {(CLOSED, BACKWARD), (OPEN, ABSENT)}
@@ -311,14 +311,14 @@ def random_problem(rng):
     J = rng.normal(size=(n_held + 2 * n_contacts, nq))
     if n_held == 2 and rng.random() < 0.4:
         J[1] = 2.0 * J[0]
-    rubs = []
+    dry_friction = []
     for k in range(n_contacts):
         static = float(rng.uniform(0.0, 1.2))
         kinetic = static * float(rng.choice([1.0, 0.6]))
         sliding = int(rng.integers(-1, 2))
-        rubs.append(coulomb(n_held + n_contacts + k, n_held + k, static, kinetic, sliding))
+        dry_friction.append(coulomb(n_held + n_contacts + k, n_held + k, static, kinetic, sliding))
     normals = range(n_held, n_held + n_contacts)
-    return assembled(J, rng.uniform(0.1, 10.0, nq), 5.0 * rng.normal(size=nq), normals, rubs)
+    return assembled(J, rng.uniform(0.1, 10.0, nq), 5.0 * rng.normal(size=nq), normals, dry_friction)
 
 
 def consistent_modes(problem, forced_kinetic):
@@ -329,13 +329,13 @@ def consistent_modes(problem, forced_kinetic):
     for gaps in product((True, False), repeat=len(problem.normals)):
         choices = [
             [None] if not gaps[k] else [rub.sliding] if rub.sliding else [0, 1, -1]
-            for k, rub in enumerate(problem.rubs)
+            for k, rub in enumerate(problem.dry_friction)
         ]
         for states in product(*choices):
             E, r = np.eye(n), np.zeros(n)
             for row in held + [row for row, closed in zip(problem.normals, gaps, strict=True) if closed]:
                 E[row], r[row] = problem.A[row], -problem.b[row]
-            for rub, s in zip(problem.rubs, states, strict=True):
+            for rub, s in zip(problem.dry_friction, states, strict=True):
                 if s == 0:
                     E[rub.row], r[rub.row] = problem.A[rub.row], -problem.b[rub.row]
                 elif s is not None:
@@ -345,7 +345,7 @@ def consistent_modes(problem, forced_kinetic):
             a = problem.A @ forces + problem.b
             ok = np.abs(E @ forces - r).max() < 1e-7
             ok &= all(forces[row] > -1e-8 and a[row] > -1e-8 for row in problem.normals)
-            for rub, s in zip(problem.rubs, states, strict=True):
+            for rub, s in zip(problem.dry_friction, states, strict=True):
                 if s == 0:
                     ok &= abs(forces[rub.row]) <= rub.static[0] * forces[rub.normals[0]] + 1e-8
                 elif s is not None and not rub.sliding:
@@ -372,7 +372,7 @@ def test_random_outcomes_meet_all_conditions_and_none_is_confirmed_by_enumeratio
     else:
         assert outcome.status is OutcomeCount.NONE
         assert not with_static or not with_kinetic
-    if all(rub.sliding or rub.static == rub.kinetic for rub in problem.rubs):
+    if all(rub.sliding or rub.static == rub.kinetic for rub in problem.dry_friction):
         distinct = []
         for a in with_kinetic:
             if not any(np.allclose(a, other, rtol=1e-6, atol=1e-6) for other in distinct):
@@ -386,10 +386,10 @@ def test_mirrored_problem_gives_the_mirrored_answer(seed):
     rng = np.random.default_rng(500 + seed)
     problem = random_problem(rng)
     flip = np.ones(problem.n)
-    flip[[rub.row for rub in problem.rubs]] = -1.0
+    flip[[rub.row for rub in problem.dry_friction]] = -1.0
     turned = tuple(
         FrictionProblemRow(r.row, r.static[::-1], r.kinetic[::-1], normals=r.normals, sliding=-r.sliding)
-        for r in problem.rubs
+        for r in problem.dry_friction
     )
     mirrored = ContactProblem(flip[:, None] * problem.A * flip, flip * problem.b, problem.normals, turned)
     one, other = contact_forces(problem), contact_forces(mirrored)
@@ -418,7 +418,7 @@ def test_chains_of_rubbing_pins_are_solved_to_the_last_digits(seed):
     rng = np.random.default_rng(seed)
     n_pins = int(rng.integers(1, 4))
     radius = float(rng.choice([0.02, 0.1, 0.3]))
-    rubs = [
+    dry_friction = [
         FrictionProblemRow(
             2 * n_pins + k,
             (radius, radius),
@@ -429,7 +429,9 @@ def test_chains_of_rubbing_pins_are_solved_to_the_last_digits(seed):
         for k in range(n_pins)
     ]
     nq = 3 * n_pins + 1
-    problem = assembled(rng.normal(size=(3 * n_pins, nq)), rng.uniform(0.3, 3.0, nq), rng.normal(size=nq), (), rubs)
+    problem = assembled(
+        rng.normal(size=(3 * n_pins, nq)), rng.uniform(0.3, 3.0, nq), rng.normal(size=nq), (), dry_friction
+    )
     outcome = contact_forces(problem)
     assert outcome.is_found
     assert_holds(problem, outcome, 1e-11)
@@ -443,8 +445,8 @@ def test_many_contacts_are_solved_by_pivots_alone(seed):
     # bodies on a floor, coupled weakly
     J = np.kron(np.eye(n), np.eye(2)) + 0.05 * rng.normal(size=(2 * n, 2 * n))
     order = [*range(1, 2 * n, 2), *range(0, 2 * n, 2)]
-    rubs = [coulomb(n + k, k, 0.4, 0.3) for k in range(n)]
-    problem = assembled(J[order], np.ones(2 * n), rng.normal(size=2 * n) * 4.0, range(n), rubs)
+    dry_friction = [coulomb(n + k, k, 0.4, 0.3) for k in range(n)]
+    problem = assembled(J[order], np.ones(2 * n), rng.normal(size=2 * n) * 4.0, range(n), dry_friction)
     outcome = contact_forces(problem)
     assert outcome.is_found
     assert_holds(problem, outcome)

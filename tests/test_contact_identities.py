@@ -38,7 +38,7 @@ def test_impulses_and_forces_of_contacts_make_up_the_change_of_momentum() -> Non
     course, m = result.course, 2.0
     names = [row.name for row in result.system.rows]
     normals = [k for k, n in enumerate(names) if n in course.contact.bounds]
-    slips = [k for k, n in enumerate(names) if n in course.contact.rubs]
+    slips = [k for k, n in enumerate(names) if n in course.contact.dry_friction]
     # forces jump at events only, where the course has the state after it: left sums
     widths = np.diff(course.times)
     up, along = (float((course.multipliers[:-1, places].sum(axis=1) * widths).sum()) for places in (normals, slips))

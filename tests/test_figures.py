@@ -62,7 +62,7 @@ def rows_of(found: Instant) -> list[ConstraintRow]:
     system = found.snapshot.reference.system
     closed = closed_bounds(found.snapshot)
     rows = [*system.held, *(bound.row for bound in system.bounds if bound.name in closed)]
-    return rows + [rub.row for rub in system.rubs if not rub.of or rub.of in closed]
+    return rows + [rub.row for rub in system.dry_friction if not rub.of or rub.of in closed]
 
 
 def pictures(system: System) -> list[Picture]:

@@ -334,7 +334,7 @@ def rest(model: str, **values: float) -> RestProblem:
     system = fb.System.from_text(model)
     touched = touching(system)
     reference = Reference(touched.held, values)
-    return rest_problem(reference, reference.assemble(), touched.rubs)
+    return rest_problem(reference, reference.assemble(), touched.dry_friction)
 
 
 def test_ladder_holds_with_a_margin_and_fails_by_slipping() -> None:
@@ -418,14 +418,14 @@ def accelerations(problem: RestProblem, masses: np.ndarray) -> np.ndarray:
     for row, sign in problem.normals:
         signs[row] = sign
     J = signs[:, None] * problem.J
-    rubs = tuple(
+    dry_friction = tuple(
         contact.FrictionProblemRow(
             c.row, (c.forward, c.backward), (c.forward, c.backward), normals=tuple(j for j, _s in c.load)
         )
         for c in problem.cones
     )
     normals = tuple(row for row, _sign in problem.normals)
-    found = contact_forces(contact.ContactProblem(J / weights @ J.T, J / weights @ problem.Q, normals, rubs))
+    found = contact_forces(contact.ContactProblem(J / weights @ J.T, J / weights @ problem.Q, normals, dry_friction))
     assert found.is_found
     return (problem.Q + J.T @ found.forces) / weights
 

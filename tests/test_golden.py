@@ -87,7 +87,7 @@ def test_small_motions_of_an_example_are_the_golden_ones(name: str) -> None:
 @example
 def test_the_statics_of_an_example_are_the_golden_ones(name: str) -> None:
     system = load(name)
-    if system.rubs and not system.space:
+    if system.dry_friction and not system.space:
         assert_golden("statics", name, said(system.statics))
 
 

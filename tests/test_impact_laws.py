@@ -19,9 +19,9 @@ def coulomb(row, normal, mu):
     return FrictionProblemRow(row, (mu, mu), (mu, mu), normals=(normal,))
 
 
-def touching(J, masses, velocities, normals=(), rubs=()):
+def touching(J, masses, velocities, normals=(), dry_friction=()):
     J, inverse = np.asarray(J, float), 1.0 / np.asarray(masses, float)
-    return ContactProblem((J * inverse) @ J.T, J @ np.asarray(velocities, float), tuple(normals), tuple(rubs))
+    return ContactProblem((J * inverse) @ J.T, J @ np.asarray(velocities, float), tuple(normals), tuple(dry_friction))
 
 
 def after(J, masses, velocities, outcome):
@@ -95,9 +95,9 @@ def two_disks(mu):
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("mu", [0.05, 0.8])
 def test_two_spinning_disks_keep_momentum_and_moment_of_momentum(law, mu):
-    J, masses, rubs = two_disks(mu)
+    J, masses, dry_friction = two_disks(mu)
     before = np.array([2.0, 0.3, 4.0, -1.0, 0.0, -1.0])
-    outcome = impact(touching(J, masses, before, (0,), rubs), {0: 0.6}, law)
+    outcome = impact(touching(J, masses, before, (0,), dry_friction), {0: 0.6}, law)
     velocities = after(J, masses, before, outcome)
     m = np.array(masses)
     for row in ([1, 0, 0, 1, 0, 0], [0, 1, 0, 0, 1, 0]):
@@ -320,7 +320,7 @@ def test_parting_contact_has_no_impulse():
 def test_mirrored_impact_has_the_mirrored_impulses(law):
     _, problem = leaning_rod(0.8, 0.3, [0.4, -1.0, 0.2])
     flip = np.array([1.0, -1.0])
-    mirrored = ContactProblem(flip[:, None] * problem.A * flip, flip * problem.b, problem.normals, problem.rubs)
+    mirrored = ContactProblem(flip[:, None] * problem.A * flip, flip * problem.b, problem.normals, problem.dry_friction)
     one, other = impact(problem, {0: 0.5}, law), impact(mirrored, {0: 0.5}, law)
     np.testing.assert_allclose(flip * other.impulses, one.impulses, rtol=1e-12)
 

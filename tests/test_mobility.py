@@ -371,7 +371,7 @@ def test_the_mobility_of_an_example_is_the_golden_one(name: str) -> None:
 def test_the_mobility_of_every_example_is_that_of_the_symbolic_route(name: str) -> None:
     found = of_example(name)
     system = found.system
-    if not system.rubs:  # what sticks or slips is a case distinction there
+    if not system.dry_friction:  # what sticks or slips is a case distinction there
         assert found.finite_freedom == fb.solve(system, "degrees of freedom").degrees_of_freedom
     assert len(found.independent_coordinates) == found.degrees_of_freedom
     json.dumps(found.to_plain())

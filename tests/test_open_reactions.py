@@ -30,8 +30,8 @@ def parallelogram(order: str = "ABCDEM", bodies: str = "left right middle couple
 
     def pin(name: str) -> str:
         first, second, mu = PINS[name]
-        rubs = f", friction: {mu}, radius: 0.05 m" if mu else ""
-        return f"  {name}: {{pin: {{first: {first}, second: {second}{rubs}}}}}"
+        dry_friction = f", friction: {mu}, radius: 0.05 m" if mu else ""
+        return f"  {name}: {{pin: {{first: {first}, second: {second}{dry_friction}}}}}"
 
     listed = "\n".join(
         f"  {b}: {{rod: {{mass: {LENGTHS[b][0]} kg, length: {LENGTHS[b][1]} m}}}}" for b in bodies.split()

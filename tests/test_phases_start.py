@@ -409,7 +409,7 @@ def _drawn(model: System, n: int) -> dict[str, np.ndarray]:
         else:
             sign = rng.choice((-1.0, 1.0), n) if p.sign == "any" else 1.0
             found[p.name] = sign * (p.value or 1.0) * 10 ** (width * rng.uniform(-1.0, 1.0, n))
-    for rub in model.rubs:
+    for rub in model.dry_friction:
         s, k = str(getattr(rub.static, "name", "")), str(getattr(rub.kinetic, "name", ""))
         if s != k and s in found and k in found:
             found[s], found[k] = np.maximum(found[s], found[k]), np.minimum(found[s], found[k])

@@ -50,12 +50,12 @@ class OutlinePair:
         """Bounds and rubs of every place where the two can touch."""
         places = sites(self.first, self.second)
         bounds: list[UnilateralConstraint] = []
-        rubs: list[DryFriction] = []
+        dry_friction: list[DryFriction] = []
         for site in places:
             bound, own = self._site(site, "contact" if self.is_alone and len(places) == 1 else site.label)
             bounds.append(bound)
-            rubs += own
-        return bounds, rubs
+            dry_friction += own
+        return bounds, dry_friction
 
     def _site(self, site: ContactSite, component: str) -> tuple[UnilateralConstraint, list[DryFriction]]:
         row = ConstraintRow(
@@ -72,7 +72,7 @@ class OutlinePair:
         bound = UnilateralConstraint(
             row, self.surface.restitution, site.within, self.starts_closed, family, site.obstacle
         )
-        rubs: list[DryFriction] = []
+        dry_friction: list[DryFriction] = []
         f = self.surface.friction
         if not f.is_none:
             slip = ConstraintRow(
@@ -83,7 +83,7 @@ class OutlinePair:
                 ends=row.ends,
                 connection=self.connection,
             )
-            rubs.append(DryFriction(slip, f.static, f.kinetic, (row.name,), row.name))
+            dry_friction.append(DryFriction(slip, f.static, f.kinetic, (row.name,), row.name))
         if self.surface.rolling_resistance != ZERO:
             turn = ConstraintRow(
                 "rolling" if component == "contact" else f"rolling of {component}",
@@ -92,12 +92,12 @@ class OutlinePair:
                 ends=row.ends,
                 connection=self.connection,
             )
-            rubs.append(
+            dry_friction.append(
                 DryFriction(
                     turn, self.surface.rolling_resistance, self.surface.rolling_resistance, (row.name,), row.name
                 )
             )
-        return bound, rubs
+        return bound, dry_friction
 
 
 class Contact(Connection, kind="contact"):

@@ -86,15 +86,15 @@ class Optimum:
     motion: Array
 
 
-def rest_problem(reference: Reference, q: Array, rubs: Sequence[DryFriction]) -> RestProblem:
+def rest_problem(reference: Reference, q: Array, dry_friction: Sequence[DryFriction]) -> RestProblem:
     """The reference's system at rest at q: its held rows (those that are unilateral cannot pull) and dry friction."""
     held: Sequence[ConstraintRow] = reference.system.held
-    rows = [*held, *(rub.row for rub in rubs)]
+    rows = [*held, *(rub.row for rub in dry_friction)]
     n = len(q)
     g = reference.geometry(q, np.zeros(n), 0.0)
     J = stack([reference.jet(g, row.measure, row.name).row(n) for row in rows], n)
     names = tuple(row.name for row in rows)
-    cones = tuple(_cone(reference, g, rub, len(held) + k, held) for k, rub in enumerate(rubs))
+    cones = tuple(_cone(reference, g, rub, len(held) + k, held) for k, rub in enumerate(dry_friction))
     normals = tuple((k, row.sign) for k, row in enumerate(held) if row.unilateral)
     return RestProblem(names, J, forces(reference, g), normals, cones, reference.sizes.unit_moves)
 

@@ -68,14 +68,16 @@ class ContactTrack:
             return None
         places = Places(system, number)
         bounds = {bound.name: bound for bound in system.bounds[len(system.limits) :]}
-        rubs = {rub.of: rub.name for rub in system.rubs if rub.of}
+        dry_friction = {rub.of: rub.name for rub in system.dry_friction if rub.of}
         meetings: list[Meeting] = []
         columns: list[NDArray[np.int8]] = []
         for k, name in enumerate(record.bounds):
             meeting = _meeting(system, places, bounds[name]) if name in bounds and record.states[:, k].any() else None
             if meeting is None:
                 continue
-            slip = record.slips[:, record.rubs.index(rubs[name])] if name in rubs else np.int8(2)
+            slip = (
+                record.slips[:, record.dry_friction.index(dry_friction[name])] if name in dry_friction else np.int8(2)
+            )
             state = np.where(slip == 0, STICKS, np.where(np.abs(slip) == 1, SLIPS, PRESSES))
             meetings.append(meeting)
             columns.append(np.where(record.states[:, k] > 0, state, OPEN).astype(np.int8))

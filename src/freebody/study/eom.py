@@ -100,7 +100,7 @@ class Equations(Result):
 def equations_of_motion(system: System) -> Equations:
     """Derives the equations; of a system with contacts those that hold at the start. Raises ModelError if the system
     cannot be assembled, CannotAnswer if friction slides at the start."""
-    if system.bounds or system.rubs:
+    if system.bounds or system.dry_friction:
         from freebody.study.settled import settled
 
         return equations_of_motion(settled(system))

@@ -18,10 +18,10 @@ def settled(system: System, *, forces: bool = True) -> System:
 
     forces: the study is about forces too. Then friction that slides at the start is refused: its force changes with the
     phases of the motion. Raises CannotAnswer, also where nothing consistent follows on the start."""
-    if not system.bounds and not system.rubs:
+    if not system.bounds and not system.dry_friction:
         return system
     mode = start_mode(system)
-    sliding = [name for name, state in mode.rubs if state != 0]
+    sliding = [name for name, state in mode.dry_friction if state != 0]
     if sliding and forces:
         raise CannotAnswer(
             Message(
@@ -30,21 +30,21 @@ def settled(system: System, *, forces: bool = True) -> System:
                 names=", ".join(sliding),
             )
         )
-    kept = ContactMode.of(mode.closed, {name: state for name, state in mode.rubs if state == 0})
+    kept = ContactMode.of(mode.closed, {name: state for name, state in mode.dry_friction if state == 0})
     return in_mode(system, kept)[0]
 
 
 def without_friction(system: System) -> System:
     """The same for studies of equilibria. Raises CannotAnswer for dry friction: with it a system rests in whole ranges
     of poses and forces."""
-    if system.rubs:
+    if system.dry_friction:
         raise CannotAnswer(
             Message(
                 "with dry friction ({names}) there is no "
                 "single equilibrium: a system rests in whole ranges of poses and forces. freebody statics tells "
                 "whether it "
                 "holds, and what fails first",
-                names=", ".join(dict.fromkeys(rub.row.connection for rub in system.rubs)),
+                names=", ".join(dict.fromkeys(rub.row.connection for rub in system.dry_friction)),
             )
         )
     return settled(system)

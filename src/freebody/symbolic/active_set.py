@@ -56,17 +56,17 @@ class RestEquations:
     """The equations of a system at rest in its start pose, over the field of a symbolic model."""
 
     def __init__(
-        self, state: SymbolicState, rubs: Sequence[DryFriction], asked: tuple[str, Ratio] | None = None
+        self, state: SymbolicState, dry_friction: Sequence[DryFriction], asked: tuple[str, Ratio] | None = None
     ) -> None:
         """asked: a row whose reaction (positive as people count it) is taken as given by an element."""
         self.state = state
         self.asked = asked
         self.field: Field = state.model.field
         self.system = state.model.system
-        self.rubs = {rub.name: rub for rub in rubs}
-        self.rows = {row.name: row for row in (*self.system.held, *(rub.row for rub in rubs))}
+        self.dry_friction = {rub.name: rub for rub in dry_friction}
+        self.rows = {row.name: row for row in (*self.system.held, *(rub.row for rub in dry_friction))}
         # the load of friction that a force with two components makes has a column of its own
-        self.sized = [rub.name for rub in rubs if len(rub.load) > 1]
+        self.sized = [rub.name for rub in dry_friction if len(rub.load) > 1]
         self.names = [*self.rows, *map(_size_of, self.sized)]
         self.columns = {name: k for k, name in enumerate(self.names)}
 
@@ -133,7 +133,7 @@ class RestEquations:
                     return None
                 total = total + change * factor * motion[slot]
         for name, direction in failure.slips:
-            rub = self.rubs[name]
+            rub = self.dry_friction[name]
             change = slope(self.field, self.coefficient(rub, direction), parameter)
             pressing, load = self.load(rub, failure)
             for column, share in pressing.items():
@@ -163,7 +163,7 @@ class RestEquations:
         one = self.field.one
         rows: list[Row] = [{self.columns[name]: one} for name in sorted(failure.opens)]
         slips = dict(failure.slips)
-        for name, rub in self.rubs.items():
+        for name, rub in self.dry_friction.items():
             if rub.load and set(rub.load) <= failure.opens:
                 rows.append({self.columns[name]: one})
             elif name in slips:
@@ -188,7 +188,7 @@ class RestEquations:
         """What the parameter must make vanish for a failure to be possible."""
         columns = self._unknown(failure)
         slips = dict(failure.slips)
-        sized = [self.rubs[name] for name in self.sized if name in slips]
+        sized = [self.dry_friction[name] for name in self.sized if name in slips]
         found = overdetermined(self.field, self._rows(failure), columns, parameter)
         if sized:
             reduced = self.reactions(failure)
@@ -209,7 +209,7 @@ class RestEquations:
 
     def square(self, reduced: ReducedColumns, rub: str) -> Ratio | None:
         """The square of the force that loads dry friction with two components; None if it is not unique."""
-        parts = [self.reaction(reduced, name) for name in self.rubs[rub].load]
+        parts = [self.reaction(reduced, name) for name in self.dry_friction[rub].load]
         total = self.field.zero
         for part in parts:
             if part is None:
@@ -242,12 +242,14 @@ class RestEquations:
                 total = total + load * motion[slot]
         given = {} if self.asked is None else {self.columns[self.asked[0]]: self.asked[1]}
         for name, direction in failure.slips:
-            pressing, constant = self.load(self.rubs[name], failure)
+            pressing, constant = self.load(self.dry_friction[name], failure)
             known = constant
             for column, share in pressing.items():
                 if column in given:
                     known = known + share * self.rows[self.names[column]].sign * given[column]
-            total = total - direction * self.coefficient(self.rubs[name], direction) * known * self.rate(name, motion)
+            total = total - direction * self.coefficient(self.dry_friction[name], direction) * known * self.rate(
+                name, motion
+            )
         if self.asked is not None:
             name, value = self.asked
             total = total + self.rows[name].sign * value * self.rate(name, motion)

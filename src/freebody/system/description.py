@@ -73,7 +73,7 @@ class SystemDescription:
         return self._sites[0]
 
     @cached_property
-    def rubs(self) -> tuple[DryFriction, ...]:
+    def dry_friction(self) -> tuple[DryFriction, ...]:
         """All dry friction, in joints and in contacts."""
         return self._sites[1]
 
@@ -84,7 +84,7 @@ class SystemDescription:
 
     @cached_property
     def _rows(self) -> tuple[ConstraintRow, ...]:
-        return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.rubs))
+        return (*self.held, *(bound.row for bound in self.bounds), *(rub.row for rub in self.dry_friction))
 
     @cached_property
     def glyphs(self) -> tuple[Shown[Point, Direction, Expr], ...]:
@@ -97,12 +97,12 @@ class SystemDescription:
 
     @cached_property
     def _sites(self) -> tuple[tuple[UnilateralConstraint, ...], tuple[DryFriction, ...]]:
-        bounds, rubs = list(self.limits), list(self.brakes)
+        bounds, dry_friction = list(self.limits), list(self.brakes)
         for pair in self.contacts:
             more_bounds, more_rubs = pair.elements()
             bounds += more_bounds
-            rubs += more_rubs
-        return tuple(bounds), tuple(rubs)
+            dry_friction += more_rubs
+        return tuple(bounds), tuple(dry_friction)
 
     # -- what belongs together ----------------------------------------------------------------
     @cached_property
@@ -120,7 +120,7 @@ class SystemDescription:
         yield from of_connection.values()
         for bound in self.bounds:
             yield set(bound.row.measure.bodies()).union(*(span.measure.bodies() for span in bound.within))
-        for rub in self.rubs:
+        for rub in self.dry_friction:
             yield set(rub.row.measure.bodies()).union(*(m.bodies() for _n, m in rub.measures))
             loaded = [connection_of[name] for name in (*rub.load, rub.of) if name in connection_of]
             yield set[str]().union(of_connection[rub.row.connection], *(of_connection[c] for c in loaded))

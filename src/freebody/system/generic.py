@@ -246,12 +246,12 @@ class _GenericReader:
         """Rows of contacts, stops and dry friction that the system holds, as in one of its modes."""
         wanted = {row.name for row in self.like.held}
         contacts, limits, brakes = read_bounds(self.names, connections)
-        bounds, rubs = list(limits), list(brakes)
+        bounds, dry_friction = list(limits), list(brakes)
         for pair in contacts:
             more_bounds, more_rubs = pair.elements()
             bounds += more_bounds
-            rubs += more_rubs
-        rows = [bound.row for bound in bounds] + [sticking_row(rub) for rub in rubs]
+            dry_friction += more_rubs
+        rows = [bound.row for bound in bounds] + [sticking_row(rub) for rub in dry_friction]
         return [row for row in rows if row.name in wanted]
 
     # -- rows ---------------------------------------------------------------------------------

@@ -26,15 +26,15 @@ class ContactMode:
     """Contact states by name. A rub that is not listed has no force: its bound is open."""
 
     closed: frozenset[str] = frozenset()
-    rubs: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
+    dry_friction: tuple[tuple[str, int], ...] = ()  # 0 sticks, +1 slides with a growing measure, -1 with a falling one
 
     @classmethod
-    def of(cls, closed: set[str] | frozenset[str], rubs: Mapping[str, int]) -> ContactMode:
-        return cls(frozenset(closed), tuple(sorted(rubs.items())))
+    def of(cls, closed: set[str] | frozenset[str], dry_friction: Mapping[str, int]) -> ContactMode:
+        return cls(frozenset(closed), tuple(sorted(dry_friction.items())))
 
     @property
     def states(self) -> dict[str, int]:
-        return dict(self.rubs)
+        return dict(self.dry_friction)
 
 
 def ideal_bounds(system: System) -> tuple[ConstraintRow, ...]:
@@ -76,7 +76,7 @@ def in_mode(system: System, mode: ContactMode) -> tuple[System, dict[str, DryFri
     applied_loads = list(system.applied_loads)
     parameters = dict(system.parameters)
     loads: dict[str, DryFriction] = {}
-    for rub in system.rubs:
+    for rub in system.dry_friction:
         state = states.get(rub.name)
         if state == 0:
             held.append(sticking_row(rub))

@@ -79,9 +79,9 @@ def described(kind: str) -> System:
 def closed(kind: str) -> Description:
     """The same; what may open is closed, and what may slip sticks."""
     system = described(kind)
-    if not system.bounds and not system.rubs:
+    if not system.bounds and not system.dry_friction:
         return system
-    mode = ContactMode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.rubs})
+    mode = ContactMode.of({bound.name for bound in system.bounds}, {rub.name: 0 for rub in system.dry_friction})
     return in_mode(system, mode)[0]
 
 

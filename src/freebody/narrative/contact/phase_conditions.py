@@ -42,7 +42,9 @@ _PURPOSES = {
 def tell_sticking(script: Script, way: PhaseSequence, leg: PhaseSegment) -> list[int]:
     """What friction that holds must transmit when a phase begins: no slip needs |F| <= mu N. Returns the lines."""
     found: list[int] = []
-    sticking = [leg.phase.rubs[n] for n, s in leg.phase.mode.states.items() if s == 0 and n not in leg.phase.dropped]
+    sticking = [
+        leg.phase.dry_friction[n] for n, s in leg.phase.mode.states.items() if s == 0 and n not in leg.phase.dropped
+    ]
     for rub in sticking:
         shared = leg.phase.shared.get(rub.name, [])
         if shared or len(rub.load) > 1:

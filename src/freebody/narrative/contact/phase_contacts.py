@@ -25,7 +25,7 @@ def tell_contacts(
     signs: list[int] = []
     for name, state in phase.mode.states.items():
         if state:
-            found[name], sign = _slip(script, way, leg, phase.rubs[name], state, before)
+            found[name], sign = _slip(script, way, leg, phase.dry_friction[name], state, before)
             signs += [sign] if sign else []
     return found, signs
 
@@ -34,7 +34,7 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
     """One sentence for every bound, ideal string and friction."""
     phase, found = leg.phase, list[Sentence]()
     unilateral = [row for row in phase.base.held if row.unilateral]
-    rubbing = {rub.of: phase.mode.states[name] for name, rub in phase.rubs.items() if name in phase.mode.states}
+    rubbing = {rub.of: phase.mode.states[name] for name, rub in phase.dry_friction.items() if name in phase.mode.states}
     for row in (*unilateral, *(bound.row for bound in phase.base.bounds)):
         args = {"connection": label(row.name)}
         closed = row.name in phase.mode.closed
@@ -47,7 +47,7 @@ def _states(leg: PhaseSegment) -> list[Sentence]:
             grips = any(h.needs and f"{h.connection}.{h.needs}" == row.name for h in phase.base.held)
             found.append(Sentence("contact.grips" if grips else "contact.touches", args))
     for name, state in phase.mode.states.items():
-        rub = phase.rubs[name]
+        rub = phase.dry_friction[name]
         key = "slides" if state else "rolls" if rolls(rub) else "sticks"
         found.append(Sentence(f"contact.{key}", {"connection": label(rub.of or name)}))
     return found
@@ -89,7 +89,7 @@ def slip_symbol(leg: PhaseSegment, rub: DryFriction) -> Expr:
     plain = coordinate_rate(leg, leg.phase.state.rate(rub.row.measure))
     if plain is not None:
         return plain
-    others = [r for r in leg.phase.rubs.values() if r.name in leg.phase.mode.states]
+    others = [r for r in leg.phase.dry_friction.values() if r.name in leg.phase.mode.states]
     name = "v_s" if len(others) == 1 else f"v_s_{rub.row.connection}_{others.index(rub) + 1}"
     return Symbol(leg.free_name(name))
 

@@ -59,7 +59,7 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
     symbols = leg.newton.acting.symbols
     match watch.kind:
         case "slip ends":
-            rub = phase.rubs[watch.name]
+            rub = phase.dry_friction[watch.name]
             return slip_symbol(leg, rub), phase.state.rate(rub.row.measure)
         case "opens":
             return Symbol(symbols[watch.name].name), watch.element
@@ -83,12 +83,12 @@ def _watched(script: Script, way: PhaseSequence, leg: PhaseSegment, watch: Phase
 
 def _reserve(script: Script, leg: PhaseSegment, watch: PhaseWatch) -> Expr:
     """What is left of the friction that can be transmitted."""
-    rub = leg.phase.rubs[watch.name]
+    rub = leg.phase.dry_friction[watch.name]
     names = leg.newton.acting.symbols
     held = Symbol(names[watch.name].name) * (rub.row.sign * watch.direction)
     f = leg.phase.model.field
     limit: Expr = ZERO
-    for one in [rub, *(leg.phase.rubs[n] for n in leg.phase.shared.get(rub.name, ()))]:
+    for one in [rub, *(leg.phase.dry_friction[n] for n in leg.phase.shared.get(rub.name, ()))]:
         c = tidy(f.lowest_terms(leg.phase.coefficient(one, watch.direction, at_rest=True)))
         limit = limit + (c * Symbol(names[one.load[0]].name) if one.load else c)
     return limit + held

@@ -65,7 +65,7 @@ def _laws(phase: Phase) -> list[FrictionLaw]:
     found: list[FrictionLaw] = []
     for name, sense in phase.mode.states.items():
         if sense:
-            rub = phase.rubs[name]
+            rub = phase.dry_friction[name]
             factor = -sense * rub.row.sign * phase.coefficient(rub, sense, at_rest=False)
             load, is_back = _load(phase, rub)
             way = "forward" if sense * rub.row.sign > 0 else "backward"

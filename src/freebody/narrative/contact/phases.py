@@ -152,7 +152,7 @@ def _wanted(way: PhaseSequence, leg: PhaseSegment, moving: set[str]) -> list[int
     if watch.kind in ("opens", "slips"):
         found.append(newton.acting.generator(watch.name))
     if watch.kind == "slips":
-        found += [newton.acting.generator(n) for n in leg.phase.rubs[watch.name].load]
+        found += [newton.acting.generator(n) for n in leg.phase.dry_friction[watch.name].load]
     if leg is way.legs[-1] and way.question.quantity.scope != "course":
         found += newton.unknowns_in(newton.asked(way.question.quantity))
     return list(dict.fromkeys(found))

@@ -97,7 +97,7 @@ class _RestTelling:
                 symbol = Symbol(symbols[row.name].name)
                 key = "rest.taut" if row.reaction == "tension" else "rest.touches"
                 found.append(Sentence(key, {"place": place_of(row), "force": symbol}))
-        for rub in self.touching.rubs:
+        for rub in self.touching.dry_friction:
             symbol = Symbol(symbols[rub.name].name)
             place = place_of(rub.row)
             if rub.static_back is not None:
@@ -211,7 +211,9 @@ class _RestTelling:
     ) -> tuple[int, ...]:
         """The lines of what a contact transmits at the limit. Raises CannotAnswer where that is not unique."""
         row = next((r for r in newton.acting.rows.values() if r.unilateral and place_of(r) == place), None)
-        rub = next((r for r in self.touching.rubs if r.load and row is not None and r.load[0] == row.name), None)
+        rub = next(
+            (r for r in self.touching.dry_friction if r.load and row is not None and r.load[0] == row.name), None
+        )
         if row is None or (sticks and rub is None):
             raise CannotAnswer(Message("there is no such contact"))
         asked = (row.name, rub.name) if sticks and rub is not None else (row.name,)
@@ -293,4 +295,4 @@ def _has_roots(rest: Ratio, index: int) -> bool:
 
 def _plain_equations(ends: Ends, touching: TouchingAtRest) -> RestEquations:
     """Equilibrium without a reaction that is taken as given."""
-    return ends.equations if ends.asked is None else RestEquations(ends.equations.state, touching.rubs)
+    return ends.equations if ends.asked is None else RestEquations(ends.equations.state, touching.dry_friction)

@@ -28,13 +28,13 @@ def acting_at_rest(touching: TouchingAtRest, equations: RestEquations, failure: 
 def _gone(equations: RestEquations, failure: Failure) -> dict[str, str]:
     """Rows without force: what opens, and the friction there."""
     opened = set(failure.opens)
-    free = [name for name, rub in equations.rubs.items() if rub.load and set(rub.load) <= opened]
+    free = [name for name, rub in equations.dry_friction.items() if rub.load and set(rub.load) <= opened]
     return {**dict.fromkeys(sorted(opened), "verge.opens"), **dict.fromkeys(free, "verge.free")}
 
 
 def _law(equations: RestEquations, failure: Failure, name: str, sense: int) -> FrictionLaw:
     """A friction at its limit. Raises CannotAnswer for one with a resultant of two components."""
-    rub = equations.rubs[name]
+    rub = equations.dry_friction[name]
     if len(rub.load) > 1:
         raise CannotAnswer(
             Message(

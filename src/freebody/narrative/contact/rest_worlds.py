@@ -67,7 +67,7 @@ class RestGlossary(Glossary):
         draw = Draw(values, reference, q)
         problem, optimum = c.edge.problem, c.edge.optimum
         if not self.is_linear:  # there the forces known are those just beyond the end
-            problem = rest_problem(reference, q, self.touching.rubs)
+            problem = rest_problem(reference, q, self.touching.dry_friction)
             found = margin(problem)
             if found is None:
                 raise CannotAnswer(Message("nothing holds the system at its limit"))

@@ -84,7 +84,7 @@ class _MistakeSearch:
     def _marked(self) -> tuple[Elements, list[Mistake]]:
         system = self.context.system
         is_reaction = self.question.quantity.is_reaction
-        if system.space or system.bounds or system.rubs or self.question.transition is not None:
+        if system.space or system.bounds or system.dry_friction or self.question.transition is not None:
             raise CannotAnswer(Message("factors are for systems in the plane that do not change"))
         if is_reaction and len(system.held) > MOST_ROWS:
             raise CannotAnswer(Message("too many reactions depend on each other"))

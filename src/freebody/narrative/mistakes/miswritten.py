@@ -45,7 +45,7 @@ class BodyEquations:
         system = context.system
         if question.event is not None or question.at_start or question.transition is not None:
             raise CannotAnswer(Message("equations of bodies are for the general instant"))
-        if system.space or system.bounds or system.rubs:
+        if system.space or system.bounds or system.dry_friction:
             raise CannotAnswer(Message("equations of bodies are for systems in the plane that do not change"))
         self.newton = context.newton
         self.model = context.setup.model

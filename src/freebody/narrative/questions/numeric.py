@@ -28,7 +28,7 @@ def or_in_numbers(derive: Derive) -> Derive:
 
 def _is_plain(context: Context) -> bool:
     """Whether there are equations of motion that hold all the time."""
-    return not context.system.bounds and not context.system.rubs
+    return not context.system.bounds and not context.system.dry_friction
 
 
 def in_numbers(context: Context, answer: Answer) -> list[DerivationStage]:

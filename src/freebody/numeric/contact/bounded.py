@@ -128,12 +128,12 @@ class Bounded:
         ideal = [UnilateralConstraint(row) for row in system.held if row.unilateral]
         # in the order of their names: where several outcomes are alike, none in the file chooses one
         bounds = sorted([*ideal, *system.bounds], key=lambda bound: bound.name)
-        rubs = sorted(enumerate(system.rubs), key=lambda numbered: numbered[1].name)
+        dry_friction = sorted(enumerate(system.dry_friction), key=lambda numbered: numbered[1].name)
         for bound in ideal:
             packing.watched.append(packing.held[places[bound.name]].where)
         for bound in system.bounds:
             packing.bound(bound)
-        for rub in system.rubs:
+        for rub in system.dry_friction:
             loads = tuple(places[name] for name in rub.load)
             packing.rub(rub, loads, self._load_sign(loads))
         self.written = ArrayBuilder(packing)
@@ -153,12 +153,12 @@ class Bounded:
                 self.written.row_of_rub(k),
                 places[rub.name],
                 number.get(rub.of, -1),
-                packing.rubs[k].loads,
-                packing.rubs[k].sign,
+                packing.dry_friction[k].loads,
+                packing.dry_friction[k].sign,
                 rub,
                 k,
             )
-            for k, rub in rubs
+            for k, rub in dry_friction
         ]
         self._engines: dict[ModeOf, tuple[Engine, tuple[Guard, ...], list[tuple[str, int]]]] = {}
 
@@ -362,12 +362,12 @@ class Bounded:
         weighted = J * self.inverse_mass
         A = weighted @ J.T
         b = signs * now.rates[places] if of_rates else weighted @ now.force + signs * now.biases[places]
-        rubs = tuple(
+        dry_friction = tuple(
             self._rub(k, sliding, at, len(held) + len(closed) + n, now.t)
             for n, (k, sliding) in enumerate(drags.items())
         )
         lengths = np.array([1.0 if self.is_angle(self.rows[k]) else self.numbers.length for k in places])
-        matrices = ContactProblem(A, b, tuple(normals), rubs, lengths)
+        matrices = ContactProblem(A, b, tuple(normals), dry_friction, lengths)
         return RowProblem(matrices, tuple(closed), tuple(drags), weighted, len(held))
 
     def _rub(self, k: int, sliding: int, at: dict[int, int], row: int, t: float) -> FrictionProblemRow:

@@ -81,13 +81,13 @@ def _solved(
 ) -> tuple[Array, Mode] | None:
     """w = M z + q with z = (N, x, a-) (m + 2 k), solved, and what its signs say of every row."""
     m, k = len(normals), len(undecided)
-    rubs = [f.row for f, _, _ in undecided]
+    dry_friction = [f.row for f, _, _ in undecided]
     width = np.array([sum(coefficient(f, s, rules) for s in SLIPPING) for f, _, _ in undecided])
     M = np.zeros((m + 2 * k, m + 2 * k))
     q = np.zeros(m + 2 * k)
     # the first rows: accelerations of normals, and a+ = a + a- of undecided rubs
     b = reduced.A @ x0 + reduced.b
-    decided = normals + rubs
+    decided = normals + dry_friction
     M[: m + k, : m + k] = reduced.A[decided] @ S
     q[: m + k] = b[decided]
     # the last: how far the other limit is, (f + g) L - x

@@ -326,7 +326,7 @@ def _nothing(problem: ContactProblem, status: OutcomeCount, *, is_proven: bool) 
     mode = [RowState.HELD] * problem.n
     for row in problem.normals:
         mode[row] = RowState.OPEN
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         mode[rub.row] = RowState.ABSENT
     undefined = np.full(problem.n, np.nan)
     return ForceOutcome(status, tuple(mode), undefined, undefined.copy(), (), is_proven)

@@ -43,7 +43,7 @@ def impact(
         raise ValueError("restitution must lie in [0, 1]")
     if law is Law.KELLER:
         return impact_without_collision(problem, max(restitution.values(), default=0.0), Restitution.POISSON)
-    smooth = replace(problem, rubs=impulsive(problem))
+    smooth = replace(problem, dry_friction=impulsive(problem))
     if law is Law.POISSON:
         return _poisson(smooth, restitution, most_others)
     target = problem.b.copy()
@@ -60,11 +60,13 @@ def _poisson(problem: ContactProblem, restitution: Mapping[int, float], most_oth
     released = np.zeros(problem.n)
     for row in problem.normals:
         released[row] = restitution.get(row, 0.0) * compression.forces[row]
-    rubs = tuple(replace(rub, constant=max(0.0, float(sum(released[j] for j in rub.normals)))) for rub in problem.rubs)
+    dry_friction = tuple(
+        replace(rub, constant=max(0.0, float(sum(released[j] for j in rub.normals)))) for rub in problem.dry_friction
+    )
     held = list(problem.held_rows)
     velocities = compression.accelerations.copy()
     velocities[held] = 0.0
-    expanding = replace(problem, b=velocities + problem.A @ released, rubs=rubs)
+    expanding = replace(problem, b=velocities + problem.A @ released, dry_friction=dry_friction)
     expansion = contact_forces(expanding, most_others=most_others)
     status = expansion.status if compression.status is OutcomeCount.UNIQUE else OutcomeCount.SEVERAL
     status = status if expansion.is_found else expansion.status

@@ -38,7 +38,7 @@ class ImpactOutcome:
 
 def impulsive(problem: ContactProblem) -> tuple[FrictionProblemRow, ...]:
     """The rubs as they act in an impact: kinetic coefficients, no slip known, nothing from finite forces."""
-    return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.rubs)
+    return tuple(replace(rub, static=rub.kinetic, constant=0.0, sliding=0) for rub in problem.dry_friction)
 
 
 def judged(

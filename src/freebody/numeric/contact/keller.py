@@ -57,14 +57,14 @@ def impact_without_collision(
     # one normal, and at most one rub that it alone loads
     kept = [row for row in range(problem.n) if row not in {rub.row for rub in impulsive(problem) if _is_idle(rub)}]
     followed = _of_rows(problem, kept)
-    if len(followed.normals) != 1 or len(followed.rubs) > 1 or any(r.magnitudes for r in followed.rubs):
+    if len(followed.normals) != 1 or len(followed.dry_friction) > 1 or any(r.magnitudes for r in followed.dry_friction):
         raise ValueError("following an impact needs one normal, and one rub that it alone loads, or none")
-    if any(rub.normals != followed.normals for rub in followed.rubs):
+    if any(rub.normals != followed.normals for rub in followed.dry_friction):
         raise ValueError("following an impact needs a rub that the normal alone loads")
     # the phases of slip, each linear in the normal impulse p [N s], up to the end of restitution
     system = reduced(followed)
     mode = [RowState.HELD] * problem.n
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         mode[rub.row] = RowState.ABSENT
     normal = problem.normals[0]
     mode[normal] = RowState.OPEN
@@ -79,7 +79,7 @@ def impact_without_collision(
         x = np.array([end, last.T + last.friction * (end - last.p0)][: len(system.rows)])
         impulses[kept] = system.forces(x)
         mode[normal] = RowState.CLOSED
-        for rub in followed.rubs:
+        for rub in followed.dry_friction:
             mode[kept[rub.row]] = last.state
     else:
         impulses[kept] = system.forces(np.zeros(len(system.rows)))
@@ -94,20 +94,20 @@ def _is_idle(rub: FrictionProblemRow) -> bool:
 def _of_rows(problem: ContactProblem, kept: list[int]) -> ContactProblem:
     """The problem without the rows of rubs that carry nothing."""
     place = {row: k for k, row in enumerate(kept)}
-    rubs = tuple(
+    dry_friction = tuple(
         replace(rub, row=place[rub.row], normals=tuple(place[j] for j in rub.normals))
         for rub in impulsive(problem)
         if not _is_idle(rub)
     )
     normals = tuple(place[row] for row in problem.normals)
-    return ContactProblem(problem.A[np.ix_(kept, kept)], problem.b[kept], normals, rubs)
+    return ContactProblem(problem.A[np.ix_(kept, kept)], problem.b[kept], normals, dry_friction)
 
 
 def _scaled_limits(problem: ContactProblem, scale: Array) -> tuple[float, float]:
-    if not problem.rubs:
+    if not problem.dry_friction:
         return 0.0, 0.0
     weight = float(scale[0] / scale[1])
-    forward, backward = problem.rubs[0].kinetic
+    forward, backward = problem.dry_friction[0].kinetic
     return weight * forward, weight * backward
 
 

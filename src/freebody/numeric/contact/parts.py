@@ -26,7 +26,7 @@ def separate(problem: ContactProblem) -> list[Part]:
     """The parts, in the order of their first rows; the problem as it is if it has one only."""
     # which rows are coupled, (n, n), and the connected components of that graph
     joined = problem.A != 0.0
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         for row in (*rub.normals, *(row for group in rub.magnitudes for row in group)):
             joined[rub.row, row] = True
     groups = _connected(joined | joined.T)
@@ -36,21 +36,21 @@ def separate(problem: ContactProblem) -> list[Part]:
     parts: list[Part] = []
     for rows in groups:
         place = {row: k for k, row in enumerate(rows)}
-        rubs = tuple(
+        dry_friction = tuple(
             replace(
                 rub,
                 row=place[rub.row],
                 normals=tuple(place[row] for row in rub.normals),
                 magnitudes=tuple(tuple(place[row] for row in group) for group in rub.magnitudes),
             )
-            for rub in problem.rubs
+            for rub in problem.dry_friction
             if rub.row in place
         )
         own = ContactProblem(
             problem.A[np.ix_(rows, rows)],
             problem.b[list(rows)],
             tuple(place[row] for row in problem.normals if row in place),
-            rubs,
+            dry_friction,
             None if problem.lengths is None else problem.lengths[list(rows)],
         )
         parts.append(Part(own, rows))

@@ -79,13 +79,14 @@ class FrictionProblemRow:
 class ContactProblem:
     """Rows at an instant. A: (n, n) [1/kg and the like], b: (n,) accelerations without any force of the rows.
 
-    `normals` are rows, `rubs` name theirs; every other row is held, with b such that its acceleration must vanish.
+    `normals` are rows, `dry_friction` names its own; every other row is held, with b such that its acceleration must
+    vanish.
     """
 
     A: Array
     b: Array
     normals: tuple[int, ...] = ()
-    rubs: tuple[FrictionProblemRow, ...] = ()
+    dry_friction: tuple[FrictionProblemRow, ...] = ()
     lengths: Array | None = None  # (n,) h: of multipliers that are not unique those with the least sum of (lambda h)^2
 
     @property
@@ -95,7 +96,7 @@ class ContactProblem:
     @property
     def free_rows(self) -> tuple[int, ...]:
         """Normals, then the rows of rubs."""
-        return (*self.normals, *(rub.row for rub in self.rubs))
+        return (*self.normals, *(rub.row for rub in self.dry_friction))
 
     @property
     def held_rows(self) -> tuple[int, ...]:

@@ -84,7 +84,10 @@ def force_ranges(problem: ContactProblem, accelerations: Array, mode: Mode) -> F
         return _none(n, Feasible.NO_FORCES)
     l0 = D * (vectors[:, kept] @ (along / values[kept]))
     Z = D[:, None] * vectors[:, ~kept]
-    size = max((float(np.abs(l0).max(initial=0.0))), max((rub.constant for rub in problem.rubs), default=0.0)) or 1.0
+    size = (
+        max((float(np.abs(l0).max(initial=0.0))), max((rub.constant for rub in problem.dry_friction), default=0.0))
+        or 1.0
+    )
     return _within_cones(problem, mode, l0 / size, Z / (np.abs(Z).max(initial=0.0) or 1.0), size)
 
 
@@ -110,7 +113,7 @@ def _none(n: int, feasible: Feasible) -> ForceRanges:
 
 def _signs(problem: ContactProblem, mode: Mode, l0: Array, Z: Array) -> Iterator[dict[int, float]]:
     """Every choice of signs for the held rows whose magnitude is a load and whose force is open."""
-    acting = [rub for rub in problem.rubs if mode[rub.row] is not RowState.ABSENT]
+    acting = [rub for rub in problem.dry_friction if mode[rub.row] is not RowState.ABSENT]
     rows = sorted({row for rub in acting for group in rub.magnitudes for row in group})
     free = [row for row in rows if float(np.abs(Z[row]).max(initial=0.0)) > _DETERMINED]
     determined = {row: float(np.sign(l0[row])) for row in rows if row not in free}
@@ -128,7 +131,7 @@ def _cuts(
         cuts.append(_Cut(-Z[row], float(l0[row]), is_equation=mode[row] is RowState.OPEN))
     for row, sign in signs.items():
         cuts.append(_Cut(-sign * Z[row], sign * float(l0[row])))
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         T, slope = float(l0[rub.row]), Z[rub.row]
         state = mode[rub.row]
         if state is RowState.ABSENT:

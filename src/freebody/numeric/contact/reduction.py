@@ -159,7 +159,7 @@ def _frictions(
     place = {row: k for k, row in enumerate(problem.free_rows)}
     held_place = {int(row): k for k, row in enumerate(held)}
     found: list[ReducedFriction] = []
-    for rub in problem.rubs:
+    for rub in problem.dry_friction:
         s = float(D[rub.row])
         # the load as constant + slope.l of the free rows: held rows among the normals are put in by p and Q
         normals = tuple(place[j] for j in rub.normals if j in place)

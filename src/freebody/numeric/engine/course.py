@@ -95,7 +95,7 @@ class ContactRecord:
     sticks, +1 or -1 where it slides, 2 where there is none."""
 
     bounds: tuple[str, ...]
-    rubs: tuple[str, ...]
+    dry_friction: tuple[str, ...]
     states: NDArray[np.int8]
     slips: NDArray[np.int8]
     collisions: tuple[Collision, ...]

@@ -100,7 +100,7 @@ class Packing:
         self.other: list[Composition | RowProduct] = []
         self.by_measure: dict[Measure | NonholonomicForm, Where] = {}
         self.held: list[Hold] = []
-        self.rubs: list[Slide] = []
+        self.dry_friction: list[Slide] = []
         self.watched: list[Where] = []
         self.pushed: list[tuple[Where, AppliedLoad, tuple[float, float, float] | None, bool]] = []
 
@@ -308,7 +308,7 @@ class Packing:
         for _name, measure in rub.measures:
             self.row(measure)
         self.watched.append(where)
-        self.rubs.append(Slide(where, rub, keeps, loads, sign))
+        self.dry_friction.append(Slide(where, rub, keeps, loads, sign))
         return keeps
 
     def watch(self, measure: Measure | NonholonomicForm) -> None:

@@ -118,7 +118,7 @@ class ArrayBuilder:
         applied_loads = self._pushes(rated)
         self._held = [self._hold(k) for k in range(len(p.held))]
         self._held_slots: list[list[tuple[int, int]]] = [rows.slots[held["row"]] for held in self._held]
-        self._limits = [self._limit(slide.rub) for slide in p.rubs]
+        self._limits = [self._limit(slide.rub) for slide in p.dry_friction]
         self._masses = self._masses_of(self._driven(slots_of_measure))
         base_terms = [[(new_place[k], c) for k, c in base.terms] for base in p.bases]
         self.rows = {measure: self._number[where] for measure, where in p.by_measure.items()}
@@ -272,14 +272,14 @@ class ArrayBuilder:
 
     def keep(self, rub: int, value: float) -> None:
         """What a sticking friction keeps its measure at from now on, in all layouts."""
-        slide = self.packing.rubs[rub]
+        slide = self.packing.dry_friction[rub]
         where = self.packing.held[slide.keeps].where
         if where[0] == "base":
             self._fixed["row_constant"][where[1]] = self.packing.bases[slide.where[1]].constant - value
 
     def row_of_rub(self, rub: int) -> int:
         """The row of the slip of dry friction."""
-        return self._number[self.packing.rubs[rub].where]
+        return self._number[self.packing.dry_friction[rub].where]
 
     def program(self, row: int, order: int, sign: float = 1.0) -> Program:
         """The value (order 0) or the rate (order 1) of a row, up to a constant, by a sign."""
@@ -297,12 +297,12 @@ class ArrayBuilder:
         return self._limits[rub]
 
     def _loads(self, rub: int, place: Mapping[int, int]) -> tuple[int, int, int]:
-        slide = self.packing.rubs[rub]
+        slide = self.packing.dry_friction[rub]
         a, b = (*(place.get(k, -1) for k in slide.loads), -1, -1)[:2]
         return (BY_LAW if not slide.loads else BY_SIZE if len(slide.loads) > 1 else BY_ONE), a, b
 
     def _slide(self, rub: int, direction: int, place: Mapping[int, int]) -> tuple[tuple[int, ...], tuple[float, ...]]:
-        slide = self.packing.rubs[rub]
+        slide = self.packing.dry_friction[rub]
         kind, a, b = self._loads(rub, place)
         c = 1.0 if kind == BY_LAW else self.packing.numbers.number(slide.rub.coefficient(direction))
         return (self.row_of_rub(rub), kind, a, b, self._limits[rub][1], 1), (-direction * c, float(slide.sign))
@@ -312,7 +312,7 @@ class ArrayBuilder:
             return (guard.kind, place[guard.row], -1, -1, -1, 0), (guard.sign, 0.0, 0.0, 0.0)
         if guard.kind in (OF_VALUE, OF_RATE):
             return (guard.kind, guard.row, -1, -1, -1, 0), (guard.sign, guard.offset, 0.0, 0.0)
-        slide = self.packing.rubs[guard.rub]
+        slide = self.packing.dry_friction[guard.rub]
         kind, a, b = self._loads(guard.rub, place)
         # a positive multiplier resists a falling measure
         down, up = (

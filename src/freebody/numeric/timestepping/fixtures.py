@@ -25,7 +25,7 @@ class SystemParts:
 
     joints: tuple[ConstraintRow, ...]  # always held
     bounds: tuple[UnilateralConstraint, ...]
-    rubs: tuple[DryFriction, ...]
+    dry_friction: tuple[DryFriction, ...]
 
     @classmethod
     def of(
@@ -46,7 +46,7 @@ class SystemParts:
             packing.watch(bound.row.measure)
             for span in bound.within:
                 packing.watch(span.measure)
-        for rub in self.rubs:
+        for rub in self.dry_friction:
             packing.watch(rub.row.measure)
             for _name, measure in rub.measures:
                 packing.watch(measure)
@@ -59,14 +59,14 @@ class SystemParts:
         places = {bound.name: k for k, bound in enumerate(self.bounds)}
         places |= {row.name: -2 - int(place_of[k]) for k, row in enumerate(self.joints)}
         bounds = [self._bound(bound, numbers, rows, tapes) for bound in self.bounds]
-        rubs = [self._rub(rub, numbers, rows, tapes, places) for rub in self.rubs]
+        dry_friction = [self._rub(rub, numbers, rows, tapes, places) for rub in self.dry_friction]
         return Fixtures(
             bound=ints([b[0] for b in bounds], 2, 6),
             bound_number=floats(np.array([b[1] for b in bounds]).reshape(-1, 6)),
             bound_memory=np.zeros(len(bounds)),
-            rub=ints([r[0] for r in rubs], 2, 6),
-            rub_number=floats(np.array([r[1] for r in rubs]).reshape(-1, 4)),
-            rub_memory=np.zeros(len(rubs)),
+            rub=ints([r[0] for r in dry_friction], 2, 6),
+            rub_number=floats(np.array([r[1] for r in dry_friction]).reshape(-1, 4)),
+            rub_memory=np.zeros(len(dry_friction)),
             tape_ptr=ints(tapes.ptr),
             tape=ints(list(zip(tapes.ops, tapes.left, tapes.right, strict=True)), 2, 3),
             tape_number=floats(tapes.constants),

@@ -79,7 +79,7 @@ def _in_whole(system: System, questions: Sequence[Question], setup: Setup | None
             return _at_rest(system, questions)
         except CannotAnswer as error:  # as a question among others is refused
             return replace(_in_whole(system, (), setup), answers=tuple(refused(q, str(error)) for q in questions))
-    if system.bounds or system.rubs:
+    if system.bounds or system.dry_friction:
         return _in_phases(system, questions)
     lets_go = any(row.unilateral for row in system.held)  # ideal strings and rolling contacts do, if asked
     if lets_go and any(q.transition is not None for q in questions):

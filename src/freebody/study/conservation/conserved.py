@@ -63,7 +63,7 @@ def conserved(system: System, question: str | None = None) -> Conservation:
     """Judges the quantities asked for in words, or by the questions of the model; without any, searches.
 
     Raises ModelError if the system cannot be assembled or the question cannot be read."""
-    if system.bounds or system.rubs:
+    if system.bounds or system.dry_friction:
         from freebody.study.settled import settled
 
         return conserved(settled(system), question)

@@ -130,7 +130,7 @@ class Ends:
 
     def why_never(self, draw: Draw) -> str:
         """Why nothing holds the system at a draw."""
-        problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
+        problem = rest_problem(draw.reference, draw.q, self.touching.dry_friction)
         return Message("nothing keeps the system at rest: {words}", words=how_it_fails(self.touching, problem, draw))
 
     def _compare(self, draw: Draw, edge: HoldingEnd, sign: int, cases: list[FailureCase]) -> Compared:
@@ -172,7 +172,9 @@ class Ends:
     def _nothing(self, here: SeenFailure) -> FailureCase:
         """A reaction that may vanish."""
         assert self.asked is not None
-        failure = Failure(here.failure.opens | {self.asked}) if self.asked not in self.equations.rubs else Failure()
+        failure = (
+            Failure(here.failure.opens | {self.asked}) if self.asked not in self.equations.dry_friction else Failure()
+        )
         zero = self.field.zero
         at_end = self.equations.reactions(failure, {self.index: zero})
         reserves, is_complete = self._reserves(failure, at_end, {self.index: zero}, here.draw)
@@ -255,7 +257,7 @@ class Ends:
             if reserve is None:
                 return extra, False
             extra.append(reserve)
-        for name, rub in eq.rubs.items():
+        for name, rub in eq.dry_friction.items():
             if name in eq.sized or name in slips or (rub.load and set(rub.load) <= failure.opens):
                 continue
             pressing, constant = eq.load(rub, failure)
@@ -278,7 +280,7 @@ class Ends:
         square, force = eq.square(at_end, name), eq.reaction(at_end, name)
         if square is None or force is None:
             return None
-        c = self._at_value(eq.coefficient(eq.rubs[name], 1), at)
+        c = self._at_value(eq.coefficient(eq.dry_friction[name], 1), at)
         return c * c * square - force * force, ">=", Message("{contact} does not slip", contact=label)
 
     def _put(self, line: Row, at_end: ReducedColumns, at: Values) -> Row:
@@ -324,7 +326,7 @@ class Ends:
                 )
         for name in sorted(failure.opens):
             opening = eq.rows[name].sign * rates[name]
-            own = [rub for rub in eq.rubs.values() if rub.load == (name,)]
+            own = [rub for rub in eq.dry_friction.values() if rub.load == (name,)]
             for d in (1, -1):
                 sliding = self.field.zero
                 for rub in own:

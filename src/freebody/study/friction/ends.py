@@ -28,7 +28,7 @@ class ParameterEnds(Ends):
         super().__init__(touching, setup)
         self.name = name
         self.index = self.field.index(self.model.parameters[name])
-        self.equations = RestEquations(setup.start_instant, touching.rubs)
+        self.equations = RestEquations(setup.start_instant, touching.dry_friction)
         self.parametric = self._enters()
         self.is_linear, self.low = self.parametric.is_linear, self.parametric.low
         self.is_coefficient = self.parametric.is_friction
@@ -38,7 +38,7 @@ class ParameterEnds(Ends):
     def _enters(self) -> Parametric:
         """How the parameter enters, decided on the formulas."""
         p, eq = self.index, self.equations
-        coefficients = [(rub, eq.coefficient(rub, d)) for rub in self.touching.rubs for d in (1, -1)]
+        coefficients = [(rub, eq.coefficient(rub, d)) for rub in self.touching.dry_friction for d in (1, -1)]
 
         def depends(x: Ratio) -> bool:
             return p in self.field.ingredients(x)
@@ -76,10 +76,10 @@ class ReactionEnds(Ends):
         symbol = self.field.parameter(f"@{row}")
         self.index = self.field.index(symbol)
         self.is_linear = True
-        self.equations = RestEquations(setup.start_instant, touching.rubs, (row, symbol))
+        self.equations = RestEquations(setup.start_instant, touching.dry_friction, (row, symbol))
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
-        problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
+        problem = rest_problem(draw.reference, draw.q, self.touching.dry_friction)
         assert self.asked is not None
         place = problem.place(self.asked)
         ends = spread(problem, place)

@@ -136,7 +136,7 @@ def _slips(touching: TouchingAtRest, problem: RestProblem, failure: Failure) -> 
     """Where dry friction gives way; corners of one body that slip alike, as the body."""
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for name, direction in failure.slips:
-        rub = next(r for r in touching.rubs if r.name == name)
+        rub = next(r for r in touching.dry_friction if r.name == name)
         row = rub.row
         if not rub.of or len(row.ends) < 2:
             what = "turns" if row.reaction == "friction torque" else "slips"
@@ -176,7 +176,7 @@ def _bound(touching: TouchingAtRest, name: str) -> UnilateralConstraint | None:
 
 def _pivot(touching: TouchingAtRest, failure: Failure, body: str) -> str:
     """The corner about which a body turns that leaves its others: the one that stays and does not slip."""
-    slipping = {rub.of for rub in touching.rubs if rub.name in dict(failure.slips)}
+    slipping = {rub.of for rub in touching.dry_friction if rub.name in dict(failure.slips)}
     touched = [b for b in touching.bounds if body in b.row.ends]
     stays = [b for b in touched if b.name not in failure.opens]
     opened = [b for b in touched if b.name in failure.opens]

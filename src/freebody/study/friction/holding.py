@@ -74,12 +74,12 @@ class RestHolding(Ends):
 
     def __init__(self, touching: TouchingAtRest, setup: Setup) -> None:
         super().__init__(touching, setup)
-        self.equations = RestEquations(setup.start_instant, touching.rubs)
+        self.equations = RestEquations(setup.start_instant, touching.dry_friction)
         self.index = self.field.index(self.field.parameter("@nothing"))
         self.is_linear = True
 
     def edge(self, draw: Draw, sign: int, near: float | None) -> HoldingEnd | None:
-        problem = rest_problem(draw.reference, draw.q, self.touching.rubs)
+        problem = rest_problem(draw.reference, draw.q, self.touching.dry_friction)
         found = margin(problem)
         return None if found is None else HoldingEnd(found.value, problem, found)
 
@@ -138,7 +138,7 @@ def holds(touching: TouchingAtRest, setup: Setup, question: Question) -> Answer:
     for draw in study.draws:
         edge = study.edge(draw, 1, None)
         if edge is None:
-            problem = rest_problem(draw.reference, draw.q, touching.rubs)
+            problem = rest_problem(draw.reference, draw.q, touching.dry_friction)
             raise CannotAnswer(Message("it does not hold: {words}", words=how_it_fails(touching, problem, draw)))
         here = seen(touching, edge.problem, edge.optimum, draw)
         at = Looked(draw, edge.problem, edge.value >= -ROUND_OFF, abs(edge.value) > _NEAR, here)
@@ -199,7 +199,7 @@ def _reserves(study: RestHolding, first: Looked) -> list[str]:
     eq = study.equations
     reduced = eq.reactions(Failure())
     found: list[str] = []
-    for name, rub in eq.rubs.items():
+    for name, rub in eq.dry_friction.items():
         force = eq.reaction(reduced, name)
         if force is None or not rub.of or rub.row.reaction != "friction force":
             continue

@@ -75,7 +75,7 @@ class Parametric:
             q = reference.assemble(guess=draw.q)
             if not touching.is_admissible(reference, q):
                 return None
-            return rest_problem(reference, q, touching.rubs)
+            return rest_problem(reference, q, touching.dry_friction)
         except (CannotAnswer, ArithmeticError, ValueError):
             return None
 

@@ -30,17 +30,17 @@ _TOGETHER = 1e-6  # gaps that close together
 
 @dataclass(frozen=True)
 class TouchingAtRest:
-    """A system at rest: `held` is the ordinary system with all that touches held, `rubs` the friction that acts."""
+    """A system at rest: `held` is the ordinary system with all that touches held, `dry_friction` what acts of it."""
 
     system: System
     held: System
     bounds: tuple[UnilateralConstraint, ...]
-    rubs: tuple[DryFriction, ...]
+    dry_friction: tuple[DryFriction, ...]
 
     @property
     def rows(self) -> tuple[ConstraintRow, ...]:
         """Everything that transmits a force."""
-        return (*self.held.held, *(rub.row for rub in self.rubs))
+        return (*self.held.held, *(rub.row for rub in self.dry_friction))
 
     def is_admissible(self, reference: Reference, q: Array) -> bool:
         """Whether nothing else penetrates in a pose, and what touches does so where it is meant to."""
@@ -86,8 +86,8 @@ def touching(system: System) -> TouchingAtRest:
             )
         )
     bounds = tuple(bound for bound in system.bounds if bound.name in closed)
-    rubs = tuple(rub for rub in system.rubs if not rub.of or rub.of in closed)
-    return TouchingAtRest(system, held, bounds, rubs)
+    dry_friction = tuple(rub for rub in system.dry_friction if not rub.of or rub.of in closed)
+    return TouchingAtRest(system, held, bounds, dry_friction)
 
 
 def _starting(system: System) -> list[list[UnilateralConstraint]]:

@@ -49,7 +49,7 @@ def mobility(system: System, along: str | None = None, *, assembly_modes: bool =
     What touches at the start is held in touch, and what sticks where it is.
 
     Raises InputError for an unknown name, CannotAnswer if the motion cannot be followed along it."""
-    if system.bounds or system.rubs:
+    if system.bounds or system.dry_friction:
         from freebody.study.settled import settled
 
         system = settled(system, forces=False)

@@ -52,18 +52,18 @@ def candidates(home: Home, instant: PhaseStart, indices: Chosen) -> Iterator[Con
     for k, combination in enumerate(tried):
         still = {n for n, s in combination if n in closed and s is not None}
         still |= {n for n in closed if n not in dict(combination)}
-        rubs = {n: s for n, s in combination if n in slips and s is not None and _touches(home, n, still)}
-        mode = ContactMode.of(still, rubs)
+        dry_friction = {n: s for n, s in combination if n in slips and s is not None and _touches(home, n, still)}
+        mode = ContactMode.of(still, dry_friction)
         if mode not in seen:
             seen.add(mode)
-            n_changes = sum(before.get(n, s) != s for n, s in rubs.items()) + 3 * (len(closed) - len(still))
+            n_changes = sum(before.get(n, s) != s for n, s in dry_friction.items()) + 3 * (len(closed) - len(still))
             modes.append((n_changes, k, mode))
     modes.sort(key=lambda item: item[:2])
     yield from (mode for _n, _k, mode in modes[: allowed(MAX_CANDIDATES)])
 
 
 def _touches(home: Home, rub: str, closed: set[str]) -> bool:
-    of = next(r.of for r in home.system.rubs if r.name == rub)
+    of = next(r.of for r in home.system.dry_friction if r.name == rub)
     return not of or of in closed
 
 
@@ -87,7 +87,7 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             if excluded is not None and excluded[0] == watch.name:
                 continue
             if slip.is_zero():
-                rub = phase.rubs[watch.name]
+                rub = phase.dry_friction[watch.name]
                 yield (
                     sign * here(phase.state.acceleration(rub.row.measure)),
                     ">",

@@ -125,7 +125,7 @@ def _at_once(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Eviden
             signs = [(row.sign, now.rate(row.measure), now.acceleration(row.measure)) for row in rows]
             begins = all((s * u if abs(u) > ROUNDED else s * a) > 0 for s, u, a in signs)
         else:
-            states = [(s, now.acceleration(mode.rubs[n].row.measure)) for n, s in mode.mode.states.items() if s]
+            states = [(s, now.acceleration(mode.dry_friction[n].row.measure)) for n, s in mode.mode.states.items() if s]
             begins = all(s * a > 0 for s, a in states)
         draw = Draw(mode.values, mode.references[0], q)
         check.compare(draw, _home_numbers(tree, piece, k), 0.0 if begins else np.inf)

@@ -83,7 +83,7 @@ class Home:
 
     def _constants(self) -> Iterator[tuple[str, Ratio]]:
         """Start values of the measures that are held where they are, by the symbols that stand for them."""
-        rows: list[ConstraintRow] = [*self.system.held, *(sticking_row(rub) for rub in self.system.rubs)]
+        rows: list[ConstraintRow] = [*self.system.held, *(sticking_row(rub) for rub in self.system.dry_friction)]
         for row in rows:
             measure: Any = row.measure
             if getattr(measure, "incremental", False):

@@ -58,9 +58,9 @@ class ClosedFormCollision:
         bounds = {b.name: b for b in base.bounds}
         self.base, self.kept = base, kept
         self.hits: list[UnilateralConstraint] = [bounds[name] for name in hits]
-        self.rubs: list[DryFriction] = [rub for rub in base.rubs if rub.of in hits]
-        self.others: list[DryFriction] = [rub for rub in base.rubs if rub.of not in hits and rub.load]
-        if self.rubs and (len(hits) > 1 or len(self.rubs) > 1):
+        self.dry_friction: list[DryFriction] = [rub for rub in base.dry_friction if rub.of in hits]
+        self.others: list[DryFriction] = [rub for rub in base.dry_friction if rub.of not in hits and rub.load]
+        if self.dry_friction and (len(hits) > 1 or len(self.dry_friction) > 1):
             raise CannotAnswer(
                 Message(
                     "{contacts} collide at once, with friction: such an impact has no closed form here",
@@ -90,7 +90,7 @@ class ClosedFormCollision:
     @property
     def struck(self) -> list[ConstraintRow]:
         """The rows along which impulses act."""
-        return [b.row for b in self.hits] + [rub.row for rub in self.rubs]
+        return [b.row for b in self.hits] + [rub.row for rub in self.dry_friction]
 
     def here(self, x: Ratio) -> Ratio:
         return self.model.field.lowest_terms(self.now.here(x))
@@ -107,10 +107,10 @@ class ClosedFormCollision:
         for bound in self.hits:
             e = self.here(self.model.geometry.scalar(bound.restitution))
             wanted[bound.name] = -(1 + e) * self.rate(bound.row)
-        if not self.rubs:
+        if not self.dry_friction:
             yield self._blow(self._solved(table, wanted), ())
             return
-        (bound,), (rub,) = self.hits, self.rubs
+        (bound,), (rub,) = self.hits, self.dry_friction
         n, t = bound.name, rub.name
         slip = self.rate(rub.row)
         both = self._solved(table, {**wanted, t: -slip})

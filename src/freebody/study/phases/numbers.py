@@ -54,7 +54,7 @@ _FUNCTIONS = SimpleNamespace(
 def coefficients_of_friction(system: System) -> tuple[str, ...]:
     """Parameters that are coefficients of friction, in order of declaration."""
     used: set[str] = set()
-    for rub in system.rubs:
+    for rub in system.dry_friction:
         for expr in (rub.static, rub.kinetic, rub.static_back, rub.kinetic_back):
             used |= set() if expr is None else free_symbols(expr)
     return tuple(n for n, p in system.parameters.items() if n in used and p.dimension == DIMENSIONLESS)
@@ -117,7 +117,7 @@ class Sets:
             else:
                 far = _far(p, center, share, width) * (wide.choice((-1.0, 1.0), n_wide) if p.sign == "any" else 1.0)
             self.values[p.name] = np.concatenate([drawn, far])
-        for rub in system.rubs:
+        for rub in system.dry_friction:
             pairs = ((rub.static, rub.kinetic), (rub.static_back, rub.kinetic_back))
             for static, kinetic in pairs:
                 s, k = str(getattr(static, "name", "")), str(getattr(kinetic, "name", ""))

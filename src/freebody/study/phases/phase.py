@@ -99,7 +99,7 @@ class Phase:
     def __init__(self, base: System, mode: ContactMode, placed: Placed, values: Sequence[Mapping[str, float]]) -> None:
         self.base, self.mode, self.placed = base, mode, placed
         self.bounds: dict[str, UnilateralConstraint] = {b.name: b for b in base.bounds}
-        self.rubs: dict[str, DryFriction] = {r.name: r for r in base.rubs}
+        self.dry_friction: dict[str, DryFriction] = {r.name: r for r in base.dry_friction}
         system, loads = in_mode(placed.put_into(base), mode)
         self.shared = self._shared(system, loads, values)
         system = without_rows(system, self.dropped)
@@ -133,7 +133,7 @@ class Phase:
         self, system: System, loads: Mapping[str, DryFriction], values: Sequence[Mapping[str, float]]
     ) -> dict[str, list[str]]:
         """Frictions that stick along the same line: of these only the sum is determined, and one row stands for all."""
-        sticking = [name for name, state in self.mode.rubs if state == 0]
+        sticking = [name for name, state in self.mode.dry_friction if state == 0]
         if len(sticking) < 2:
             return {}
         parameters = {n: replace(p, value=1.0) if n in loads else p for n, p in system.parameters.items()}
@@ -143,9 +143,9 @@ class Phase:
         for name in sticking:
             if name not in model.redundant:
                 continue
-            own = model.gradient(self.rubs[name].row.measure)
+            own = model.gradient(self.dry_friction[name].row.measure)
             for other in sticking:
-                its = model.gradient(self.rubs[other].row.measure)
+                its = model.gradient(self.dry_friction[other].row.measure)
                 is_kept = other != name and other not in model.redundant and own.keys() == its.keys()
                 if is_kept and all(model.samples.vanishes(own[k] - its[k]) for k in own):
                     found.setdefault(other, []).append(name)
@@ -244,7 +244,7 @@ class Phase:
                     PhaseWatch("touches", name, self._nearness(self.bounds[name].row), within=self.spans(name))
                 )
         for name, state in states.items():
-            rub = self.rubs[name]
+            rub = self.dry_friction[name]
             if state:
                 found.append(PhaseWatch("slip ends", name, state * self.state.rate(rub.row.measure)))
             elif name not in self.dropped:
@@ -267,7 +267,7 @@ class Phase:
     def _limits(self, rub: DryFriction) -> list[PhaseWatch]:
         """A friction T that resists a growing measure is negative, and holds while -T <= mu N; else while T <= mu N."""
         held = self.friction(rub)
-        together = [rub, *(self.rubs[name] for name in self.shared.get(rub.name, ()))]
+        together = [rub, *(self.dry_friction[name] for name in self.shared.get(rub.name, ()))]
         up = down = self.model.field.zero
         for one in together:
             up = up + self.coefficient(one, 1, at_rest=True) * self.load(one)

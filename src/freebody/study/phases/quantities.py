@@ -52,7 +52,9 @@ def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -
 @_value.register(Power)
 def _power(quantity: Power, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.of, base):
-        slides = [r for r in system.held if r.connection == quantity.of and any(r is rub.row for rub in base.rubs)]
+        slides = [
+            r for r in system.held if r.connection == quantity.of and any(r is rub.row for rub in base.dry_friction)
+        ]
         powers = [state.law(p) * state.rate(p.measure) for p in _frictions(quantity.of, system)]
         powers += [state.multiplier(row) * state.rate(row.measure) for row in slides]  # as a simulation has them
         return sum(powers, _zero(state))
@@ -65,7 +67,7 @@ def plain(system: System) -> System:
 
 
 def _is_contact(name: str, base: System) -> bool:
-    return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.rubs)))
+    return any(r.connection == name for r in (*(b.row for b in base.bounds), *(r.row for r in base.dry_friction)))
 
 
 def frictions(system: System) -> list[AppliedLoad]:

@@ -104,7 +104,7 @@ def phases(system: System) -> Phases:
 
 def phases_of(tree: PhaseTree) -> Phases:
     """The cases of a tree, path by path."""
-    if not tree.system.bounds and not tree.system.rubs and not tree.closed:
+    if not tree.system.bounds and not tree.system.dry_friction and not tree.closed:
         raise CannotAnswer(Message("the system has no contact, no stop and no dry friction: its motion has one phase"))
     cases = [_case(tree, path) for path in paths(tree.roots)]
     cases.sort(key=lambda case: not case.is_own)
@@ -288,7 +288,7 @@ def _forces(tree: PhaseTree, phase: Phase) -> tuple[tuple[str, Expr], ...]:
     found: list[tuple[str, Expr]] = []
     state = SymbolicState(phase.model)
     acting = {row.name for row in phase.system.held} | {p.load for p in phase.system.applied_loads}
-    special = {b.name for b in phase.base.bounds} | {r.name for r in phase.base.rubs}
+    special = {b.name for b in phase.base.bounds} | {r.name for r in phase.base.dry_friction}
     for row in phase.base.rows:
         if row.name not in special and not row.unilateral:
             continue

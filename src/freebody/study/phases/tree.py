@@ -127,7 +127,7 @@ class PhaseTree(Home):
         self.lost |= dict.fromkeys(gone.tolist(), reason)
 
     def _rubbing(self, closed: frozenset[str]) -> list[DryFriction]:
-        return [rub for rub in self.system.rubs if not rub.of or rub.of in closed]
+        return [rub for rub in self.system.dry_friction if not rub.of or rub.of in closed]
 
     # -- impacts ----------------------------------------------------------------------------------
     def _struck(self, instant: PhaseStart, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[PhaseNode]:
@@ -328,14 +328,16 @@ class PhaseTree(Home):
                 slips: dict[str, Ratio] = {}
                 for name, state in states.items():
                     is_still = name == watch.name or state == 0
-                    rate = None if is_still else self.to_home(phase, there.rate(phase.rubs[name].row.measure))
+                    rate = None if is_still else self.to_home(phase, there.rate(phase.dry_friction[name].row.measure))
                     slips[name] = self.home.model.field.zero if rate is None else rate
                 excluded = {"opens": (watch.name, 0), "slips": (watch.name, watch.direction)}.get(watch.kind)
                 closed = phase.mode.closed
                 if watch.kind == "edge ends":
                     closed = closed - {watch.name} | self._taking_over(phase, there, watch.name, edge.sets)
-                    rubs = self._rubbing(closed)
-                    slips = {r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in rubs}
+                    dry_friction = self._rubbing(closed)
+                    slips = {
+                        r.name: slips.get(r.name, self.to_home(phase, there.rate(r.row.measure))) for r in dry_friction
+                    }
                 instant = PhaseStart(placed, closed, slips, before, excluded, None, node.n_impacts, known)
                 edge.nodes = self._follow(instant, edge.sets, node.depth + 1)
         except NO_FORM as error:

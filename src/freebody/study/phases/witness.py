@@ -85,7 +85,7 @@ class NumericMode:
         self.references = [self._reference(u) for u in units]
         self._last: tuple[Any, list[Snapshot]] | None = None
         self.bounds = {b.name: b for b in base.bounds}
-        self.rubs = {r.name: r for r in base.rubs}
+        self.dry_friction = {r.name: r for r in base.dry_friction}
 
     def _reference(self, loads: Mapping[str, float]) -> Reference:
         reference = Reference(self.system, {**self.values, **loads})
@@ -200,11 +200,11 @@ class NumericMode:
         return event[0] != "touches" or self.on_edge(event[1], q, v, t) > 0.0
 
     def slip(self, name: str, q: Array, v: Array, t: float) -> float:
-        return self._seen(q, v, t)[0].rate(self.rubs[name].row.measure)
+        return self._seen(q, v, t)[0].rate(self.dry_friction[name].row.measure)
 
     def reserve(self, name: str, way: int, q: Array, v: Array, t: float) -> float:
         limit = 0.0
-        for rub in (self.rubs[name], *(self.rubs[other] for other in self.shared.get(name, ()))):
+        for rub in (self.dry_friction[name], *(self.dry_friction[other] for other in self.shared.get(name, ()))):
             load = float(np.hypot.reduce([self.multiplier(n, q, v, t) for n in rub.load])) if rub.load else 1.0
             limit += self.coefficient(rub, way, self._seen(q, v, t)[0]) * load
         return limit + way * self.multiplier(name, q, v, t)

@@ -34,8 +34,8 @@ def states(phase: Phase) -> dict[str, str]:
     for row in phase.base.held:
         if row.needs and f"{row.connection}.{row.needs}" in phase.mode.closed:
             found[row.connection] = Message("rolls")
-    slipping = {rub.of for rub in phase.base.rubs if rub.row.reaction != ROLLING}
-    for rub in phase.base.rubs:
+    slipping = {rub.of for rub in phase.base.dry_friction if rub.row.reaction != ROLLING}
+    for rub in phase.base.dry_friction:
         name = label(rub.of or rub.name)
         state = phase.mode.states.get(rub.name)
         if rub.row.reaction == ROLLING and rub.of in slipping:
@@ -150,7 +150,7 @@ def happening(watch: PhaseWatch, after: Phase | None) -> str:
                 return {
                     "rolls": Message("rolling begins"),
                     "holds": Message("{contact} comes to rest", contact=name),
-                }.get(verb(after, after.rubs[watch.name], 0), Message("slip of {contact} ends", contact=name))
+                }.get(verb(after, after.dry_friction[watch.name], 0), Message("slip of {contact} ends", contact=name))
             if state:
                 return Message("slip of {contact} reverses", contact=name)
             return Message("slip of {contact} ends", contact=name)

@@ -116,8 +116,8 @@ class FreeBody:
     def rows(self) -> tuple[ConstraintRow, ...]:
         """What is held, and of what may touch or rub what is closed."""
         bounds = [bound.row for bound in self.system.bounds if bound.name in self.closed]
-        rubs = [rub.row for rub in self.system.rubs if not rub.of or rub.of in self.closed]
-        return (*self.system.held, *bounds, *rubs)
+        dry_friction = [rub.row for rub in self.system.dry_friction if not rub.of or rub.of in self.closed]
+        return (*self.system.held, *bounds, *dry_friction)
 
     def _is_internal(self, measure: Measure | NonholonomicForm) -> bool:
         others = set(measure.bodies()) - set(self.bodies)

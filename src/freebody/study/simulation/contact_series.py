@@ -23,13 +23,13 @@ def contact_series(result: SimulatedMotion, names: Mapping[str, str]) -> dict[st
     """`<bound>.state` of every bound, `<friction>.used_friction` of all dry friction. names: of reactions, by row."""
     record, system = result.course.contact, result.system
     assert record is not None
-    rubs = {rub.of: rub for rub in system.rubs if rub.of}
+    dry_friction = {rub.of: rub for rub in system.dry_friction if rub.of}
     data: dict[str, Any] = {}
     for k, name in enumerate(record.bounds):
         state = record.states[:, k].astype(np.int8)
-        rub = rubs.get(name)
+        rub = dry_friction.get(name)
         if rub is not None:
-            slip = record.slips[:, record.rubs.index(rub.name)]
+            slip = record.slips[:, record.dry_friction.index(rub.name)]
             rubbing = np.select([slip == 0, slip == 1, slip == -1], [STICKING, FORWARD, BACKWARD], CLOSED)
             state = np.where(state > 0, rubbing, OPEN).astype(np.int8)
         data[f"{_stem(names[name])}.state"] = (
@@ -38,7 +38,7 @@ def contact_series(result: SimulatedMotion, names: Mapping[str, str]) -> dict[st
             {"flag_values": list(range(5)), "flag_meanings": MEANINGS, "long_name": f"contact state of {name}"},
         )
     column = {row.name: k for k, row in enumerate(system.rows)}
-    for rub in system.rubs:
+    for rub in system.dry_friction:
         data[f"{_stem(names[rub.name])}.used_friction"] = (
             "time",
             used_friction(result, rub, column),
@@ -51,13 +51,13 @@ def final_states(result: SimulatedMotion) -> dict[str, str]:
     """The state of every bound, and of dry friction in joints, at the end, by name."""
     record, system = result.course.contact, result.system
     assert record is not None
-    rubs = {rub.of: rub.name for rub in system.rubs if rub.of}
-    slips = dict(zip(record.rubs, record.slips[-1], strict=True))
+    dry_friction = {rub.of: rub.name for rub in system.dry_friction if rub.of}
+    slips = dict(zip(record.dry_friction, record.slips[-1], strict=True))
     states: dict[str, str] = {}
     for name, is_closed in zip(record.bounds, record.states[-1], strict=True):
-        slip = slips.get(rubs.get(name, ""))
+        slip = slips.get(dry_friction.get(name, ""))
         states[name] = "open" if not is_closed else _WORDS.get(int(slip), "closed") if slip is not None else "closed"
-    states |= {rub.name: _WORDS.get(int(slips[rub.name]), "no force") for rub in system.rubs if not rub.of}
+    states |= {rub.name: _WORDS.get(int(slips[rub.name]), "no force") for rub in system.dry_friction if not rub.of}
     return states
 
 

@@ -68,7 +68,7 @@ class Simulator:
         self.start = self.engine.state(*self.reference.by_body(q, v))
         start = self.reference.snapshot(q, v)
         check_laws(self.reference, start.geometry)
-        for rub in system.rubs:
+        for rub in system.dry_friction:
             if not rub.of:  # it rubs from the start on, so its slip must have a value there
                 self.reference.jet(start.geometry, rub.row.measure, rub.row.name)
         self.value_at_start = start.value

@@ -81,9 +81,9 @@ def read_bounds(
             if isinstance(connection, Contact):
                 contacts += connection.pairs(names, name)
                 continue
-            bounds, rubs = connection.bounds(names, name)
+            bounds, dry_friction = connection.bounds(names, name)
             limits += (replace(bound, row=_in_numbers(names, bound.row)) for bound in bounds)
-            for rub in rubs:
+            for rub in dry_friction:
                 static, kinetic = (substitute(e, by_form) for e in (rub.static, rub.kinetic))
                 brakes.append(replace(rub, static=static, kinetic=kinetic))
     return tuple(contacts), tuple(limits), tuple(brakes)
@@ -101,9 +101,9 @@ def rows_to_ask_for(
     contacts: tuple[OutlinePair, ...], limits: tuple[UnilateralConstraint, ...], brakes: tuple[DryFriction, ...]
 ) -> list[ConstraintRow]:
     """Rows that questions can name; of a crowd of contacts nobody asks for one."""
-    bounds, rubs = list(limits), list(brakes)
+    bounds, dry_friction = list(limits), list(brakes)
     for pair in contacts if len(contacts) <= MOST_ASKED else ():
         more_bounds, more_rubs = pair.elements()
         bounds += more_bounds
-        rubs += more_rubs
-    return [item.row for item in (*bounds, *rubs)]
+        dry_friction += more_rubs
+    return [item.row for item in (*bounds, *dry_friction)]
